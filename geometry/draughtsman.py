@@ -16,8 +16,9 @@ import numpy.typing as npt
 
 from geometry import meet as loci
 from geometry.board import Arc, Line, Mark
-from geometry.hand_error import EDGE, EVEN, Hand, Sizes, Slopes, pricked_givens
+from geometry.hand_error import EDGE, EVEN, SlippingHand, pricked_givens
 from geometry.meet import cross
+from geometry.scatter import Sizes, Slopes
 from geometry.steps import behind
 
 Complexes = npt.NDArray[np.complex128]
@@ -75,7 +76,7 @@ def copies(hand: Draughtsman, *wanted: Mark) -> dict[Mark, Any]:
     return done
 
 
-def slopes(hand: Hand, *wanted: Mark) -> dict[Mark, Slopes]:
+def slopes(hand: SlippingHand, *wanted: Mark) -> dict[Mark, Slopes]:
     """Give how far each slip of a hand moves each mark, as `hand_error.slopes` does: each slip tried by itself."""
     counter = _OneByOne(0)
     true = copies(Draughtsman(0.0, hand.scales, 1, counter), *wanted)
@@ -121,7 +122,7 @@ def _given(hand: Draughtsman, mark: Mark, place: bool) -> Any:
 
 def _laid_off(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     start, vector = inputs
-    if not np.any(vector):  # nothing is laid off
+    if not np.any(mark.step.inputs[1].point):  # nothing is laid off, whatever the slips before it would make of it
         return start
     return start + vector + hand.pricked(mark.subject)
 

@@ -16,14 +16,11 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Line, Mark, between
 from geometry.meet import cross, dot
+from geometry.scatter import POINT, Sizes, Slopes
 from geometry.steps import behind
-
-Slopes = npt.NDArray[np.complex128]  # (sources, N): by the standard deviation of each slip
-Sizes = npt.NDArray[np.float64]
 
 EDGE = 100.0  # mm of a set square's edge that lies along a line: a longer line is carried no more truly
 EVEN = 1 / np.sqrt(3.0)  # standard deviation of what is evenly within 1 to either side
-SURE, POINT = 0.95, 1.959964  # the share of all drawings that is told of, and the deviations that hold so many
 # Where the slips may change by more than this share what is divided by, such as the sine of a meeting, the error is no
 # longer in proportion to them: what is left out of it is the square of the share, a tenth. A dead centre is near.
 BENT = float(np.sqrt(0.1))
@@ -36,7 +33,7 @@ PLACES: Mapping[str, tuple[int, ...]] = {
 RECKONED = {"join", "turn", "similar", "close", "couple"}  # verbs that touch no paper
 
 
-class Hand(NamedTuple):
+class SlippingHand(NamedTuple):
     """A hand that slips: by how many mm at most, and the scales of the plans it draws, true units a mm, (N,).
 
     A plan without a scale is not drawn: what stands on it is known.
@@ -51,15 +48,15 @@ def pricked_givens(marks: Sequence[Mark]) -> set[Mark]:
     return {mark.step.inputs[k] for mark in marks for k in PLACES.get(mark.step.op, ())}
 
 
-def slopes(hand: Hand, *marks: Mark) -> dict[Mark, Slopes]:
+def slopes(hand: SlippingHand, *marks: Mark) -> dict[Mark, Slopes]:
     """Give how far each slip of a hand moves each mark behind some marks; NaN where that is not in proportion.
 
     >>> from geometry.board import Board
     >>> board = Board("positions")
     >>> end = board.lay_off("B", board.given("A", 0j), board.given("AB", 5 + 0j))
-    >>> found = slopes(Hand(0.2, {"positions": np.ones(1)}), end)[end]
-    >>> round(float(np.sqrt((np.abs(found) ** 2).sum())), 4) == round(0.2 * np.sqrt(2 / 3), 4)
-    True
+    >>> found = slopes(SlippingHand(0.2, {"positions": np.ones(1)}), end)[end]
+    >>> round(float((np.abs(found) ** 2).sum()) / 0.2**2, 12)  # a third in x, a third in y
+    0.666666666667
     """
     record = behind(*marks)
     drawing = _Drawing(hand, sum(mark.step.op not in RECKONED for mark in record))
@@ -68,50 +65,6 @@ def slopes(hand: Hand, *marks: Mark) -> dict[Mark, Slopes]:
         for mark in record:
             drawing.carry(mark, mark in places)
     return {mark: moved.place[: drawing.sources] for mark, moved in drawing.done.items()}
-
-
-def number_error(moved: Slopes) -> Sizes:
-    """Give within what 95 per cent of the drawings are of a number that the slips move so, (N,)."""
-    slips = np.real(moved)
-    return np.asarray(_point(slips) * np.sqrt((slips**2).sum(axis=0)))
-
-
-def size_error(vector: npt.NDArray[np.complex128], moved: Slopes) -> Sizes:
-    """Give within what 95 per cent of the drawings are of the size of a vector, (N,); of a vector 0, of its place.
-
-    A vector that is no longer than its error is looked at in a whole cloud of its ends, spread as the slips spread it.
-    """
-    across = np.sqrt((moved.real**2).sum(axis=0))
-    skew = np.divide((moved.real * moved.imag).sum(axis=0), across, out=np.zeros_like(across), where=across != 0)
-    up = np.sqrt(np.maximum((moved.imag**2).sum(axis=0) - skew**2, 0.0))
-    ends = vector + _CLOUD.real[:, None] * (across + 1j * skew) + 1j * _CLOUD.imag[:, None] * up
-    off = np.quantile(np.abs(np.abs(ends) - np.abs(vector)), SURE, axis=0)
-    return np.asarray(off * _point(np.asarray(dot(np.asarray(vector), moved))) / POINT)
-
-
-def _point(slips: Sizes) -> Sizes:
-    """Give within how many standard deviations of a sum of slips 95 per cent of it are.
-
-    Of many slips they are 1.960, of one alone, which is even within its bounds, 0.95 sqrt 3. Between them it hangs on
-    the fourth moment: a cubic through the exact values of one, of three alike and of many, which gives that of two
-    alike, 1.9016, and of one with another half as large, 1.834, to 0.3 per cent.
-    """
-    square = (slips**2).sum(axis=0)
-    flat = np.divide((slips**4).sum(axis=0), square**2, out=np.zeros_like(square), where=square != 0)
-    return np.asarray(POINT - FLAT[0] * flat**2 - FLAT[1] * flat**3)
-
-
-FLAT = 0.1481, 0.1664
-_CHANCES = 1000  # points of a cloud, of which 50 lie beyond what is told
-
-
-def _cloud(count: int) -> npt.NDArray[np.complex128]:
-    """Give points spread about zero as chance spreads them, yet evenly: radii by rank, angles as in a sunflower."""
-    rank = (np.arange(count) + 0.5) / count
-    return np.asarray(np.sqrt(-2 * np.log1p(-rank)) * np.exp(1j * np.pi * (3 - np.sqrt(5.0)) * np.arange(count)))
-
-
-_CLOUD = _cloud(_CHANCES)
 
 
 class _Moved(NamedTuple):
@@ -124,7 +77,7 @@ class _Moved(NamedTuple):
 class _Drawing:
     """A record on its way through the hand: what each mark is moved by, and the slips made so far."""
 
-    def __init__(self, hand: Hand, acts: int) -> None:
+    def __init__(self, hand: SlippingHand, acts: int) -> None:
         self.hand, self.most, self.sources = hand, 2 * acts, 0
         self.count = max((len(row) for row in hand.scales.values()), default=1)
         self.done: dict[Mark, _Moved] = {}

@@ -56,13 +56,8 @@ SHARED = (
     "plans.model.cam_motion",
     "plans.model.cyclogram",
     "plans.model.diagrams",
-    "plans.model.account",
-    "plans.model.dynamics",
-    "plans.model.edge_names",
     "plans.model.flywheel_methods",
     "plans.model.flywheel_rim",
-    "plans.model.motor",
-    "plans.model.run",
     "plans.model.working",
 )
 ONLY_IN = {

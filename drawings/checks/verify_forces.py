@@ -14,7 +14,7 @@ from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
-from drawings.checks.forces.details import Details
+from drawings.checks.forces.details import Details, Sheets
 from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.load_points import loads
 from drawings.checks.linkage import accord, by_hand
@@ -38,7 +38,6 @@ from plans.checks.hand.forces import FIGURES, forces_by_hand
 from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
-from plans.model.group import Group as AssurGroup
 from plans.model.order import VELOCITIES
 from plans.study import Study
 from plans.words.words import Message, message
@@ -64,6 +63,14 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     named = table_names(comparison, statics)
     yield from reading.tables(leaf, named)
     yield from check.by_hand(named)
+
+
+def set_faults(sheets: Sheets, study: Study) -> Iterator[Wrong]:
+    """Hold what belongs to a figure of a force sheet, and may have gone on to the next sheet of its position."""
+    comparison, statics = study.comparison("forces"), study["forces"]
+    for measured, leaf in sheets:
+        check = _Check(measured, leaf, comparison, statics)
+        yield from check.set_faults([one for one in sheets if int(one[1].metadata["position"]) == check.position])
 
 
 def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
@@ -132,18 +139,19 @@ class _Check:
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
-            yield from self._details(name, expected, cuts[name]).faults()
         velocities = study.drafts().velocities
         letters = {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
         speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, letters, 2 * speed)
 
-    def _details(self, label: str, expected: ExpectedForces, group: AssurGroup | None) -> Details:
+    def details(self, sheets: Sheets, label: str) -> Details:
+        """Give the details of one force plan of the sheet, on the sheets of its position."""
         language, letter = self.statics.study.scene.sheet.language, self.statics.form.sheet.reactions
-        must = expected.polygon(self.statics.study.groups, group)
-        parts = expected.parts(group)
+        expected, groups = self.expected(), self.statics.study.groups
+        group = next(cut.group for cut in self.statics.drafts().plans.plan.cuts if cut.label == label)
+        must = expected.polygon(groups, group)
         letters = {name: plain(Text(0j, force_letter(name, language, letter)).plain) for name in must}
-        return Details(self.measured, self.leaf, label, {**must, **parts}, letters, self.slack)
+        return Details(self.measured, sheets, label, {**must, **expected.parts(group)}, letters, self.slack)
 
     def arrows(self) -> Iterator[Message]:
         """Hold the directions of arrows that are not to scale, on the schemes and on the lever."""
@@ -217,6 +225,14 @@ class _Check:
         """Hold the lever's equation of moments, and its arms."""
         language = self.statics.study.scene.sheet.language
         yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).faults()
+
+    def set_faults(self, sheets: Sheets) -> Iterator[Wrong]:
+        """Hold what a figure of the sheet has on any sheet of its position: enlarged details, the lever's equation."""
+        for name in self.leaf.metadata["groups"]:
+            yield from self.details(sheets, name).faults()
+        language = self.statics.study.scene.sheet.language
+        leaves = [leaf for _, leaf in sheets]
+        yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).unequalled(leaves)
 
     def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]

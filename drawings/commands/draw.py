@@ -26,7 +26,9 @@ from plans.techniques import named
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
+    from drawings.checks.wrong import Wrong
     from drawings.files.enclosure import Enclosure
+    from drawings.measure.measure import Measured
     from drawings.paper.strokes import Leaf
 
 GAPS = 4
@@ -99,7 +101,7 @@ def _admit(scene: Scene) -> None:
 def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
-        from drawings.checks.verify import verify, verify_documents, verify_enclosure, verify_report, verify_scales
+        from drawings.checks import verify as checks
         from drawings.pens.svg import svg
         from drawings.sheets.documents import bind, cuts
 
@@ -118,18 +120,27 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            verify_report(faults(text, study, leaves))
-            verify_documents(leaves, scene.sheet)
+            checks.verify_report(faults(text, study, leaves))
+            checks.verify_documents(leaves, scene.sheet)
             measured = [
-                (kind, verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)))
+                (kind, checks.verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)), leaf)
                 for path, (kind, leaf) in sheets.items()
             ]
-            verify_scales([(SHEETS[kind].scales, one) for kind, one in measured], scene.sheet)
+            checks.verify_scales([(SHEETS[kind].scales, one) for kind, one, _ in measured], scene.sheet)
+            checks.verify_set(_of_sets(study, measured))
             for path, enclosure in enclosures.items():
-                verify_enclosure(written[path], enclosure)
+                checks.verify_enclosure(written[path], enclosure)
         for path in publish(folder, manifest, written):
             _say(scene, placed(path, message("file.surplus")))
     return SheetSet(study, leaves, tuple(contents))
+
+
+def _of_sets(study: Study, measured: Sequence[tuple[str, Measured, Leaf]]) -> Iterator[Wrong]:
+    """Give what is wrong with all sheets of a kind as a set."""
+    for kind in study.scene.sheets:
+        if SHEETS[kind].together:
+            own = [(one, leaf) for other, one, leaf in measured if other == kind]
+            yield from named(SHEETS[kind].together)(own, study)
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:

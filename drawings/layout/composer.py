@@ -13,16 +13,19 @@ from dataclasses import dataclass
 
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
-from drawings.layout.parting import Run, fewest, partings
+from drawings.layout.parting import SheetRun, fewest, partings
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
-from drawings.layout.slicing import Slicing, Tree
+from drawings.layout.slicing import Cuts, Slicing, Tree
 from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Shape, nested
 from drawings.page.page import Page
+from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
 POINTS = 6  # sizes of a sheet that are looked at
+LATE = 0.5  # what notes count that do not stand on the first sheet, against the logarithm of the figures' sizes
 PARTINGS = 6  # ways to part a set into sheets that are looked at
 
 
@@ -74,12 +77,15 @@ class _Composer:
 
     def __init__(self, asked: Request, page: Page) -> None:
         self.asked, self.page = asked, page
+        self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[int, State], _Cutting] = {}
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
         floors, every = self.asked.floors, range(len(self.asked.orders))
         count = min(self._cutting(order, floors).number(0) for order in every)
+        if not count:
+            raise SheetError(message("refused.figure", format=self.page.name))
         sets = (one for state in self._states(floors, count) for one in self._sets(state, count))
         best = max(sets, key=lambda one: one.score)
         return tuple(sheet.composition() for sheet in best.sheets)
@@ -90,7 +96,7 @@ class _Composer:
             shapes = [stock.shapes(unit, rungs) for unit in self.asked.orders[order]]
             opening = [stock.opening(own, head_of(self.page)) for own in shapes]
             sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
-            slicing = Slicing(sizes, stock.room, corner_of(self.page), opened)
+            slicing = Slicing(sizes, self.cuts, corner_of(self.page), opened)
             self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
 
@@ -125,7 +131,7 @@ class _Composer:
                 trees = [self._best(cutting, run, state, run is parting[-1]) for run in parting]
                 yield self._grown(trees, state)
 
-    def _best(self, cutting: _Cutting, run: Run, state: State, last: bool) -> Tree:
+    def _best(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
         """Choose the best of the ways to cut one sheet of a set."""
 
         def fault(tree: Tree) -> float:
@@ -143,4 +149,5 @@ class _Composer:
         last = len(trees) - 1
         sheets = tuple(Stood(self.asked.stock, self.page, tree, rungs, k == last) for k, tree in enumerate(trees))
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
-        return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets))
+        late = LATE * any(sheet.notes for sheet in sheets[1:])
+        return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets) - late)

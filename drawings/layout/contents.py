@@ -26,13 +26,15 @@ class Panel(NamedTuple):
     """A figure or lettering, and what it wants of its place.
 
     Panels of one key `together` stand together, in their order; figures of one key `scale` are drawn at one scale. A
-    weight above 1 makes a figure larger than the others; the weightiest one is foremost.
+    weight above 1 makes a figure larger than the others; the weightiest one is foremost. A figure may want a `share` of
+    its sheet: it is drawn at a smaller scale only where the next one does not fit.
     """
 
     item: Item
     weight: float = EVEN
     together: str = ""
     scale: str = ""
+    share: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,7 @@ class Picture(NamedTuple):
     heading: float  # mm, width of the heading
     least: float  # mm: lines drawn smaller are hidden by their letters
     most: float = math.inf  # mm: lines drawn larger would be out of proportion
+    open: bool = True  # above it stands nothing but its heading in the middle
     exact: float = 0.0  # mu: it is drawn at this scale and no other, if there is one
 
     def size(self, scale: Scale) -> tuple[float, float]:

@@ -10,14 +10,12 @@ from drawings.layout.contents import Contents
 from drawings.layout.growth import State, rungs_of
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.room import corner_of, head_of, room_of
-from drawings.layout.slicing import Piece, Slicing
+from drawings.layout.slicing import Cuts, Piece, Slicing
 from drawings.layout.table import RuledTable
 from drawings.layout.units import Shape, Stock, Unit, groups, orders
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
-
-THIRD = 1 / 3  # of a sheet that the foremost figure takes, where the next scale is not too large
 
 
 @dataclass(frozen=True)
@@ -78,7 +76,7 @@ class _Fitting:
     def _stands(self, shapes: Sequence[Shape]) -> bool:
         """Tell whether a unit stands on a sheet with nothing but the title block."""
         opening = [shape.size for shape in self._stock.opening(shapes, head_of(self.page))]
-        return len(Slicing([opening], self.room, corner_of(self.page)).sheet(0, 0).sizes) > 0
+        return len(Slicing([opening], Cuts(self.room), corner_of(self.page)).sheet(0, 0).sizes) > 0
 
     def _apart(self, unit: Unit, rungs: Mapping[str, Rung]) -> Iterator[Unit]:
         """Take what should stand together apart where no sheet holds it."""
@@ -114,13 +112,15 @@ class _Fitting:
         return 0
 
     def _raised(self, steps: Sequence[Steps], floors: State) -> State:
-        """Draw the foremost figure on its share of a sheet, or at the largest scale that fits one."""
-        foremost = self.contents.foremost
-        if foremost is None or not isinstance(foremost.item, Picture):
-            return floors
-        name, field = foremost.item.name, self.page.field
-        v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
-        rungs = [step[name] for step in steps[v].rungs]
-        large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= THIRD * field.width * field.height]
-        fitting = [k for k, rung in enumerate(rungs) if self._alone(name, rung)]
-        return (*floors[:v], max(min(large[:1] + fitting[-1:]), floors[v]), *floors[v + 1 :])
+        """Draw figures on their shares of a sheet, or at the largest scale that fits one."""
+        found, field = list(floors), self.page.field
+        for panel in self.contents.panels:
+            if panel.share and isinstance(panel.item, Picture):
+                name = panel.item.name
+                v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
+                rungs = [step[name] for step in steps[v].rungs]
+                area = panel.share * field.width * field.height
+                large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= area]
+                fitting = [k for k, rung in enumerate(rungs) if self._alone(name, rung)]
+                found[v] = max(min(large[:1] + fitting[-1:]), floors[v])
+        return tuple(found)

@@ -6,6 +6,7 @@ other beats both ways (Stockmeyer's shape functions). A run that closes a sheet 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
@@ -19,7 +20,7 @@ KEPT = 12  # sizes kept of a run
 SAME = 1e-9  # mm: sizes are sums of the same units in another order
 
 Size: TypeAlias = tuple[float, float]
-Ways: TypeAlias = npt.NDArray[np.intp]  # (n, 4)
+Ways: TypeAlias = npt.NDArray[np.intp]  # (n, 4), or (n,)
 
 
 class Piece(NamedTuple):
@@ -53,20 +54,113 @@ def pieces(tree: Tree) -> Iterator[Piece]:
 class Shapes(NamedTuple):
     """The sizes (n, 2) mm that a run may have, and of each where the run is cut, which way, and both parts' sizes.
 
-    `parts` are the shapes of both parts, by where the run is cut; a single unit has none.
+    `parts` are the shapes of both parts, by how many units stand before the cut; a single unit has none.
     """
 
     sizes: Floats
     ways: Ways
     parts: Mapping[int, tuple[Shapes, Shapes]]
 
-    def tree(self, choice: int) -> Tree:
-        """Give how the run is cut where it has one of its sizes."""
+    def tree(self, choice: int, units: Sequence[int]) -> Tree:
+        """Give how a run of some units is cut where it has one of its sizes."""
         at, beside, first, second = map(int, self.ways[choice])
         if not self.parts:
-            return Piece(at, first)
+            return Piece(units[0], first)
         parts = self.parts[at]
-        return Cut(bool(beside), parts[0].tree(first), parts[1].tree(second))
+        return Cut(bool(beside), parts[0].tree(first, units[:at]), parts[1].tree(second, units[at:]))
+
+
+NONE = Shapes(np.empty((0, 2)), np.empty((0, 4), int), {})
+
+
+class Cuts:
+    """The sizes of all runs that fit into a room, by the sizes of their units: all orders and scales share them."""
+
+    def __init__(self, room: Size) -> None:
+        self.room = np.add(room, SAME)
+        self._numbers = dict[tuple[Size, ...], int]()
+        self._least: list[float] = []  # mm2 that each unit takes at least, with the gap beside and above it
+        self._runs = dict[tuple[int, ...], Shapes]()
+
+    def number(self, sizes: Sequence[Size]) -> int:
+        """Give the number by which units of these sizes are known."""
+        own = tuple(sizes)
+        if own not in self._numbers:
+            k = self._numbers[own] = len(self._numbers)
+            self._least.append(min(((wide + GAP) * (high + GAP) for wide, high in own), default=math.inf))
+            self._runs[k,] = self._own(own)
+        return self._numbers[own]
+
+    def run(self, units: tuple[int, ...]) -> Shapes:
+        """Give the sizes of a run of units, by their numbers."""
+        if units not in self._runs:
+            self._runs[units] = self._join(units)
+        return self._runs[units]
+
+    def _own(self, own: Sequence[Size]) -> Shapes:
+        sizes = np.array(own, float).reshape(-1, 2)
+        fits = np.flatnonzero((sizes <= self.room).all(-1))
+        kept = fits[_kept(sizes[fits])]
+        ways = np.zeros((len(kept), 4), int)
+        ways[:, 2] = kept
+        return Shapes(sizes[kept], ways, {})
+
+    def _join(self, units: tuple[int, ...]) -> Shapes:
+        """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
+        if sum(self._least[k] for k in units) > np.prod(self.room + GAP):
+            return NONE
+        cuts = {at: (self.run(units[:at]), self.run(units[at:])) for at in range(1, len(units))}
+        parts = {at: pair for at, pair in cuts.items() if all(len(part.sizes) for part in pair)}
+        if not parts:
+            return NONE
+        first, second = (_alike([pair[k].sizes for pair in parts.values()]) for k in (0, 1))
+        sizes = _joined(first[:, None, :, None], second[:, None, None])
+        fits = np.flatnonzero((sizes <= self.room).all(-1))
+        kept = fits[_kept(sizes.reshape(-1, 2)[fits])]
+        at, *rest = np.unravel_index(kept, sizes.shape[:-1])
+        ways = np.stack([np.array(list(parts))[at], *rest], axis=-1)
+        return Shapes(sizes.reshape(-1, 2)[kept], ways, parts)
+
+
+def _alike(sizes: Sequence[Floats]) -> Floats:
+    """Put the sizes (n, 2) of several runs into one table (run, most n, 2); what is missing fits nowhere."""
+    table = np.full((len(sizes), max(map(len, sizes)), 2), math.inf)
+    for row, own in zip(table, sizes, strict=True):
+        row[: len(own)] = own
+    return table
+
+
+def _joined(first: Floats, second: Floats) -> Floats:
+    """Join sizes (cut, 1, n, 1, 2) and (cut, 1, 1, m, 2), one above the other and beside: (cut, 2, n, m, 2)."""
+    over, most = first + second + GAP, np.maximum(first, second)
+    beside = np.array([[False, True], [True, False]])[:, None, None]  # of each way: does the width, the height add up?
+    return np.where(beside, over, most)
+
+
+def _kept(sizes: Floats) -> Ways:
+    """Choose the sizes that no other beats both ways; of too many those that lie evenly among them."""
+    order = np.lexsort((sizes[:, 1], sizes[:, 0]))
+    high = sizes[order, 1]
+    lower = np.ones(len(high), bool)
+    lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1] - SAME
+    order = order[lower]
+    return order[np.linspace(0, len(order) - 1, KEPT).round().astype(int)] if len(order) > KEPT else order
+
+
+class Run(NamedTuple):
+    """The shapes of a run, and the numbers of its units."""
+
+    shapes: Shapes
+    units: Sequence[int]
+
+    @property
+    def sizes(self) -> Floats:
+        """The sizes (n, 2) mm that it may have."""
+        return self.shapes.sizes
+
+    def tree(self, choice: int) -> Tree:
+        """Give how the run is cut where it has one of its sizes."""
+        return self.shapes.tree(choice, self.units)
 
 
 class Slicing:
@@ -78,73 +172,19 @@ class Slicing:
     def __init__(
         self,
         units: Sequence[Sequence[Size]],
-        room: Size,
+        cuts: Cuts,
         corner: Size = (0.0, 0.0),
         opening: Sequence[Sequence[Size]] | None = None,
     ) -> None:
-        self.room = np.add(room, SAME)
-        last = self._own(len(units), [corner])
-        self._runs = {(k, k): self._own(k, own) for k, own in enumerate(units)}
-        self._opened = {(k, k): self._own(k, own) for k, own in enumerate(opening or units)}
-        self._closed = {(k + 1, k): last for k in range(len(units))}
-        self._sheets = dict[tuple[int, int], Shapes]()
+        self._cuts, self._corner = cuts, cuts.number([corner])
+        self._units = tuple(map(cuts.number, units))
+        self._opening = self._units if opening is None else tuple(map(cuts.number, opening))
 
-    def run(self, i: int, j: int) -> Shapes:
+    def run(self, i: int, j: int) -> Run:
         """Give the sizes of the run from one unit to another."""
-        if (i, j) not in self._runs:
-            self._runs[i, j] = self._join([(self.run(i, k), self.run(k + 1, j), k) for k in range(i, j)])
-        return self._runs[i, j]
+        return Run(self._cuts.run(self._units[i : j + 1]), range(i, j + 1))
 
-    def opened(self, i: int, j: int) -> Shapes:
-        """Give the sizes of a run that begins a sheet."""
-        if (i, j) not in self._opened:
-            self._opened[i, j] = self._join([(self.opened(i, k), self.run(k + 1, j), k) for k in range(i, j)])
-        return self._opened[i, j]
-
-    def closed(self, i: int, j: int) -> Shapes:
-        """Give the sizes of a run that ends a sheet, the corner behind it; of no unit at all it is the corner."""
-        if (i, j) not in self._closed:
-            self._closed[i, j] = self._join([(self.run(i, k), self.closed(k + 1, j), k) for k in range(i, j + 1)])
-        return self._closed[i, j]
-
-    def sheet(self, i: int, j: int) -> Shapes:
-        """Give the sizes of the sheet of the run from one unit to another."""
-        if (i, j) not in self._sheets:
-            self._sheets[i, j] = self._join([(self.opened(i, k), self.closed(k + 1, j), k) for k in range(i, j + 1)])
-        return self._sheets[i, j]
-
-    def _own(self, k: int, sizes: Sequence[Size]) -> Shapes:
-        ways = np.array([(k, 0, choice, 0) for choice in range(len(sizes))], int).reshape(-1, 4)
-        return self._kept(np.array(sizes, float).reshape(-1, 2), ways, {})
-
-    def _join(self, cuts: Sequence[tuple[Shapes, Shapes, int]]) -> Shapes:
-        """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
-        parts = {at: (first, second) for first, second, at in cuts if len(first.sizes) and len(second.sizes)}
-        joined = [self._pairs(*pair, at) for at, pair in parts.items()]
-        if not joined:
-            return Shapes(np.empty((0, 2)), np.empty((0, 4), int), {})
-        sizes, ways = zip(*joined, strict=True)
-        return self._kept(np.concatenate(sizes), np.concatenate(ways), parts)
-
-    def _pairs(self, first: Shapes, second: Shapes, at: int) -> tuple[Floats, Ways]:
-        own, other = first.sizes[:, None], second.sizes[None, :]
-        over, most = own + other + GAP, np.maximum(own, other)
-        every = np.empty((2, *over.shape))  # stacked, beside
-        every[0, ..., 0], every[0, ..., 1] = most[..., 0], over[..., 1]
-        every[1, ..., 0], every[1, ..., 1] = over[..., 0], most[..., 1]
-        fits = np.argwhere((every <= self.room).all(-1))
-        ways = np.column_stack([np.full(len(fits), at), fits])
-        return every[fits[:, 0], fits[:, 1], fits[:, 2]], ways
-
-    def _kept(self, sizes: Floats, ways: Ways, parts: Mapping[int, tuple[Shapes, Shapes]]) -> Shapes:
-        """Keep the sizes that no other beats both ways; of too many those that lie evenly among them."""
-        fits = (sizes <= self.room).all(-1)
-        sizes, ways = sizes[fits], ways[fits]
-        order = np.lexsort((sizes[:, 1], sizes[:, 0]))
-        high = sizes[order, 1]
-        lower = np.ones(len(high), bool)
-        lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1] - SAME
-        order = order[lower]
-        if len(order) > KEPT:
-            order = order[np.linspace(0, len(order) - 1, KEPT).round().astype(int)]
-        return Shapes(sizes[order], ways[order], parts)
+    def sheet(self, i: int, j: int) -> Run:
+        """Give the sizes of the sheet of the run from one unit to another; its corner is numbered behind all units."""
+        shown = (self._opening[i], *self._units[i + 1 : j + 1], self._corner)
+        return Run(self._cuts.run(shown), (*range(i, j + 1), len(self._units)))

@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeAlias
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Contents, Panel
 from drawings.layout.picture import Picture, Rung
-from drawings.layout.slicing import GAP, Cut, Piece, Size, Slicing, Tree, pieces
+from drawings.layout.slicing import GAP, Cut, Cuts, Piece, Size, Slicing, Tree, pieces
 from drawings.layout.table import RuledTable
 
 Shown: TypeAlias = Picture | TextBlock | RuledTable | Notes
@@ -41,7 +41,7 @@ class Stock:
         if isinstance(unit, int):
             return [Shape(size, Piece(unit, k)) for k, size in enumerate(self.sizes(unit, rungs))]
         inner = [self.shapes(one, rungs) for one in unit]
-        slicing = Slicing([[shape.size for shape in own] for own in inner], self.room)
+        slicing = Slicing([[shape.size for shape in own] for own in inner], Cuts(self.room))
         last = len(unit) - 1
         return [
             Shape((float(wide), float(high)), nested(slicing.run(0, last).tree(k), inner, tied=self.close(unit)))
@@ -56,7 +56,7 @@ class Stock:
         """Tell whether a figure's heading is clear of the upper left corner."""
         one = self.shown[next(pieces(shape.tree)).unit]
         alone = isinstance(shape.tree, Piece) or shape.tree.tied
-        return alone and isinstance(one, Picture) and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
+        return alone and isinstance(one, Picture) and one.open and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
 
     def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
         """Give the sizes that one thing can have."""

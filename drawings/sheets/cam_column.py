@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from drawings.figures.cam import law_diagrams, pressure_graph
 from drawings.figures.cam.law_diagrams import LawFigure
-from drawings.figures.cam.law_frame import LEFT
+from drawings.figures.cam.law_frame import LawPlate
 from drawings.figures.cam.pressure_graph import PressureFigure, PressureView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -48,7 +48,7 @@ def draw(shown: tuple[LawDiagrams, PressureView], room: Picture, spot: Spot, dra
     """Draw the diagrams above, the graph under them: its axis begins where theirs do."""
     (law, low), (box, scale) = _rooms(shown, drafting), spot
     level = box.top - law.size(scale)[1]
-    middle = box.left + LEFT * drafting.hand.letter + law.wide / scale.mu / 2
+    middle = box.left + LawPlate.proportions.left * drafting.hand.letter + law.wide / scale.mu / 2
     half = low.size(scale)[0] / 2
     under = Spot(Field(middle - half, box.bottom, middle + half, level), scale)
     over = Spot(box._replace(bottom=level), scale)

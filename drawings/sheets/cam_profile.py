@@ -13,6 +13,7 @@ from drawings.figures.cam.manufacturing_figure import TRUE
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.page import page_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import Draft, Exhibit, compositions, lay_out_each
@@ -48,10 +49,21 @@ def _draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draf
 
 
 def _formats(scene: Scene) -> Iterator[Scene]:
-    """Give a scene by formats up to its own, the smallest first."""
+    """Give a scene by formats up to its own that its standard lays as the scene wants them, the smallest first."""
     names = [*reversed(SIZES)]
     for name in names[: names.index(scene.sheet.format) + 1]:
-        yield scene.changed(sheet=scene.sheet.changed(format=name))
+        small = scene.changed(sheet=scene.sheet.changed(format=name))
+        if _lies(small):
+            yield small
+
+
+def _lies(scene: Scene) -> bool:
+    """Tell whether the standard lays the format as the scene wants it."""
+    try:
+        page_of(scene, KIND)
+    except SheetError:
+        return False
+    return True
 
 
 def _true(scene: Scene, draft: Draft) -> bool:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from drawings.paper.strokes import SheetError
 from plans.checks.compare import MotionComparison
-from plans.checks.force_comparison import ForceComparison
 from plans.forces.reading.form import ForceForm
-from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.words.words import message, placed
+
+if TYPE_CHECKING:  # a kinematics sheet does without forces
+    from plans.checks.force_comparison import ForceComparison
+    from plans.forces.statics import Statics
 
 CHOICES = 12  # positions that a message offers at most
 

@@ -132,8 +132,8 @@ class _ForceSheet:
 
     def _polygon(self, cut: Cut) -> Exhibit:
         shown = force_polygon.polygon(self.plan, cut, self.position)
-        room = force_polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting)
         details = self._details[cut.label]
+        room = force_polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting, details)
         draw = partial(force_polygon.draw, shown, room, drafting=self.drafting, details=details)
         return Exhibit(Panel(room, together=cut.label), draw)
 

@@ -37,6 +37,7 @@ from plans.model.structure import formula
 from plans.study import Study
 
 FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
+SHARE = 1 / 3  # of its sheet
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -93,7 +94,7 @@ class _KinematicsSheet:
         """The plan of positions."""
         room = position_plan.measure(self.bones, POSITIONS.plan, self.drafting)
         draw = partial(position_plan.draw, self.bones, room, drafting=self.drafting)
-        return Exhibit(Panel(room, FOREMOST), draw)
+        return Exhibit(Panel(room, FOREMOST, share=SHARE), draw)
 
     def _plans(self) -> list[Exhibit]:
         """The plans of each position, which stand together."""
@@ -172,4 +173,7 @@ class _KinematicsSheet:
             "shown": self.shown if POSITIONS.plan in names else None,
             "diagrams": diagrams.NAME in names,
             "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
+            "vectors": [
+                (order.plan, k) for k in self.positions for order in ORDERS[1:] if f"{order.plan}-{k}" in names
+            ],
         }

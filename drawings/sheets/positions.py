@@ -22,6 +22,7 @@ from plans.model.structure import formula
 from plans.study import Study
 
 FOREMOST = 1.5  # it states the scale of the sheet
+SHARE = 1 / 3  # of its sheet
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -30,7 +31,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     comparison, shown = study.comparison("linkage"), _shown(linkage)
     bones = skeletons(linkage, comparison.construction, shown)
     room = position_plan.measure(bones, POSITIONS.plan, drafting)
-    figure = Exhibit(Panel(room, FOREMOST), partial(position_plan.draw, bones, room, drafting=drafting))
+    figure = Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))
 
     def facts(names: Collection[str]) -> dict[str, Any]:
         return {
@@ -38,6 +39,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
             "positions": len(linkage.turn),
             "shown": shown if POSITIONS.plan in names else None,
             "plans": [],
+            "vectors": [],
         }
 
     words = tuple(notes(linkage, comparison, drafting.language))

@@ -18,6 +18,7 @@ class Sheet(NamedTuple):
     faults: str  # of a measured sheet, its leaf and a study to what is wrong with it, in words
     scales: Mapping[str, str] = MappingProxyType({})  # how names of figures begin, and their keys of [sheet.scale]
     enclosures: str = ""  # of a study to the files beside its sheets
+    together: str = ""  # of all measured sheets with their leaves and a study to what is wrong with them as a set
 
 
 SHEETS: Final[Mapping[str, Sheet]] = {
@@ -25,6 +26,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.kinematics:leaves",
         faults="drawings.checks.verify_kinematics:faults",
+        together="drawings.checks.verify_kinematics:set_faults",
         scales={"positions": "length", "velocities-": "velocity", "accelerations-": "acceleration"},
     ),
     "positions": Sheet(
@@ -37,6 +39,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
+        together="drawings.checks.verify_forces:set_faults",
         scales={"scheme-": "scheme", "forces-": "force", "lever": "lever", "balancing": "moment"},
     ),
     "dynamics": Sheet(

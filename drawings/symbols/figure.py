@@ -11,6 +11,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols.symbols import arrowhead
 
+PLAN_LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
+LINE = 1.6  # from one line below a title to the next, in sizes of their letters
+
 
 class Subject(NamedTuple):
     """What a figure's marks belong to: the plan's name, its quantity, its position; None is every position."""
@@ -48,8 +51,10 @@ def point(subject: Subject, name: str, value: complex, place: Place, circle: Cir
     return Group((circle,), "", subject.data(kind, name, value, place.scale), name)
 
 
-def heading(box: Field, title: str, under: str, hand: Hand) -> Group:
-    """Write a figure's title and its scale, or what is said instead, at the top of its box."""
+def heading(box: Field, title: str, under: str, hand: Hand, *further: str) -> Group:
+    """Write a figure's title and its scale, or what is said instead, at the top of its box; further lines below."""
     at = complex(box.centre.real, box.top - hand.title)
     low = at - 1j * (0.6 * hand.title + hand.text)
-    return Group((Text(at, title, hand.title, "middle", True), Text(low, under, hand.text, "middle", True)))
+    lines = ((low - 1j * k * LINE * hand.text, line) for k, line in enumerate((under, *further)))
+    texts = (Text(place, line, hand.text, "middle", True) for place, line in lines)
+    return Group((Text(at, title, hand.title, "middle", True), *texts))

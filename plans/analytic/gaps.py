@@ -6,6 +6,7 @@ import numpy as np
 
 from plans.analytic.ends import End
 from plans.model.kinetostatics import FORCES, INDETERMINATE
+from plans.model.mechanism import Drive
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,
     CHANGE_POINT,
@@ -34,10 +35,13 @@ WHAT = {DEAD_CENTRE: "rank", CHANGE_POINT: "rank", PARALLEL_GUIDES: "infinity", 
 UNASSEMBLED, FAINT, UNBALANCED = (message(f"analysis.{key}") for key in ("unassembled", "faint", "unbalanced"))
 
 
-def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> Gap:
-    """Word the gap of one position, phi in rad."""
+def gap(position: int, phi: float, plan: str, reason: str, end: End | None, drive: Drive) -> Gap:
+    """Word the gap of one position of a drive, phi in rad or in units of its slide."""
     where = UNASSEMBLED if reason == OUT_OF_REACH else FAINT
-    if end:
+    if end and drive.pushed:
+        way = round(1000 * drive.unit * end.singular, 4)
+        where = message(f"analysis.{WHAT[end.reason]}_way", way=f"{way:g}")
+    elif end:
         angle = round(np.degrees(end.singular), 4) % 360.0
         where = message(f"analysis.{WHAT[end.reason]}", angle=f"{angle:g}")
     return Gap(position, phi, plan, reason, where, 0.0, ADVICE[reason])

@@ -15,6 +15,7 @@ from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, SHORTEST, End, Station
 from plans.analytic.gaps import gap
 from plans.analytic.sharpness import DOUBTFUL, least
 from plans.analytic.turn import FULL, March, survey
+from plans.model.mechanism import Drive
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,
     CHANGE_POINT,
@@ -40,12 +41,13 @@ class Positions:
     phi: Floats
     poses: Floats
     regular: Flags
+    drive: Drive
     turn: March | None = None  # the way round that was marched
     gaps: list[Gap] = field(default_factory=list)
 
     def miss(self, position: int, plan: str, reason: str, end: End | None) -> None:
         """Note a gap."""
-        self.gaps.append(gap(position, float(self.phi[position]), plan, reason, end))
+        self.gaps.append(gap(position, float(self.phi[position]), plan, reason, end, self.drive))
 
     def known(self) -> set[int]:
         """Give the positions of which a gap is noted."""
@@ -57,7 +59,7 @@ def find(shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = E
 
     The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for.
     """
-    found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
+    found = Positions(phi, *_none(shape, phi), shape.mechanism.drive)
     if start is None:
         for k in range(len(phi)):
             found.miss(k, "positions", OUT_OF_REACH, None)
@@ -78,11 +80,16 @@ def find(shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = E
 
 def along(shape: Shape, phi: Floats, turn: March, tolerance: float = EPS) -> Positions:
     """Find the poses at crank angles phi rad, (N,), on a whole turn that was marched and meets nothing singular."""
-    found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
+    found = Positions(phi, *_none(shape, phi), shape.mechanism.drive)
     crank = turn.angles[0] + (phi - turn.angles[0]) % FULL
     _along(found, shape, turn, crank, np.ones(len(phi), dtype=bool), tolerance)
     _tell_lost(found, shape, turn)
     return found
+
+
+def _none(shape: Shape, phi: Floats) -> tuple[Floats, Flags]:
+    """Rule poses at crank angles before any is found."""
+    return np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool)
 
 
 def blocks(count: int) -> Iterator[slice]:

@@ -124,14 +124,13 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
     least = start.phi - float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0))
     up, down = _March([first], most, 1.0), _March([first], least, -1.0)
     upper, lower = _march(shape, up, down)
-    # What lies beyond one end may be reached the other way round.
-    if not shape.mechanism.drive.turns:
-        pass
-    elif upper and not lower:
+    # What lies beyond one end may be reached the other way round, where there is a way round.
+    turns = shape.mechanism.drive.turns
+    if turns and upper and not lower:
         lost = ahead > upper.reached - start.phi
         down.goal = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
         (lower,) = _march(shape, down)
-    elif lower and not upper:
+    elif turns and lower and not upper:
         lost = ahead < FULL + lower.reached - start.phi
         up.goal = start.phi + float(np.max(ahead, where=lost, initial=0.0))
         (upper,) = _march(shape, up)

@@ -146,12 +146,21 @@ class ForceFindings:
         largest = self._largest_moment
         if ours.force is not None and self._told.name != DRIVING:
             yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
-        yield self._told_by("", (ours.moment, theirs.moment), off, largest)
+        yield self._told_by("", (ours.moment, self._due), off, largest)
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
             yield self._told_by("lever", (hung, theirs.moment), self.off(hung_on.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
         yield self._told_by("power", (ours.moment, powered), off, largest)
+
+    @property
+    def _due(self) -> Floats:
+        """The moment N*m that the analysis gives the crank, (N,); none at all where a cylinder turns it.
+
+        Either road is given the cylinder's force by one formula: what holds it is that nothing is left to balance.
+        """
+        moment = self.theirs.balancing.moment
+        return moment if self.statics.study.mechanism.drive.ram is None else np.asarray(0.0 * moment)
 
     @property
     def _told(self) -> BalancingQuantity:

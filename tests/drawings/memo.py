@@ -34,8 +34,8 @@ def cams_of(study: Study, other: Study) -> Study:
     return study
 
 
-def verify_motion(path: Path, leaf: Leaf, linkage: LinkageStudy, motion: MotionComparison) -> Measured:
-    return verify(path, leaf, partial(verify_kinematics.faults, study=memo(linkage, motion)))
+def verify_motion(path: Path, leaf: Leaf, study: Study) -> Measured:
+    return verify(path, leaf, partial(verify_kinematics.faults, study=study))
 
 
 def verify_loaded(path: Path, leaf: Leaf, statics: Statics, forces: ForceComparison) -> Measured:

@@ -140,7 +140,8 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
-        checked(SHEETS[fault.sheet][0](study)[0], fault.sheet, study, tmp_path)
+        for leaf in SHEETS[fault.sheet][0](study):
+            checked(leaf, fault.sheet, study, tmp_path)
     assert fault.says in str(told.value)
     assert "against the analysis" not in said(told.value, "ru")
 

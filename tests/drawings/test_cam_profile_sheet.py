@@ -98,7 +98,7 @@ def test_it_is_drawn_at_its_own_size_where_it_can_be() -> None:
     assert scales == {0.001}
 
 
-@pytest.mark.parametrize(("name", "format_", "wide"), [("groove", "A1", 420.0), ("rocker", "A1", 594.0)])
+@pytest.mark.parametrize(("name", "format_", "wide"), [("groove", "A1", 420.0), ("rocker", "A1", 420.0)])
 def test_it_lies_on_the_smallest_format_that_takes_it_at_its_own_size(name: str, format_: str, wide: float) -> None:
     """The format of the scene is the largest: what stands at 1:1 with its whole table on A3 lies on A3."""
     (leaf,) = made(name, format_)[1]
@@ -108,9 +108,15 @@ def test_it_lies_on_the_smallest_format_that_takes_it_at_its_own_size(name: str,
     assert len(table(name, format_)) == 72
 
 
+def test_a_smaller_format_lies_as_the_scene_wants_it() -> None:
+    """A4 only stands upright: a scene that wants its sheets lying has the profile on no less than A3."""
+    lying = scene().changed(sheet=scene().sheet.changed(orientation="landscape"))
+    assert [leaf.width for leaf in sheets(lying, [made("wedge")[0]])] == [420.0]
+
+
 def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_scene() -> None:
-    (leaf,) = made("rocker", "A3")[1]
-    assert leaf.width == 420.0
+    (leaf,) = made("rocker", "A4")[1]
+    assert leaf.width == 210.0
     assert {one.scale for one in read_back(leaf).vectors} == {0.002}
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import importlib
 import inspect
 import time
+from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as some
 
 from drawings.layout.block import Notes, TextBlock
@@ -20,6 +21,7 @@ from drawings.layout.table import RuledTable, Setting, TableRow
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 from tests.drawings.test_slicing import apart, inside
+from tests.parts import examples
 
 ROOT = Path(__file__).parent.parent.parent
 FIGURES = [
@@ -86,7 +88,7 @@ def lines(content: Contents, one: Composition) -> list[Field]:
 
 
 @given(anything(), some.sampled_from(PAGES))
-@settings(max_examples=12, deadline=None)
+@examples(12)
 def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
     sheets = compose(content, page)
     for one in sheets:
@@ -103,7 +105,7 @@ def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content
 
 
 @given(anything(), some.sampled_from(PAGES))
-@settings(max_examples=8, deadline=None)
+@examples(8)
 def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Contents, page: Page) -> None:
     spots = {name: spot for one in compose(content, page) for name, spot in one.spots.items()}
     pictures = {panel.item.name: panel for panel in content.panels if isinstance(panel.item, Picture)}
@@ -158,7 +160,7 @@ def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too
 ) -> None:
     main = figure("main", *size)
     plans = [Panel(figure(f"plan-{k}", 1.0 + 0.2 * k, 0.7)) for k in range(4)]
-    first = compose(Contents((Panel(main, 1.5), *plans), (table(8),), SAID), page)[0]
+    first = compose(Contents((Panel(main, 1.5, share=1 / 3), *plans), (table(8),), SAID), page)[0]
     (box, scale), field, block = first.spots["main"], page.field, page.block
     free = Field(field.left + 6.0, field.bottom + 6.0, field.right - 6.0, page.taken[-1].bottom - 6.0)
     beside, above = (block.left - free.left, free.height), (free.width, free.top - block.top)
@@ -226,9 +228,15 @@ def test_every_file_of_a_figure_measures_and_draws_it_alike() -> None:
         module = importlib.import_module(name)
         draw = getattr(module, "draw", None)
         if draw is not None and draw.__module__ == name:
-            assert list(inspect.signature(draw).parameters)[-2:] == ["spot", "drafting"], name
-            assert list(inspect.signature(module.measure).parameters)[-1] == "drafting", name
+            assert _asked(draw)[-2:] == ["spot", "drafting"], name
+            assert _asked(module.measure)[-1] == "drafting", name
             assert {"lines", "letter"} <= {*dir(_returned(draw)), *_returned(draw).__annotations__}, name
+
+
+def _asked(act: Callable[..., object]) -> list[str]:
+    """List what must be given to draw a figure."""
+    every = inspect.signature(act).parameters.values()
+    return [one.name for one in every if one.default is inspect.Parameter.empty]
 
 
 def _returned(draw: object) -> type:

@@ -19,10 +19,12 @@ from drawings.figures.diagrams.output_table import output_table
 from drawings.layout.contents import Panel
 from drawings.lettering.lettering import lettered
 from drawings.page.drafting import drafting_of
+from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
-from plans.scene.scene import read_scene
+from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.words.words import said
 from tests.drawings.collisions import collisions
@@ -71,6 +73,20 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
     for leaf in leaves(study):
         checked(leaf, study, tmp_path)
         assert collisions(leaf) == []
+
+
+def test_the_poles_of_a_part_of_a_turn_stand_on_the_paper(tmp_path: Path) -> None:
+    """What goes forth alone wants poles far from its axis, though the graphs be as high as ever."""
+    text = (ROOT / "drawings" / "gallery" / "crank-rocker.toml").read_text(encoding="utf-8").partition("[sheet]")[0]
+    swing = text.replace('start = "extreme"\npositions = 12', "positions = [40, 50, 60, 70, 80]")
+    study = Study(
+        parse_scene(swing.replace('sheets = ["kinematics", "forces"]', "").replace("forces = [2]", "")), DRAWN
+    )
+    leaf, field = leaves(study)[0], page_of(study.scene).field
+    checked(leaf, study, tmp_path)
+    poles = [mark.at for mark in texts(leaf.groups) if mark.plain in ("P1", "P2", "H1", "H2")]
+    assert len(poles) == 4
+    assert all(field.left < at.real < field.right and field.bottom < at.imag < field.top for at in poles)
 
 
 @pytest.mark.parametrize("fault", some(FAULTS, 4), ids=lambda fault: fault.name)

@@ -116,7 +116,7 @@ def test_a_reaction_the_other_way_round_is_the_opposite_of_the_one_that_was_foun
 def test_a_force_that_there_is_not_is_refused_with_what_there_is(run: Run, worked: Path) -> None:
     code, _, err = run("explain", worked, "R_35")
     assert code == 3
-    assert "also v_B, a_B, omega_3, R_12, M_bal" in err
+    assert "also v_B, a_B, omega_3, dS/dt, R_12, M_bal" in err
 
 
 def test_compare_tells_every_sum_that_must_vanish(run: Run, worked: Path) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import pytest
 
-from drawings.checks.verify import SelfCheckFailed
+from drawings.checks.verify import SelfCheckFailed, verify_set
+from drawings.checks.verify_forces import set_faults
 from drawings.lettering.lettering import lettered
 from drawings.pens.svg import svg
 from drawings.sheets import forces
@@ -18,7 +20,8 @@ from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from plans.words.words import said
-from tests.drawings.memo import verify_loaded
+from tests.drawings.exhibits import read_back
+from tests.drawings.memo import loaded_memo, verify_loaded
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
 from tests.parts import some
 from tests.plans.force_cases import text_of
@@ -43,14 +46,29 @@ def shaper() -> tuple[Statics, ForceComparison]:
 
 def check(folder: Path) -> None:
     statics, comparison = shaper()
+    sheets = []
     for leaf in forces.sheets(statics.study, comparison, statics):
         path = folder / "sheet.svg"
         path.write_bytes(svg(lettered(leaf)))
-        verify_loaded(path, leaf, statics, comparison)
+        sheets.append((verify_loaded(path, leaf, statics, comparison), leaf))
+    verify_set(set_faults(sheets, loaded_memo(statics, comparison)))
 
 
 def test_what_hangs_on_the_schemes_and_the_lever_passes(tmp_path: Path) -> None:
     check(tmp_path)
+
+
+def test_what_has_gone_on_to_another_sheet_of_its_position_is_found_there() -> None:
+    """No small sheet holds a whole group: a detail may stand apart from its plan, an equation from its lever."""
+    study = loaded_memo(*shaper())
+    (leaf,) = forces.sheets(study["linkage"], study.comparison("forces"), study["forces"])
+    apart = [one for one in leaf.groups if one.name.startswith(("detail-", "equations-lever"))]
+    groups = [tuple(one for one in leaf.groups if one not in apart), *((one,) for one in apart)]
+    sheets = [(read_back(one), one) for one in (replace(leaf, groups=own) for own in groups)]
+    told = [[str(fault) for fault in set_faults(sheets[:k] + sheets[k + 1 :], study)] for k in range(1, len(sheets))]
+    assert list(set_faults(sheets, study)) == []
+    assert {"ΣMp: is missing", "Φ_4 on forces-4-5 is missing"} <= {fault for own in told for fault in own}
+    assert all(told)
 
 
 @pytest.mark.parametrize("fault", some(FAULTS, 6), ids=lambda fault: fault.name)

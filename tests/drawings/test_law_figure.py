@@ -11,7 +11,7 @@ import pytest
 
 from drawings.checks.labelled import unlettered
 from drawings.figures.cam import law_diagrams
-from drawings.figures.cam.law_frame import POLE, LawFrame, LawPlate
+from drawings.figures.cam.law_frame import LawFrame, LawPlate
 from drawings.figures.cam.law_graph import graph_part
 from drawings.figures.cam.law_pole import pole_part
 from drawings.figures.cam.law_rows import rows
@@ -95,8 +95,8 @@ def test_the_scale_of_an_integral_follows_from_its_pole(name: str) -> None:
         distance = frame.pole(own[key])
         assert distance is not None and distance == frame.distance(own[below])
         assert frame.scales[below].mu == pytest.approx(frame.scales[key].mu * frame.spot.scale.mu * distance)
-        size = frame.plate.hand.letter
-        assert POLE[0] * size <= distance <= POLE[1] * size
+        size, (least, most) = frame.plate.hand.letter, frame.plate.proportions.pole
+        assert least * size <= distance <= most * size
 
 
 def test_rays_and_chords_are_parallel_on_paper() -> None:

@@ -17,7 +17,7 @@ from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
 from drawings.paper.strokes import Group, Line, Stroke, stated
 from drawings.pens.svg import svg
-from drawings.sheets.kinematics import sheet
+from drawings.sheets.kinematics import leaves
 from plans.checks.compare import compare
 from plans.checks.expected import Expected
 from plans.checks.force_comparison import compare_forces
@@ -27,6 +27,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests import parts
 from tests.drawings.memo import verify_motion
 from tests.plans import linkages
@@ -237,15 +238,14 @@ def test_a_pin_that_slides_over_two_turning_guides_has_two_coriolis_parts() -> N
 
 @pytest.mark.parametrize("part", ["a k_A3", "a k_A5"])
 def test_either_coriolis_part_is_on_the_sheet_and_held_against_the_analysis(part: str, tmp_path: Path) -> None:
-    one = study(TWO_STONES)
-    comparison = compare(one)
-    leaf = sheet(one, comparison)
+    one = Study(parse_scene(TWO_STONES))
+    leaf = leaves(one)[0]
     (tmp_path / "right.svg").write_bytes(svg(lettered(leaf)))
-    assert part in {vector.name for vector in verify_motion(tmp_path / "right.svg", leaf, one, comparison).vectors}
+    assert part in {vector.name for vector in verify_motion(tmp_path / "right.svg", leaf, one).vectors}
     longer = replace(leaf, groups=tuple(_group(_longer(group, part)) for group in leaf.groups))
     (tmp_path / "wrong.svg").write_bytes(svg(lettered(longer)))
     with pytest.raises(SelfCheckFailed, match=f"{part} on accelerations"):
-        verify_motion(tmp_path / "wrong.svg", longer, one, comparison)
+        verify_motion(tmp_path / "wrong.svg", longer, one)
 
 
 def _longer(stroke: Stroke, name: str) -> Stroke:

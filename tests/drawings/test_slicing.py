@@ -12,8 +12,8 @@ from hypothesis import strategies as some
 
 from drawings.layout.bareness import bareness
 from drawings.layout.parting import fewest, partings
-from drawings.layout.slicing import GAP, Piece, Size, Slicing, Tree, pieces
-from drawings.layout.standing import Standing, Unit, natural
+from drawings.layout.slicing import GAP, Cuts, Piece, Size, Slicing, Tree, pieces
+from drawings.layout.standing import Occupant, Standing, natural
 from drawings.page.page import Field
 from tests.drawings.emptiness import largest
 
@@ -35,7 +35,7 @@ def every(units: Sequence[Sequence[Size]]) -> set[Size]:
 
 @given(units_of)
 def test_no_size_of_any_slicing_beats_those_that_are_kept(units: list[list[Size]]) -> None:
-    sizes = Slicing(units, LARGE).run(0, len(units) - 1).sizes
+    sizes = Slicing(units, Cuts(LARGE)).run(0, len(units) - 1).sizes
     best = {a for a in every(units) if not any(b[0] <= a[0] and b[1] <= a[1] and a != b for b in every(units))}
     if len(best) <= 12:
         assert {tuple(map(float, size)) for size in sizes} == best
@@ -43,7 +43,7 @@ def test_no_size_of_any_slicing_beats_those_that_are_kept(units: list[list[Size]
 
 @given(units_of)
 def test_a_tree_has_the_size_that_it_is_kept_for_and_all_units_in_order(units: list[list[Size]]) -> None:
-    slicing, last = Slicing(units, LARGE, (30.0, 20.0)), len(units) - 1
+    slicing, last = Slicing(units, Cuts(LARGE), (30.0, 20.0)), len(units) - 1
     for k, size in enumerate(slicing.sheet(0, last).sizes):
         tree = slicing.sheet(0, last).tree(k)
         chosen = {piece.unit: piece.choice for piece in pieces(tree)}
@@ -54,19 +54,19 @@ def test_a_tree_has_the_size_that_it_is_kept_for_and_all_units_in_order(units: l
 
 @given(units_of, some.booleans())
 def test_what_is_cut_stands_in_its_room_and_on_nothing_else(units: list[list[Size]], figures: bool) -> None:
-    slicing, last = Slicing(units, LARGE), len(units) - 1
+    slicing, last = Slicing(units, Cuts(LARGE)), len(units) - 1
     tree: Tree = slicing.run(0, last).tree(0)
     sizes = {piece.unit: units[piece.unit][piece.choice] for piece in pieces(tree)}
     wide, high = natural(tree, sizes)
     room = Field(10.0, 10.0, 10.0 + 1.3 * wide, 10.0 + 1.2 * high)
-    boxes = Standing({k: Unit(size, figures) for k, size in sizes.items()}, room).boxes(tree)
+    boxes = Standing({k: Occupant(size, figures) for k, size in sizes.items()}, room).boxes(tree)
     assert list(boxes) == list(range(len(units)))
     assert all(inside(box, room) for box in boxes.values())
     assert all(apart(one, other) for one, other in combinations(boxes.values(), 2))
 
 
 def test_what_does_not_fit_its_room_has_no_size() -> None:
-    slicing = Slicing([[(60.0, 60.0)], [(60.0, 60.0)]], (100.0, 100.0))
+    slicing = Slicing([[(60.0, 60.0)], [(60.0, 60.0)]], Cuts((100.0, 100.0)))
     assert len(slicing.run(0, 0).sizes) == 1 and len(slicing.run(0, 1).sizes) == 0
     assert slicing.run(0, 0).tree(0) == Piece(0, 0)
 

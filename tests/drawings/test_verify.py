@@ -11,10 +11,9 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
-from drawings.sheets.kinematics import sheet
-from plans.checks.compare import MotionComparison, compare
-from plans.linkage.study import LinkageStudy
+from drawings.sheets.kinematics import leaves
 from plans.scene.scene import read_scene
+from plans.study import Study
 from tests.drawings.memo import verify_motion
 from tests.drawings.slips import Change, changed, dropped, rewritten, stretched
 
@@ -22,10 +21,9 @@ SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
 
 
 @pytest.fixture(scope="module")
-def checked() -> tuple[LinkageStudy, MotionComparison, Leaf]:
-    study = LinkageStudy(read_scene(SHAPER))
-    comparison = compare(study)
-    return study, comparison, sheet(study, comparison)
+def checked() -> tuple[Study, Leaf]:
+    study = Study(read_scene(SHAPER))
+    return study, leaves(study)[0]
 
 
 def exchanged(stroke: Stroke, one: str, other: str) -> Stroke:
@@ -66,36 +64,32 @@ FAULTS: dict[str, Change] = {
 }
 
 
-def test_the_sheet_as_drawn_passes(checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path) -> None:
-    study, comparison, leaf = checked
+def test_the_sheet_as_drawn_passes(checked: tuple[Study, Leaf], tmp_path: Path) -> None:
+    study, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
-    assert verify_motion(tmp_path / "sheet.svg", leaf, study, comparison).vectors
+    assert verify_motion(tmp_path / "sheet.svg", leaf, study).vectors
 
 
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
-def test_a_fault_withholds_the_sheet(
-    checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path, fault: Change
-) -> None:
-    study, comparison, leaf = checked
+def test_a_fault_withholds_the_sheet(checked: tuple[Study, Leaf], tmp_path: Path, fault: Change) -> None:
+    study, leaf = checked
     wrong = changed(leaf, fault)
     assert wrong != leaf, "the fault must be there to be seen"
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
     with pytest.raises(SelfCheckFailed):
-        verify_motion(tmp_path / "sheet.svg", wrong, study, comparison)
+        verify_motion(tmp_path / "sheet.svg", wrong, study)
 
 
-def test_a_scale_may_be_written_as_k(checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path) -> None:
-    study, comparison, leaf = checked
+def test_a_scale_may_be_written_as_k(checked: tuple[Study, Leaf], tmp_path: Path) -> None:
+    study, leaf = checked
     other = changed(leaf, rewritten("μ_v = 0.01 (m/s)/mm", "K_v = 100 mm/(m/s)"))
     assert other != leaf
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(other)))
-    assert verify_motion(tmp_path / "sheet.svg", other, study, comparison).vectors
+    assert verify_motion(tmp_path / "sheet.svg", other, study).vectors
 
 
-def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(
-    checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path
-) -> None:
-    study, comparison, leaf = checked
+def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(checked: tuple[Study, Leaf], tmp_path: Path) -> None:
+    study, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf))[:-500])
     with pytest.raises(SelfCheckFailed, match="cannot be measured"):
-        verify_motion(tmp_path / "sheet.svg", leaf, study, comparison)
+        verify_motion(tmp_path / "sheet.svg", leaf, study)

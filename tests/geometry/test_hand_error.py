@@ -5,15 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from geometry import hand_error, precision
+from geometry import draughtsman, hand_error, precision
 from geometry.board import Board, Mark
-from geometry.hand_error import EDGE, EVEN, POINT, Hand, number_error, size_error, slopes
+from geometry.hand_error import EDGE, EVEN, SlippingHand, slopes
+from geometry.scatter import POINT, number_error, size_error
 
-HAND = Hand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
+HAND = SlippingHand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
 SLIP = 0.2 * EVEN
 
 
-def deviation(mark: Mark, hand: Hand = HAND) -> float:
+def deviation(mark: Mark, hand: SlippingHand = HAND) -> float:
     """Give the root of the mean square of a mark's error."""
     return float(np.sqrt((np.abs(slopes(hand, mark)[mark]) ** 2).sum()))
 
@@ -54,6 +55,15 @@ def test_one_slip_that_comes_by_two_ways_is_added_as_it_is() -> None:
     c = board.lay_off("C", b, vector)
     assert deviation(board.join("BC", b, c)) == pytest.approx(SLIP * np.sqrt(2))
     assert deviation(board.join("AC", board["A"], c)) == pytest.approx(SLIP * 2)
+
+
+def test_of_nothing_laid_off_each_slip_tried_says_the_same() -> None:
+    """Two points pricked at one place differ by their pricks; what joins them is nothing, and is not laid off."""
+    board = Board("positions")
+    nothing = board.join("AB", board.given("A", 30 + 0j), board.given("B", 30 + 0j))
+    end = board.lay_off("D", board.lay_off("C", board["A"], nothing), board.given("v", 40j))
+    tried, ruled = (road(HAND, end)[end] for road in (draughtsman.slopes, slopes))
+    assert np.abs(tried).sum() == pytest.approx(np.abs(ruled).sum(), rel=1e-6)
 
 
 def test_a_plan_without_a_scale_is_known() -> None:

@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from plans.forces import cylinder
 from plans.linkage.primaries import ram
 from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
 from plans.scene.faults import SceneError, dotted
@@ -221,6 +222,14 @@ def test_both_roads_agree_on_a_cylinder_and_hold_its_law(monkeypatch: pytest.Mon
     true = ram.pace
     monkeypatch.setattr(ram, "pace", lambda mechanism: lambda phi: true(mechanism)(phi)._replace(epsilon=0.0 * phi))
     assert not Study(parse_scene(BOOM.format(drive=CYLINDER))).comparison("linkage").agrees
+
+
+def test_a_cylinder_that_leaves_the_crank_a_moment_is_seen_though_both_roads_have_its_force(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    true = cylinder.push
+    monkeypatch.setattr(cylinder, "push", lambda *given: 1.01 * true(*given))
+    assert not Study(parse_scene(BOOM.format(drive=CYLINDER))).comparison("forces").agrees
 
 
 CYLINDERS = {

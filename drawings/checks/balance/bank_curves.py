@@ -10,8 +10,8 @@ import numpy as np
 
 from drawings.checks.balance.bank_expected import LEFT, WHOLE, WHOLE_MOMENT, Expected
 from drawings.checks.balance.bank_views import origin
-from drawings.checks.cam.cam_strokes import FigureStrokes, figure
 from drawings.checks.dynamics_graphs import written
+from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank import turn_graph
 from drawings.figures.bank.turn_graph import STATIONS

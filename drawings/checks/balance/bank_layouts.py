@@ -8,7 +8,7 @@ from functools import cached_property
 
 from drawings.checks.balance.bank_expected import LINE, Body, Expected
 from drawings.checks.balance.bank_views import View
-from drawings.checks.cam.cam_strokes import NEAR, figure
+from drawings.checks.graphs.figure_strokes import NEAR, figure
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank.compensator_layout import COMPENSATOR, speed

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from drawings.checks.balance import bank_curves, bank_layouts
 from drawings.checks.balance.bank_expected import Expected, Polygon
-from drawings.checks.cam.cam_strokes import figure
+from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank import shaft, star, turn_graph
 from drawings.figures.bank.bank_polygon import plan_of

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks.balance.bank_expected import LINE, Expected
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure
+from drawings.checks.graphs.figure_strokes import NEAR, FigureStrokes, figure
 from drawings.checks.labelled import distance, labels_of
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on

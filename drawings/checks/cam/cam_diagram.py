@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected
-from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
 from drawings.checks.cam.known_diagram import KnownDiagram
+from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.size_diagram import APART, LEAST
 from drawings.figures.cam.size_view import NAME

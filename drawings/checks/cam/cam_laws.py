@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,22 +11,17 @@ import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_law_rows import Course, ExpectedRow, expected_rows
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read, scales
-from drawings.checks.precise import tells
+from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read, scales
+from drawings.checks.graphs.graph import KNOWN, Graph
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.law_graph import LEAST, MARKED
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
-from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Line, Polyline
 from plans.model.cam import Cam
 from plans.model.motion import Floats
 from plans.words.words import message
-
-PER_CENT = 2  # digits of how far chords are off
-KNOWN = 1e-9  # of a value: both roads agree far better
-FLUSH = 1e-3  # mm: chains and points of one curve that are so near are on it; no eye sees less
 
 
 def named(cam: Cam, key: str = "") -> str:
@@ -35,7 +30,7 @@ def named(cam: Cam, key: str = "") -> str:
 
 
 @dataclass(frozen=True)
-class LawGraph:
+class LawGraph(Graph):
     """A row of the diagrams as it is laid out, with what it must show."""
 
     row: ExpectedRow
@@ -51,18 +46,6 @@ class LawGraph:
         return named(self.expected.cam, self.row.key)
 
     @cached_property
-    def marks(self) -> Mapping[int, MeasuredVector]:
-        """The ordinates by their edges."""
-        own = (one for one in self.measured.vectors if one.plan == self.name and one.position is not None)
-        return {one.position: one for one in own if one.position is not None}
-
-    @cached_property
-    def zero(self) -> complex:
-        """The beginning of the axis of the cam's turn on paper, mm."""
-        axis = (one for one in self.strokes.pointings if abs((one.tip - one.start).imag) <= NEAR)
-        return next((one.start for one in axis), complex("nan"))
-
-    @cached_property
     def mu(self) -> float:
         """The scale of the ordinates."""
         stated = (one.scale for one in self.marks.values())
@@ -72,10 +55,6 @@ class LawGraph:
     def slack(self) -> float:
         """How far a value may be off: the sheet's resolution, and what both roads may differ by."""
         return 2 * self.measured.quantum * self.mu + KNOWN * self.row.most
-
-    def on(self, turned: float, value: float = 0.0) -> complex:
-        """Give the place on paper of a value, mm."""
-        return complex(self.zero + turned / self.along + 1j * value / self.mu)
 
     def faults(self, shared: frozenset[int]) -> Iterator[Wrong]:
         """Hold the whole row; `shared` are the edges that any row numbers."""
@@ -180,10 +159,7 @@ class LawGraph:
             yield message("wrong.missing", name=title)
         due = self.row.said(self.drafting)
         seen = [text for text in self.strokes.texts if self._said(text)]
-        if len(seen) != len(due) or not all(
-            tells(one, read(true), (PER_CENT,), KNOWN) for one, true in zip(seen, due, strict=True)
-        ):
-            yield message("wrong.told", text="; ".join(seen) or due[0])
+        yield from self.told(seen, due)
 
     def _said(self, text: str) -> bool:
         """Tell whether a text tells of shocks or chords."""

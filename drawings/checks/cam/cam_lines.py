@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, Turning
+from drawings.checks.graphs.figure_strokes import NEAR, FigureStrokes, Turning
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.inversion import MISSED

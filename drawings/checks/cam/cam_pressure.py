@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
-from drawings.checks.cam.cam_strokes import FigureStrokes, read, scales
+from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read, scales
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME
@@ -23,7 +23,6 @@ from plans.model.motion import Floats
 from plans.words.words import message
 
 KNOWN = 1e-9  # of an angle: both roads agree far better
-FLUSH = 1e-3  # mm: what is so near to its place is on it
 
 
 @dataclass(frozen=True)

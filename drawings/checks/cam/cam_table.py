@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
-from drawings.checks.cam.cam_strokes import read
 from drawings.checks.cam.cam_told import BARE
+from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, within
 from drawings.page.drafting import Drafting

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
-from drawings.checks.cam.cam_strokes import FigureStrokes, read
+from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.words import number

@@ -11,9 +11,9 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
 from drawings.checks.cam.cam_marks import marks
 from drawings.checks.cam.cam_pressure import PressureGraph
-from drawings.checks.cam.cam_strokes import FigureStrokes, figure
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
+from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import NAME as PRESSURE
 from drawings.figures.cam.profile_view import NAME as PROFILE

@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read, scales
 from drawings.checks.diagrams.expected_rows import ExpectedRow
-from drawings.checks.precise import tells
+from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read, scales
+from drawings.checks.graphs.graph import KNOWN, Graph
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.figures.diagrams.row_graph import LEAST, MARKED
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
-from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Polyline
 from plans.model.motion import Floats
 from plans.words.words import message
-
-PER_CENT = 2  # digits of how far chords are off
-KNOWN = 1e-9  # of a value: both roads agree far better
-FLUSH = 1e-3  # mm: chains and points of one curve that are so near are on it; no eye sees less
 
 
 def named(key: str) -> str:
@@ -33,7 +28,7 @@ def named(key: str) -> str:
 
 
 @dataclass(frozen=True)
-class RowGraph:
+class RowGraph(Graph):
     """A row as it is laid out, with what it must show."""
 
     row: ExpectedRow
@@ -48,18 +43,6 @@ class RowGraph:
         return named(self.row.key)
 
     @cached_property
-    def marks(self) -> Mapping[int, MeasuredVector]:
-        """The ordinates by their positions."""
-        own = (one for one in self.measured.vectors if one.plan == self.name and one.position is not None)
-        return {one.position: one for one in own if one.position is not None}
-
-    @cached_property
-    def zero(self) -> complex:
-        """The beginning of the axis of the angle on paper, mm."""
-        axis = (one for one in self.strokes.pointings if abs((one.tip - one.start).imag) <= NEAR)
-        return next((one.start for one in axis), complex("nan"))
-
-    @cached_property
     def mu(self) -> float:
         """The scale of the ordinates: that which is written."""
         return scales(self.strokes).get(self.row.letter, 1.0)
@@ -69,10 +52,6 @@ class RowGraph:
         """How far a value may be off: the sheet's resolution, and what both roads may differ by."""
         most = float(np.nanmax(np.abs(self.row.at), initial=0.0))
         return 2 * self.measured.quantum * self.mu + KNOWN * most + self.row.allowed
-
-    def on(self, turned: float, value: float = 0.0) -> complex:
-        """Give the place on paper of a value, mm."""
-        return complex(self.zero + turned / self.along + 1j * value / self.mu)
 
     @property
     def places(self) -> dict[int, float]:
@@ -204,10 +183,7 @@ class RowGraph:
             yield message("wrong.missing", name=f"{self.row.letter}(φ)")
         due = self.row.said(self.drafting)
         seen = [text for text in self.strokes.texts if self._said(text)]
-        if len(seen) != len(due) or not all(
-            tells(one, read(true), (PER_CENT,), KNOWN) for one, true in zip(seen, due, strict=True)
-        ):
-            yield message("wrong.told", text="; ".join(seen) or due[0])
+        yield from self.told(seen, due)
 
     def _said(self, text: str) -> bool:
         heads = (read(self.drafting.word(key, off="")).split(" ")[0] for key in ("chords off", "diagram flat"))

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks import reading
-from drawings.checks.cam.cam_strokes import read
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow
+from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.precise import precise, tells
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, within

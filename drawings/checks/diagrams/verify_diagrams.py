@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
-from drawings.checks.cam.cam_strokes import figure, scales
 from drawings.checks.diagrams import diagram_told
 from drawings.checks.diagrams.diagram_poles import poles
 from drawings.checks.diagrams.diagram_rows import graphs
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_rows
+from drawings.checks.graphs.figure_strokes import figure, scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.lettering.words import number
@@ -48,7 +49,7 @@ def _figure(
     head, omega = figure(leaf, NAME), abs(own.linkage.mechanism.drive.omega)
     stated = {} if head is None else scales(head)
     along = stated.get("φ", 1.0)
-    if number(stated.get("t", 0.0)) != number(along / omega):
+    if _written(stated.get("t", math.inf), drafting) != _written(along / omega, drafting):
         yield message("wrong.scale", text="μ_t")
     due = _title(own, drafting)
     if head is None or due not in head.texts:
@@ -61,6 +62,11 @@ def _figure(
     for one in found:
         yield from one.faults(shared)
     yield from poles(leaf, found, omega)
+
+
+def _written(mu: float, drafting: Drafting) -> str:
+    """Give the number of a scale as it is written, mu or K = 1/mu; of none at all nothing."""
+    return number(1 / mu if drafting.notation == "K" else mu) if math.isfinite(mu) else ""
 
 
 def _title(own: DiagramsStudy, drafting: Drafting) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_polygon import DETAIL
@@ -14,12 +14,14 @@ from drawings.paper.strokes import Circle, Group, Leaf
 from drawings.paper.walk import groups, texts
 from plans.words.words import message
 
+Sheets: TypeAlias = Sequence[tuple[Measured, Leaf]]
+
 
 class Details(NamedTuple):
-    """The details of one force plan on a sheet, with its forces and their parts by analysis, N."""
+    """The details of one force plan, on any sheet of its position, with its forces and their parts by analysis, N."""
 
-    measured: Measured
-    leaf: Leaf
+    measured: Measured  # the sheet of the plan itself
+    sheets: Sheets  # all of its position
     label: str
     known: Mapping[str, complex]
     letters: Mapping[str, str]  # as the sheet reads the forces
@@ -29,7 +31,8 @@ class Details(NamedTuple):
         """Hold each vector of a detail, each small force of the plan, and the circle around what is enlarged."""
         plan = f"forces-{self.label}"
         whole = {one.name: one for one in self.measured.vectors if one.plan == plan}
-        enlarged = [one for one in self.measured.vectors if one.plan.startswith(f"{DETAIL}{self.label}-")]
+        every = (one for measured, _ in self.sheets for one in measured.vectors)
+        enlarged = [one for one in every if one.plan.startswith(f"{DETAIL}{self.label}-")]
         for one in enlarged:
             near = self.slack + 2 * self.measured.quantum * one.scale
             if one.name not in self.known or not abs(one.value - self.known[one.name]) <= near:
@@ -41,10 +44,11 @@ class Details(NamedTuple):
     def _small(self, plan: str, whole: Mapping[str, MeasuredVector], enlarged: set[str]) -> Iterator[Wrong]:
         """Name the outer forces that are not to be seen, neither in a detail nor told of beside the scale."""
         scale = next(iter(whole.values())).scale
-        told = " ".join(text.plain for group in self._figures(plan) for text in texts((group,)))
+        lines = (text.plain for group in self._figures(plan) for text in texts((group,)))
+        told = {word.rstrip(",") for line in lines for word in line.split()}  # a letter may have a comma inside: R10,11
         for name, letter in self.letters.items():
             small = self.slack < abs(self.known[name]) < SEEN * scale - self.slack
-            if small and name not in enlarged and letter not in told.replace(",", " ").split():
+            if small and name not in enlarged and letter not in told:
                 yield on("missing_on", plan, name=name)
 
     def _circles(
@@ -73,7 +77,7 @@ class Details(NamedTuple):
                 yield message("wrong.missing", name=name)
 
     def _figures(self, plan: str) -> list[Group]:
-        return [one for one in self.leaf.groups if one.name.rpartition("-")[0] == plan]
+        return [one for _, leaf in self.sheets for one in leaf.groups if one.name.rpartition("-")[0] == plan]
 
 
 def _around(circle: Circle, ends: Sequence[complex]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -15,6 +15,7 @@ from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.lever_equation import NAME
 from drawings.figures.forces.lever_layout import PLAN
+from drawings.figures.forces.lever_terms import ARM
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
@@ -59,10 +60,7 @@ class LeverCheck:
     def faults(self) -> Iterator[Wrong]:
         """Hold every term: its sign, its force and its arm, in letters and in numbers; then the arms drawn."""
         group = next((one for one in self.leaf.groups if one.name == NAME), None)
-        drawn = any(one.plan == PLAN for one in self.measured.points)
         if group is None:
-            if drawn and self._due:
-                yield message("wrong.missing", name=HEAD)
             return
         letters, numbers = _equations(group)
         named = {one.force: one for one in letters}
@@ -75,8 +73,17 @@ class LeverCheck:
                 yield message("wrong.equation", text=f"{one.force}·{one.arm}", cut=PLAN)
         yield from self._given(told)
         yield from self._units(group)
-        if drawn:
+        if self._drawn:
             yield from self._arms(named)
+
+    def unequalled(self, leaves: Sequence[Leaf]) -> Iterator[Wrong]:
+        """Name the equation that the lever of a sheet has on none of some sheets."""
+        if self._drawn and self._due and not any(one.name == NAME for leaf in leaves for one in leaf.groups):
+            yield message("wrong.missing", name=HEAD)
+
+    @property
+    def _drawn(self) -> bool:
+        return any(one.plan == PLAN for one in self.measured.points)
 
     def _told(self, group: Group) -> tuple[dict[str, str], float]:
         """Read the arms that are told, and what a unit of theirs is: m/s."""
@@ -118,7 +125,7 @@ class LeverCheck:
         scale = next(one.scale for one in self.measured.points if one.plan == PLAN)
         for name, read in named.items():
             due = self._due.get(name)
-            if due is None or not due.along or not read.arm.startswith("h"):
+            if due is None or not due.along or not read.arm.startswith(ARM):
                 continue
             length, one = abs(due.power) / due.size, seen.get(read.arm)
             near = 2 * self.measured.quantum * scale + length * self.slack / due.size
@@ -132,8 +139,9 @@ class LeverCheck:
     def _due(self) -> dict[str, Due]:
         """Give what must stand in the equation, by its letters as they are read."""
         told = {self._letter(name): due for name, due in self._every()}
-        greatest = max((abs(due.power) for due in told.values()), default=0.0)
-        # What the two roads may differ by in a force, at the speed that the largest power has, is no power.
+        speeds = (abs(complex(one.v[self.expected.k])) for one in self.expected.motion.points.values())
+        # What is left of the greatest force at the greatest speed is no power, even where there are no others.
+        greatest = max((due.size for due in told.values()), default=0.0) * max(speeds, default=0.0)
         return {name: due for name, due in told.items() if due.size > 0 and abs(due.power) > NOTHING * greatest}
 
     def _letter(self, name: str) -> str:

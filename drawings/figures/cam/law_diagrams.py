@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.figures.cam.law_frame import LEFT, LEVEL, LawFrame, LawPlate
+from drawings.figures.cam.law_frame import LEVEL, LawFrame, LawPlate
 from drawings.figures.cam.law_graph import graph_part, numbered_edges
 from drawings.figures.cam.law_pole import POLES, pole_part
 from drawings.figures.cam.law_rows import LawRow
@@ -142,7 +142,7 @@ def _wide(row: LawRow, plate: LawPlate) -> float:
     own = (Scale(0.0025, f"{{{row.letter}}}", row.unit), Scale(0.025, turn, "m" if plate.cam.translates else "rad"))
     long = wide(_title(row, plate), ";  ".join(map(drafting.scale, own)), plate.hand)
     told = (text_width(Text(0j, text, plate.hand.text)) for text in _said(row, plate))
-    return LEFT * plate.hand.letter + max(long, *told, 0.0)
+    return plate.proportions.left * plate.hand.letter + max(long, *told, 0.0)
 
 
 def _title(row: LawRow, plate: LawPlate) -> str:

@@ -10,8 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from drawings.figures.cam.law_frame import LawPlate
-from drawings.figures.cam.law_rows import Curve, LawRow
-from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.cam.law_rows import LawRow
+from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.part import Letter, Part
 from drawings.layout.thinning import every
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke

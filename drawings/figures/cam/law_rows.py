@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.figures.graphs.axes import Curve
 from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY, letters, units
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import TABLE, Cam
@@ -16,13 +17,6 @@ from plans.model.motion import Floats
 LETTERS = {ACCELERATION: "''", VELOCITY: "'", TRAVEL: ""}
 STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
 IMPULSE = 0.3  # of the height of a diagram: how far the arrow of an impulse goes beyond it
-
-
-class Curve(NamedTuple):
-    """A curve in true units; where it jumps two of its points have one abscissa."""
-
-    x: Floats
-    y: Floats
 
 
 class LawRow(NamedTuple):

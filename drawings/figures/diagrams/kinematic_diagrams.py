@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.figures.diagrams.frame import LEFT, NAME, DiagramsFrame, DiagramsPlate
+from drawings.figures.diagrams.frame import NAME, DiagramsFrame, DiagramsPlate
 from drawings.figures.diagrams.row_graph import graph_part, numbered_positions
 from drawings.figures.diagrams.row_pole import letters_of, pole_part
 from drawings.figures.diagrams.rows import DiagramRow
@@ -79,7 +79,7 @@ class _Drawing:
     def _head(self) -> Group:
         """Write the heading of the figure, and the scales along its axis."""
         drafting, spot = self.plate.drafting, self.frame.spot
-        scales = ";  ".join(map(drafting.scale, (spot.scale, self.frame.time)))
+        scales = ";  ".join(map(drafting.scale, (spot.scale, self.frame.argument)))
         return Group((heading(spot.box, title(self.plate.own, drafting), scales, self.plate.hand),), NAME)
 
     @cached_property
@@ -131,4 +131,4 @@ def _wide(row: DiagramRow, plate: DiagramsPlate) -> float:
     scale = drafting.scale(Scale(0.0025, f"{{{row.letter}}}", row.unit))
     long = wide(caption_of(row, plate), f"{scale};  H_1 = 55.55 {drafting.word('mm')}", plate.hand)
     told = (text_width(Text(0j, text, plate.hand.text)) for text in said(row, plate))
-    return LEFT * plate.hand.letter + max(long, *told, 0.0)
+    return plate.proportions.left * plate.hand.letter + max(long, *told, 0.0)

@@ -7,10 +7,11 @@ import math
 from collections.abc import Collection, Iterator
 
 from drawings.figures.diagrams.frame import DiagramsPlate
-from drawings.figures.diagrams.rows import Curve, DiagramRow
-from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.diagrams.rows import DiagramRow
+from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part
+from drawings.layout.thinning import every
 from drawings.lettering.lettering import text_width
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject
@@ -25,9 +26,8 @@ MARKED = 72  # positions: of more only the numbered ones have a point and a tick
 def graph_part(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Part:
     """Draw a row on its axes, each ordinate that is numbered measurable."""
     hand = plate.hand
-    span = (0.0, 0.0) if row.flat else row.span
     lines = (
-        *axes.lines((0.0, plate.length), span, hand),
+        *axes.lines((0.0, plate.length), row.span, hand),
         *_edges(row, plate, axes, numbered),
         *(stroke for curve in row.thin for stroke in _line(curve, axes, hand.other)),
         *(stroke for curve in row.results for stroke in _line(curve, axes, hand.result)),
@@ -42,8 +42,7 @@ def numbered_positions(plate: DiagramsPlate, length: float) -> tuple[int, ...]:
     size = APART * number + text_width(Text(0j, str(max(plate.axis.numbers)), number))
     kept = [0, len(places) - 1]
     count = len(places) - plate.axis.closed
-    step = max(1, math.ceil(size * count / length))
-    step = next((one for one in range(step, 2 * step) if count % one == 0), step)
+    step = every(size * count / length, count)
     for k in (*range(0, len(places), step), *range(len(places))):
         if all(abs(places[k] - places[other]) >= size for other in kept):
             kept.append(k)
@@ -93,7 +92,7 @@ def _points(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collect
 def _letters(row: DiagramRow, plate: DiagramsPlate, axes: Axes) -> Iterator[Letter]:
     """Letter both axes at their ends."""
     size, drafting = plate.hand.letter, plate.drafting
-    high = axes.on(0.0, 0.0 if row.flat else row.span[1]) + BEYOND * axes.rise
+    high = axes.on(0.0, row.span[1]) + BEYOND * axes.rise
     last = axes.on(plate.length) + BEYOND * axes.along
     yield Letter(high, f"{row.letter}, {drafting.word(row.unit)}", size, 0.0)
     yield Letter(last, "φ", size, cmath.phase(axes.rise))

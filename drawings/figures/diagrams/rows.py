@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.figures.graphs.axes import Curve
 from drawings.figures.graphs.smooth import smooth
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
@@ -17,13 +18,6 @@ SLIDING, TURNING = ("S", "v", "a"), ("ψ", "ω", "ε")
 AHEAD = ("Δψ", "Δω", "ε")  # of an output that turns fully: what it is ahead of an even turn
 STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
 NOUGHT = 1e-9  # of what the row above would make it: a rounding, which no scale is told of
-
-
-class Curve(NamedTuple):
-    """A curve in true units over the axis, rad."""
-
-    x: Floats
-    y: Floats
 
 
 class DiagramRow(NamedTuple):
@@ -41,7 +35,9 @@ class DiagramRow(NamedTuple):
 
     @property
     def span(self) -> tuple[float, float]:
-        """The least and the greatest value, zero among them."""
+        """The least and the greatest value, zero among them; nothing of a row that shows nothing."""
+        if self.flat:
+            return 0.0, 0.0
         own = np.concatenate([self.at, *(one.y for one in (*self.results, *self.thin, self.chords))])
         return float(np.nanmin(own, initial=0.0)), float(np.nanmax(own, initial=0.0))
 

@@ -170,7 +170,9 @@ def room_of_plate(plate: Plate) -> Picture:
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
     least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
-    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, _heading(plate), least)
+    return Picture(
+        plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, _heading(plate), least, open=False
+    )
 
 
 def _longest(plate: Plate) -> float:

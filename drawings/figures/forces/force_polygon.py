@@ -15,10 +15,11 @@ from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Circle, Group, Line, Stroke, Text
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import LINE, Subject, heading
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between
@@ -116,12 +117,23 @@ class PolygonFigure:
         return letter_of(name, self.drafting), self.drafting.hand.letter
 
 
-def measure(shown: ForcePolygon, name: str, drafting: Drafting) -> Picture:
-    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
+def measure(shown: ForcePolygon, name: str, drafting: Drafting, details: Sequence[ForcePolygon] = ()) -> Picture:
+    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading.
+
+    There is room for the names of all forces that are neither to be seen at its least size nor shown in details.
+    """
     hand = drafting.hand
     title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
-    return picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
+    room = picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
+    mu = max(room.wide, room.high) / least
+    faint = _faint(shown, details, mu)
+    if not faint:
+        return room
+    wide = max(title, room.wide / mu + 2 * room.margins.side) if mu else title
+    lines = _under(shown, faint, Scale(mu, SYMBOL, UNIT), wide, drafting)
+    above = room.margins.above + (len(lines) - 1) * LINE * hand.text
+    return room._replace(heading=wide, margins=room.margins._replace(above=above))
 
 
 def draw(
@@ -138,10 +150,10 @@ def draw(
     short = (LaidVector(one, ends(one, place)) for one, length in lengths.items() if LEAST <= length < SEEN)
     sides = (_side(shown, one, place, drafting) for one in (*reversed(arrows), *short))
     thin = [*_directions(shown, place, hand), *carriers(arrows, place, hand)]
-    enlarged = {side.name for one in details for side in one.forces}
-    faint = tuple(name for name in shown.faint(place.scale.mu) if name not in enlarged)
+    faint = _faint(shown, details, place.scale.mu)
     circles = tuple((one.detail, _circle(one, arrows, place, hand)) for one in details)
-    title = heading(spot.box, _title(shown, drafting), _under(shown, faint, spot, drafting), hand)
+    under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
+    title = heading(spot.box, _title(shown, drafting), under, hand, *further)
     around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles)
     lines = (title, *([Group(tuple(thin))] if thin else []), *sides, *around)
     return PolygonFigure(shown, place, lines, arrows, faint, circles, drafting)
@@ -163,13 +175,31 @@ def _side(shown: ForcePolygon, one: LaidVector, place: Place, drafting: Drafting
     return one.draw(subject, letter_of(vector.name, drafting), place, style, hand.symbol)
 
 
-def _under(shown: ForcePolygon, faint: tuple[str, ...], spot: Spot, drafting: Drafting) -> str:
-    """Write the scale, and beside it the forces that are too short to bear a letter."""
+def _faint(shown: ForcePolygon, details: Sequence[ForcePolygon], mu: float) -> tuple[str, ...]:
+    """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail."""
+    enlarged = {side.name for one in details for side in one.forces}
+    return tuple(name for name in shown.faint(mu) if name not in enlarged)
+
+
+def _under(shown: ForcePolygon, faint: tuple[str, ...], scale: Scale, wide: float, drafting: Drafting) -> list[str]:
+    """Write the scale, and beside it, or on lines below, the forces that are too short to bear a letter."""
     if not shown.forces:
-        return drafting.word("unloaded")
+        return [drafting.word("unloaded")]
     names = ", ".join(letter_of(name, drafting) for name in faint)
-    scale = drafting.scale(spot.scale)
-    return f"{scale};  {drafting.word('unlettered', names=names)}" if faint else scale
+    told = drafting.scale(scale)
+    return _broken(f"{told};  {drafting.word('unlettered', names=names)}", wide, drafting.hand) if faint else [told]
+
+
+def _broken(text: str, wide: float, hand: Hand) -> list[str]:
+    """Break a line at its spaces where it is wider than its place."""
+    lines = [""]
+    for part in text.split(" "):
+        longer = f"{lines[-1]} {part}" if lines[-1] else part
+        if lines[-1] and text_width(Text(0j, longer, hand.text)) + 2 * LEAN * hand.text > wide:
+            lines.append(part)
+        else:
+            lines[-1] = longer
+    return lines
 
 
 def _rank(one: ShownVector) -> tuple[bool, float]:

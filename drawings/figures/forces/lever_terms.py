@@ -14,6 +14,7 @@ from drawings.symbols.polygon import ShownVector
 from plans.model.kinetostatics import NOTHING
 
 POLE = "p"
+ARM = "h′"  # how the letters of arms begin that the lever draws; a line may begin with the image h of a point
 
 
 class LeverTerm(NamedTuple):
@@ -34,7 +35,7 @@ class LeverTerm(NamedTuple):
     @property
     def dimensioned(self) -> bool:
         """Whether the lever draws its arm."""
-        return self.arm.startswith("h")
+        return self.arm.startswith(ARM)
 
     @property
     def written(self) -> tuple[str, str]:
@@ -44,7 +45,8 @@ class LeverTerm(NamedTuple):
 
 def terms(forces: Sequence[ShownVector], images: Mapping[complex, str], drafting: Drafting) -> tuple[LeverTerm, ...]:
     """Give the terms in the order of hanging, the balancing force first; what has no moment about the pole is none."""
-    greatest = max((abs(one.moment) for one in forces), default=0.0)
+    # What rounding leaves of the greatest force at the greatest speed is no moment, even where there are no others.
+    greatest = max((abs(one.value) for one in forces), default=0.0) * max((abs(one.at) for one in forces), default=0.0)
     told, number = list[LeverTerm](), 0
     for name, own in _together(forces).items():
         moment = sum(one.moment for one in own)
@@ -55,7 +57,7 @@ def terms(forces: Sequence[ShownVector], images: Mapping[complex, str], drafting
         arm = _line(own, images, length)
         if not arm:
             number += first.kind != BALANCE
-            arm = by_language(drafting.language, f"h′_{{{'bal' if first.kind == BALANCE else number}}}")
+            arm = by_language(drafting.language, f"{ARM}_{{{'bal' if first.kind == BALANCE else number}}}")
         letter = _couple(name, drafting) if first.kind == PAIR else letter_of(name, drafting)
         told.append(LeverTerm(name, letter, size, arm, length, sense, first.at, first.direction))
     return tuple(told)

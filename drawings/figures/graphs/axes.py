@@ -9,8 +9,16 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import arrowhead
+from plans.model.motion import Floats
 
 BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
+
+
+class Curve(NamedTuple):
+    """A curve in true units, its abscissas and ordinates, (N,); where it jumps two of its points have one abscissa."""
+
+    x: Floats
+    y: Floats
 
 
 class Axes(NamedTuple):

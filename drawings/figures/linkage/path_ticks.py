@@ -34,9 +34,11 @@ def path_ticks(pairs: Pairs) -> Iterator[Line]:
 
 
 def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
-    """Number a few ticks of each trajectory where there is room; the output's path has its numbers already."""
+    """Number a few ticks of each trajectory where there is room; output and crank have their numbers already."""
+    drive, masses = pairs.bones.mechanism.drive, pairs.bones.masses
+    known = {output_point(pairs.bones), *(name for name, (link, _) in masses.items() if link == drive.link)}
     for one in traced(pairs.bones):
-        if one.name != output_point(pairs.bones) and _length(one, pairs.place) >= LONG:
+        if one.name not in known and _length(one, pairs.place) >= LONG:
             yield from _numbers(pairs, one, labels)
 
 

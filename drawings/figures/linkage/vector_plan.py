@@ -18,7 +18,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
-from drawings.symbols.figure import Subject, heading, point, vector
+from drawings.symbols.figure import PLAN_LETTERS, Subject, heading, point, vector
 from drawings.symbols.symbols import pole
 from geometry.board import Line as Direction
 from geometry.board import Mark, at
@@ -28,7 +28,6 @@ from plans.model.order import ORDERS
 
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
-LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
 NONE: Mapping[str, tuple[int, complex]] = {}
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
@@ -149,7 +148,7 @@ def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    least = hand.letter * max(LETTERS, len(shown.letters))
+    least = hand.letter * max(PLAN_LETTERS, len(shown.letters))
     return picture(name, shown.points, (VECTOR[kind].symbol, VECTOR[kind].unit), margins, title, least)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from geometry.board import Mark
-from geometry.hand_error import Hand, slopes
+from geometry.hand_error import SlippingHand, slopes
 from plans.checks.hand.quantity import SLIP, Slipping, errors_by_hand
 from plans.forces.cut import indices
 from plans.forces.force_template import ForcePlans
@@ -32,10 +32,10 @@ def forces_by_hand(
         plan: [mu for name, mu in scales.items() if name.startswith(figure)] for plan, figure in FIGURES.items()
     }
     rows = {plan: np.array([max(found)]) for plan, found in coarsest.items() if found}
-    found = errors_by_hand(dict(_forces_read(drawn)), Hand(SLIP, rows), by)
+    found = errors_by_hand(dict(_forces_read(drawn)), SlippingHand(SLIP, rows), by)
     if drawn.lever is not None:
         name, _, share = balancing_quantity(statics.study.mechanism.drive)
-        hung = errors_by_hand({name: drawn.lever.moment}, Hand(SLIP, rows), by)
+        hung = errors_by_hand({name: drawn.lever.moment}, SlippingHand(SLIP, rows), by)
         found[f"{name} lever"] = share * hung[name]
     return {(name, position): float(error[0]) for name, error in found.items()}
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.hand_error import Hand, slopes
+from geometry.hand_error import SlippingHand, slopes
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
 from plans.checks.hand.quantity import SLIP, Slipping, Told, errors_by_hand
@@ -51,7 +51,7 @@ class MotionByHand:
         The names are those of the findings: "v_B", "ω_3", "a^n_BA"; of a vector it is the size. `scales` are those of
         the plans, true units a mm, one for each position. NaN: so near a dead centre that slips tell nothing.
         """
-        return errors_by_hand(self.read(self.study.drafts(list(positions))), Hand(SLIP, scales), by)
+        return errors_by_hand(self.read(self.study.drafts(list(positions))), SlippingHand(SLIP, scales), by)
 
     def on_sheet(
         self, positions: Sequence[int], scales: Mapping[str, float], by: Slipping = slopes

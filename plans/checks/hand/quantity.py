@@ -8,7 +8,8 @@ from typing import TypeAlias
 import numpy as np
 
 from geometry.board import Mark, between
-from geometry.hand_error import Hand, Slopes, number_error, size_error, slopes
+from geometry.hand_error import SlippingHand, slopes
+from geometry.scatter import Slopes, number_error, size_error
 from plans.checks.parts import Span
 from plans.linkage.plan import Reading
 from plans.model.motion import Floats
@@ -20,7 +21,7 @@ Told: TypeAlias = Span | Reading | Mark  # a vector between two marks, a rate, a
 Slipping: TypeAlias = Callable[..., dict[Mark, Slopes]]  # of a hand and marks
 
 
-def errors_by_hand(read: Mapping[str, Told], hand: Hand, by: Slipping = slopes) -> dict[str, Floats]:
+def errors_by_hand(read: Mapping[str, Told], hand: SlippingHand, by: Slipping = slopes) -> dict[str, Floats]:
     """Give within what 95 of 100 drawings of a hand are of what is read off a record, by its letters.
 
     `by` finds how far each slip moves each mark: by the rules of the acts, or by trying them.

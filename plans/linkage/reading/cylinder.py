@@ -65,11 +65,8 @@ def _reached(survey: Survey, points: tuple[str, str], links: Mapping[int, Link],
         survey.report(("drive", "stroke", "speed"), "ram_still")
     for name, way in (("from", stroke.from_), ("to", stroke.to)):
         if not least < float(way) < most:
-            told = {
-                key: plain(WORKING.create_decimal_from_float(1000 * one))
-                for key, one in (("least", least), ("most", most))
-            }
-            survey.report(("drive", "stroke", name), "ram_reach", line="".join(points), **told)
+            reach = {"least": _millimetres(least), "most": _millimetres(most)}
+            survey.report(("drive", "stroke", name), "ram_reach", line="".join(points), **reach)
             return False
     return True
 

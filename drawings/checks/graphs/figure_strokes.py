@@ -1,4 +1,4 @@
-"""The strokes of a laid-out figure of a cam, to be found by where they must lie on paper (линии фигуры)."""
+"""The strokes of a laid-out figure, to be found by where they must lie on paper (линии фигуры)."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from plans.model.motion import Complexes
 Kind = TypeVar("Kind", bound=Stroke)
 # mm: what arithmetic moves a place on paper by, and what two roads that agree in 1e-9 of a metre differ by.
 NEAR = 1e-6
+FLUSH = 1e-3  # mm: chains and points of one curve that are so near are on it; no eye sees less
 _SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")
 STEEP = 1e-9  # rad by which a direction on paper may be off
 
