@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
-from drawings.layout.parting import Run, fewest, partings
+from drawings.layout.parting import SheetRun, fewest, partings
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
 from drawings.layout.slicing import Cuts, Slicing, Tree
@@ -79,7 +79,7 @@ class _Composer:
         self.asked, self.page = asked, page
         self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[int, State], _Cutting] = {}
-        self.chosen: dict[tuple[int, State, Run, bool], Tree] = {}
+        self.chosen: dict[tuple[int, State, SheetRun, bool], Tree] = {}
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
@@ -132,15 +132,14 @@ class _Composer:
                 trees = [self._best(order, state, run, run is parting[-1]) for run in parting]
                 yield self._grown(trees, state)
 
-    def _best(self, order: int, state: State, run: Run, last: bool) -> Tree:
+    def _best(self, order: int, state: State, run: SheetRun, last: bool) -> Tree:
         """Choose the best of the ways to cut one sheet of a set."""
         key = order, state, run, last
         if key not in self.chosen:
             self.chosen[key] = self._chosen(self._cutting(order, state), run, state, last)
         return self.chosen[key]
 
-    def _chosen(self, cutting: _Cutting, run: Run, state: State, last: bool) -> Tree:
-
+    def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)
             return Stood(self.asked.stock, self.page, tree, rungs_of(self.asked.steps, grown), last).fault

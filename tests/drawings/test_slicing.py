@@ -13,7 +13,7 @@ from hypothesis import strategies as some
 from drawings.layout.bareness import bareness
 from drawings.layout.parting import fewest, partings
 from drawings.layout.slicing import GAP, Cuts, Piece, Size, Slicing, Tree, pieces
-from drawings.layout.standing import Standing, Unit, natural
+from drawings.layout.standing import Occupant, Standing, natural
 from drawings.page.page import Field
 from tests.drawings.emptiness import largest
 
@@ -59,7 +59,7 @@ def test_what_is_cut_stands_in_its_room_and_on_nothing_else(units: list[list[Siz
     sizes = {piece.unit: units[piece.unit][piece.choice] for piece in pieces(tree)}
     wide, high = natural(tree, sizes)
     room = Field(10.0, 10.0, 10.0 + 1.3 * wide, 10.0 + 1.2 * high)
-    boxes = Standing({k: Unit(size, figures) for k, size in sizes.items()}, room).boxes(tree)
+    boxes = Standing({k: Occupant(size, figures) for k, size in sizes.items()}, room).boxes(tree)
     assert list(boxes) == list(range(len(units)))
     assert all(inside(box, room) for box in boxes.values())
     assert all(apart(one, other) for one, other in combinations(boxes.values(), 2))

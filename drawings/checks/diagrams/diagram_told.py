@@ -30,14 +30,16 @@ ZERO = 1e-9  # of the largest value of a column: less is told as 0
 MOST = 36  # positions that are told at most where all are not
 
 
-def table(leaf: Leaf, comparison: DiagramsComparison, omega: float) -> Iterator[Wrong]:
+def table(leaf: Leaf, comparison: DiagramsComparison, omega: float, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of the output's course back; the one that a lone sheet bears is whole."""
-    columns = _columns(comparison, omega)
+    columns, heads = _columns(comparison, omega), _heads(comparison, drafting)
     axis, seen = comparison.analysis.axis, set[int]()
     own = [one for one in leaf.groups if one.name.startswith(f"{NAME}-")]
     for row in (row for group in own for row in reading.rows(group)):
         cells = [text.plain for text in row]
         if not cells[0].isdigit():
+            if cells[1:] != heads:
+                yield within("row", NAME, name=" ".join(cells))
             continue
         k = axis.numbers.index(int(cells[0])) if int(cells[0]) in axis.numbers else -1
         if k < 0 or len(cells) != 1 + len(columns):
@@ -50,6 +52,12 @@ def table(leaf: Leaf, comparison: DiagramsComparison, omega: float) -> Iterator[
     count = len(axis.numbers) - axis.closed
     if leaf.metadata["of"] == 1 and len(seen) < min(count, MOST // 2):
         yield within("missing_from", NAME, name=str(len(seen)))
+
+
+def _heads(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
+    """Give the headings of the columns: the crank angle, the output's own letters and units."""
+    own = (f"{one.name}, {drafting.word(one.unit)}" for one in comparison.findings[:3])
+    return [read(head) for head in ("φ, °", *own)]
 
 
 def _columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, float]]:
