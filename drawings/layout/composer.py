@@ -158,7 +158,6 @@ class _Composer:
         return self.chosen[key]
 
     def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
-
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)
             return Stood(self.asked.stock, self.page, tree, rungs_of(self.asked.steps, grown), last).fault
