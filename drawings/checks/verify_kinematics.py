@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from drawings.checks import reading
 from drawings.checks.diagrams import verify_diagrams
@@ -29,6 +29,7 @@ from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.expected import Expected
 from plans.checks.parts import findings, spans
+from plans.linkage.letters import POLES
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS
 from plans.study import Study
@@ -39,11 +40,11 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
     linkage, comparison = study["linkage"], study.comparison("linkage")
     gone = {gap.position for gap in comparison.construction.gaps}
-    for k in leaf.metadata["plans"]:
-        if k not in gone:
-            yield from _plans(measured, linkage, comparison, k)
-            yield from _centres(measured, leaf, linkage, comparison, k)
-            yield from _parts(measured, leaf, linkage, comparison, k)
+    shown = [(plan, k) for plan, k in leaf.metadata["vectors"] if k not in gone]
+    for k in dict.fromkeys(k for _, k in shown):
+        yield from _plans(measured, linkage, comparison, k, {plan for plan, own in shown if own == k})
+        yield from _centres(measured, leaf, linkage, comparison, k)
+        yield from _parts(measured, leaf, linkage, comparison, k)
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
@@ -54,7 +55,17 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from value_rows.faults(measured, leaf, linkage, comparison)
 
 
-def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[Message]:
+def set_faults(sheets: Sequence[tuple[Measured, Leaf]], study: Study) -> Iterator[Wrong]:
+    """See that each position has both its plans, which may stand on two sheets of the set."""
+    shown = {(plan, k) for _, leaf in sheets for plan, k in leaf.metadata["vectors"]}
+    for plan, k in ((order.plan, k) for order in ORDERS[1:] for k in sorted({k for _, k in shown})):
+        if (plan, k) not in shown:
+            yield on("missing_at", plan, name=POLES[plan], position=k)
+
+
+def _plans(
+    measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int, shown: Collection[str]
+) -> Iterator[Message]:
     """Hold the arrows of one position's plans against the analysis: each that must be there, each that is."""
     drafts = study.drafts()
     expected = Expected(study.mechanism, comparison.analysis, k, drafts.velocities.written)
@@ -64,7 +75,7 @@ def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison
     scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
     for (plan, start, end), value in arrows.items():
         found = seen.get((plan, start, end))
-        must = start in ("p", "π") and end in letters
+        must = plan in shown and start in ("p", "π") and end in letters
         if found is not None:
             if not abs(found.value - value) <= _allowed(comparison, found, measured):
                 yield on("differs_at", plan, name=f"{start} {end}", position=k)

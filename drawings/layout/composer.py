@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
-from drawings.layout.parting import Run, fewest, partings
+from drawings.layout.parting import SheetRun, fewest, partings
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
 from drawings.layout.slicing import Cuts, Slicing, Tree
@@ -79,6 +79,7 @@ class _Composer:
         self.asked, self.page, self.orders = asked, page, asked.orders
         self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[Order, State], _Cutting] = {}
+        self.chosen: dict[tuple[Order, State, SheetRun, bool], Tree] = {}
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
@@ -146,11 +147,17 @@ class _Composer:
                         yield self._grown([tree], state)
                 continue
             for parting in partings(len(cutting.shapes), count, cutting.fits, cutting.areas)[:PARTINGS]:
-                trees = [self._best(cutting, run, state, run is parting[-1]) for run in parting]
+                trees = [self._best(order, state, run, run is parting[-1]) for run in parting]
                 yield self._grown(trees, state)
 
-    def _best(self, cutting: _Cutting, run: Run, state: State, last: bool) -> Tree:
+    def _best(self, order: Order, state: State, run: SheetRun, last: bool) -> Tree:
         """Choose the best of the ways to cut one sheet of a set."""
+        key = order, state, run, last
+        if key not in self.chosen:
+            self.chosen[key] = self._chosen(self._cutting(order, state), run, state, last)
+        return self.chosen[key]
+
+    def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
 
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)

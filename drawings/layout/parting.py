@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeAlias
 
-Run: TypeAlias = tuple[int, int]  # the first and the last unit of a sheet
+SheetRun: TypeAlias = tuple[int, int]  # the first and the last unit of a sheet
 Fits: TypeAlias = Callable[[int, int], bool]
 
 MOST = 400  # ways to part a set that are compared at most
@@ -32,13 +32,13 @@ def _starts(j: int, fits: Fits) -> Iterator[int]:
         yield i
 
 
-def partings(count: int, sheets: int, fits: Fits, areas: Sequence[float]) -> list[tuple[Run, ...]]:
+def partings(count: int, sheets: int, fits: Fits, areas: Sequence[float]) -> list[tuple[SheetRun, ...]]:
     """List the ways to part units into sheets, those first whose sheets are filled most evenly.
 
     >>> partings(3, 2, lambda i, j: True, [1.0, 1.0, 2.0])
     [((0, 1), (2, 2)), ((0, 0), (1, 2))]
     """
-    ways: list[tuple[Run, ...]] = []
+    ways: list[tuple[SheetRun, ...]] = []
     for way in _ways(0, count, sheets, fits):
         ways.append(way)
         if len(ways) == MOST:
@@ -46,7 +46,7 @@ def partings(count: int, sheets: int, fits: Fits, areas: Sequence[float]) -> lis
     return sorted(ways, key=lambda way: max(sum(areas[i : j + 1]) for i, j in way))
 
 
-def _ways(start: int, count: int, sheets: int, fits: Fits) -> Iterator[tuple[Run, ...]]:
+def _ways(start: int, count: int, sheets: int, fits: Fits) -> Iterator[tuple[SheetRun, ...]]:
     if sheets == 1:
         if start < count and fits(start, count - 1):
             yield ((start, count - 1),)

@@ -12,7 +12,7 @@ EDGE = 2.0  # spare paper beside the frame is shared with nothing, that between 
 LEVEL = 25.0  # mm: headings that differ by no more are made level
 
 
-class Unit(NamedTuple):
+class Occupant(NamedTuple):
     """What stands in a cell: a figure, with spare paper around it, or lettering, which stands at an edge."""
 
     size: Size
@@ -48,7 +48,7 @@ def natural(tree: Tree, sizes: Mapping[int, Size]) -> Size:
 class Standing:
     """The units of one sheet, by their numbers, in a room."""
 
-    def __init__(self, units: Mapping[int, Unit], room: Field) -> None:
+    def __init__(self, units: Mapping[int, Occupant], room: Field) -> None:
         self.units, self.room = units, room
         self.sizes = {k: unit.size for k, unit in units.items()}
 

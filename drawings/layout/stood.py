@@ -13,7 +13,7 @@ from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.picture import Picture, Rung, Spot
 from drawings.layout.room import ends_of, room_of
 from drawings.layout.slicing import Tree, pieces
-from drawings.layout.standing import Standing, Unit
+from drawings.layout.standing import Occupant, Standing
 from drawings.layout.table import RuledTable
 from drawings.layout.units import Stock
 from drawings.page.page import Field, Page
@@ -39,12 +39,12 @@ class Stood:
     def boxes(self) -> dict[int, Field]:
         """The box of everything on it, by its number."""
         ends = ends_of(self.page)
-        units = {k: Unit(size, False) for k, size in ends.items()}
+        units = {k: Occupant(size, False) for k, size in ends.items()}
         for piece in pieces(self.tree):
             if piece.unit not in ends:
                 one = self.stock.shown[piece.unit]
                 size = self.stock.sizes(piece.unit, self.rungs)[piece.choice]
-                units[piece.unit] = Unit(size, isinstance(one, Picture), isinstance(one, Notes))
+                units[piece.unit] = Occupant(size, isinstance(one, Picture), isinstance(one, Notes))
         boxes = Standing(units, room_of(self.page)).boxes(self.tree)
         return {k: box for k, box in boxes.items() if k not in ends}
 

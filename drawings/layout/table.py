@@ -137,8 +137,11 @@ class RuledTable(NamedTuple):
         """Draw it in its box among figures."""
         return Group(tuple(self.draw(complex(box.left, box.top), self.setting(box), drafting)))
 
-    def draw(self, corner: complex, setting: Setting, drafting: Drafting) -> list[Group]:
-        """Draw the table from its upper left corner, each band and part a group that says its positions."""
+    def draw(self, corner: complex, setting: Setting, drafting: Drafting, before: int = 0) -> list[Group]:
+        """Draw the table from its upper left corner, each band and part a group that says its positions.
+
+        The groups are numbered on from those `before` them on the sheet.
+        """
         per_part = max(1, math.ceil(len(self.lines) / setting.parts))  # where no force acts at all there are no lines
         width, height = self.width(setting.across) + APART, (per_part + self.over) * self.row + APART
         groups: list[Group] = []
@@ -146,7 +149,7 @@ class RuledTable(NamedTuple):
             for k in range(0, len(self.lines), per_part):
                 at = corner + complex(k / per_part * width, -band / setting.across * height)
                 piece = self.of(slice(band, band + setting.across)).part(slice(k, k + per_part))
-                groups.append(piece.group(at, len(groups) + 1, drafting))
+                groups.append(piece.group(at, before + len(groups) + 1, drafting))
         return groups
 
     def group(self, corner: complex, number: int, drafting: Drafting) -> Group:

@@ -173,4 +173,7 @@ class _KinematicsSheet:
             "shown": self.shown if POSITIONS.plan in names else None,
             "diagrams": diagrams.NAME in names,
             "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
+            "vectors": [
+                (order.plan, k) for k in self.positions for order in ORDERS[1:] if f"{order.plan}-{k}" in names
+            ],
         }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -173,7 +174,7 @@ class _Leaves:
                 **draft.facts(composed.spots.keys()),
                 **({} if draft.later is None else {"scales": {k: one.scale.mu for k, one in self.spots.items()}}),
                 "notes": composed.notes is not None,
-                "rows": {one.table.name: one.table.rows for one in composed.tables},
+                "rows": _rows([one.table for one in composed.tables]),
                 "number": number,
                 "of": count,
             },
@@ -183,8 +184,11 @@ class _Leaves:
         """Draw what no letter is added to: the title block, tables, notes, lettering among the figures."""
         page = self.page
         yield page.title_block(self._entries(composed, number, count), self.drafting.language)
+        told = Counter[str]()
         for table, corner, setting in composed.tables:
-            yield from table.draw(corner, setting, self.drafting)
+            pieces = table.draw(corner, setting, self.drafting, told[table.name])
+            told[table.name] += len(pieces)
+            yield from pieces
         if composed.notes is not None:
             yield write(self.draft.notes, composed.notes, page.hand.text, page.field.right)
         for one in self.draft.shows:
@@ -210,3 +214,11 @@ class _Leaves:
             "sheet": str(number),
             "sheets": str(count),
         }
+
+
+def _rows(tables: Sequence[RuledTable]) -> dict[str, tuple[int, int]]:
+    """Give which rows of each table a sheet bears, which may have two parts of one that no sheet holds."""
+    own: dict[str, list[int]] = {}
+    for one in tables:
+        own.setdefault(one.name, []).extend(one.rows)
+    return {name: (min(ends), max(ends)) for name, ends in own.items()}

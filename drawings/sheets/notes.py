@@ -68,7 +68,8 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
         law = cylinder.law(study.mechanism, study.turn.phi)
         return _cylinder(drive.ram, drive.link, (omega, epsilon), law, language)
     if not drive.pushed:
-        return word(language, "crank", link=drive.link, omega=omega, epsilon=epsilon)
+        key = "crank" if np.any(rates.epsilon) else "even crank"
+        return word(language, key, link=drive.link, omega=omega, **({"epsilon": epsilon} if key == "crank" else {}))
     ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
 
@@ -115,6 +116,6 @@ def _travel(study: LinkageStudy, language: str) -> str:
     if len(found.rests) > 2:  # a stroke between two reversals of several has no time ratio
         overlap = word(language, "reversals", count=len(found.rests))
     if extremes.sliding:
-        return f"{word(language, 'stroke', stroke=number(extremes.stroke, language))};  {overlap}"
+        return f"{word(language, 'stroke', stroke=number(1000 * extremes.stroke, language))};  {overlap}"
     swing = fixed(float(np.degrees(extremes.stroke)), language)
     return f"{word(language, 'swing', link=study.output.link, stroke=swing)};  {overlap}"

@@ -39,6 +39,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
             "positions": len(linkage.turn),
             "shown": shown if POSITIONS.plan in names else None,
             "plans": [],
+            "vectors": [],
         }
 
     words = tuple(notes(linkage, comparison, drafting.language))

@@ -26,6 +26,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.kinematics:leaves",
         faults="drawings.checks.verify_kinematics:faults",
+        together="drawings.checks.verify_kinematics:set_faults",
         scales={"positions": "length", "velocities-": "velocity", "accelerations-": "acceleration"},
     ),
     "positions": Sheet(

@@ -5,18 +5,23 @@ The table is tests/cases/kinematics_faults.toml.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
 import pytest
 
 from drawings.checks.verify import SelfCheckFailed, verify
-from drawings.checks.verify_kinematics import faults
+from drawings.checks.verify_kinematics import faults, set_faults
 from drawings.lettering.lettering import lettered
+from drawings.measure.measure import measure
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import leaves
-from plans.scene.scene import read_scene
+from plans.checks.compare import compare
+from plans.checks.parts import spans
+from plans.linkage.study import LinkageStudy
+from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.words.words import said
 from tests.drawings.collisions import collisions
@@ -54,3 +59,26 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
             checked(leaf, study, tmp_path)
     assert fault.says in str(told.value)
     assert "against the analysis" not in said(told.value, "ru")
+
+
+def test_a_position_has_both_its_plans_on_some_sheet_of_the_set() -> None:
+    """No small sheet holds both: the plan of accelerations may follow that of velocities on the next one."""
+    study = study_of(SCENES[0])
+    whole = leaves(study)
+    measured = measure(svg(lettered(whole[0])))
+    plans = [plan for leaf in whole for plan in leaf.metadata["vectors"]]
+    apart = [(measured, replace(whole[0], metadata={"vectors": [plan]})) for plan in plans]
+    assert list(set_faults(apart, study)) == []
+    assert [str(fault) for fault in set_faults(apart[1:], study)] == [
+        f"p on velocities in position {plans[0][1]} is missing"
+    ]
+
+
+def test_a_pin_lettered_as_the_direction_of_its_slot_is_no_other_thing() -> None:
+    """The point of the slotted link under a pin U is u3; the slot's direction is then another letter."""
+    text = (ROOT / "drawings" / "gallery" / "whitworth.toml").read_text(encoding="utf-8")
+    for old, new in (('"OA"', '"OU"'), ("OA =", "OU ="), ('2 = "A"', '2 = "U"'), ("\nA = [", "\nU = [")):
+        text = text.replace(old, new)
+    told = [LinkageStudy(parse_scene(one)) for one in (text, text.replace("U", "A"))]
+    lettered_u, lettered_a = (spans(one, one.drafts(), compare(one).analysis) for one in told)
+    assert [name.replace("U", "A") for name in lettered_u] == list(lettered_a)

@@ -13,7 +13,7 @@ from hypothesis import strategies as some
 from drawings.layout.bareness import bareness
 from drawings.layout.parting import fewest, partings
 from drawings.layout.slicing import GAP, Cuts, Piece, Size, Slicing, Tree, pieces
-from drawings.layout.standing import Standing, Unit, natural
+from drawings.layout.standing import Occupant, Standing, natural
 from drawings.page.page import Field
 from tests.drawings.emptiness import largest
 
@@ -59,7 +59,7 @@ def test_what_is_cut_stands_in_its_room_and_on_nothing_else(units: list[list[Siz
     sizes = {piece.unit: units[piece.unit][piece.choice] for piece in pieces(tree)}
     wide, high = natural(tree, sizes)
     room = Field(10.0, 10.0, 10.0 + 1.3 * wide, 10.0 + 1.2 * high)
-    boxes = Standing({k: Unit(size, figures) for k, size in sizes.items()}, room).boxes(tree)
+    boxes = Standing({k: Occupant(size, figures) for k, size in sizes.items()}, room).boxes(tree)
     assert list(boxes) == list(range(len(units)))
     assert all(inside(box, room) for box in boxes.values())
     assert all(apart(one, other) for one, other in combinations(boxes.values(), 2))
@@ -79,6 +79,16 @@ def test_the_largest_bare_rectangle_is_found(rows: list[list[bool]]) -> None:
     found = max((b - a) * (d - c) * (not grid[a:b, c:d].any()) for (a, b), (c, d) in product(*map(list, sides)))
     assert count * grid.size == pytest.approx(found)
     assert not grid[low:high, left:right].any()
+
+
+@given(some.lists(some.tuples(*[some.integers(-5, 80)] * 4), max_size=8))
+def test_boxes_leave_the_same_bare_as_the_cells_that_they_take(sides: list[tuple[int, int, int, int]]) -> None:
+    field, grid = Field(0.0, 0.0, 72.0, 48.0), np.zeros((48, 72), bool)
+    boxes = [(*sorted((a, c)), *sorted((b, d))) for a, b, c, d in sides]
+    for left, right, low, high in boxes:
+        grid[max(low, 0) : max(high, 0), max(left, 0) : max(right, 0)] = True
+    told = bareness([Field(left, low, right, high) for left, right, low, high in boxes], field)
+    assert told == pytest.approx(largest(grid)[0])
 
 
 def test_boxes_are_told_as_bare_as_they_leave_a_sheet() -> None:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.diagrams.expected_rows import ExpectedRow
-from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, figure, read, scales
+from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read, scales
 from drawings.checks.graphs.graph import KNOWN, Graph
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
@@ -62,6 +62,7 @@ class RowGraph(Graph):
     def faults(self, shared: frozenset[int]) -> Iterator[Wrong]:
         """Hold the whole row; `shared` are the positions that any row numbers."""
         yield from self._ordinates(shared)
+        yield from self._ticks()
         yield from self._numbers(shared)
         yield from self._scales()
         if not self.row.flat:
@@ -80,6 +81,15 @@ class RowGraph(Graph):
         for k in sorted(shared - self.marks.keys()):
             if abs(values[k]) > LEAST * self.mu + self.slack and not self.row.flat:
                 yield on("missing_at", self.name, name=str(k), position=k)
+
+    def _ticks(self) -> Iterator[Wrong]:
+        """See that each position whose value stands on the row is marked on the axis by a tick."""
+        upright = (one for one in self.strokes.lines if abs((one.end - one.start).real) <= NEAR)
+        middles = np.array([(one.start + one.end) / 2 for one in upright])
+        for k, turned in self.places.items():
+            few = len(self.row.axis.turned) <= MARKED + 1
+            if (few or k in self.marks) and not np.abs(middles - self.on(turned)).min(initial=np.inf) <= FLUSH:
+                yield on("foot", self.name, name=str(k))
 
     @cached_property
     def numbered(self) -> frozenset[int]:
@@ -148,7 +158,9 @@ class RowGraph(Graph):
         return len(runs) == len(ends) and bool(np.abs(np.array(runs) - np.array(ends)).max(initial=0.0) <= FLUSH)
 
     def _covers(self, chains: list[Polyline], due: list[tuple[float, float]]) -> bool:
-        """Tell whether chains cover all the runs, but for where there is no value."""
+        """Tell whether chains cover all the runs, but for where there is no value; chords go from end to end."""
+        if not self.row.chorded and not self._spans(chains, tuple(due)):
+            return False
         spots = np.sort(np.array([p.real for one in chains for p in one.points]))
         for low, high in due:
             own = np.linspace(low, high, 2 * len(self.row.axis.turned))[1:-1]

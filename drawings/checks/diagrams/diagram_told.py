@@ -26,30 +26,41 @@ from plans.words.words import Message, said
 NOTES = "notes"  # the name of their figure
 FASTER = KEYS[1]  # whose chords span a step each
 DIGITS, PER_CENT = 4, 2
+ANGLE = 2  # decimals of φ
+EVEN = 1e-3, 1e4  # a column whose largest value lies between is told with the same decimals throughout
 ZERO = 1e-9  # of the largest value of a column: less is told as 0
 MOST = 36  # positions that are told at most where all are not
 
 
-def table(leaf: Leaf, comparison: DiagramsComparison, omega: float) -> Iterator[Wrong]:
+def table(leaf: Leaf, comparison: DiagramsComparison, omega: float, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of the output's course back; the one that a lone sheet bears is whole."""
-    columns = _columns(comparison, omega)
+    columns, heads = _columns(comparison, omega), _heads(comparison, drafting)
     axis, seen = comparison.analysis.axis, set[int]()
     own = [one for one in leaf.groups if one.name.startswith(f"{NAME}-")]
+    decimals = [ANGLE, *(_decimals(*column) for column in columns[1:])]
     for row in (row for group in own for row in reading.rows(group)):
         cells = [text.plain for text in row]
         if not cells[0].isdigit():
+            if cells[1:] != heads:
+                yield within("row", NAME, name=" ".join(cells))
             continue
         k = axis.numbers.index(int(cells[0])) if int(cells[0]) in axis.numbers else -1
         if k < 0 or len(cells) != 1 + len(columns):
             yield within("row", NAME, name=cells[0])
             continue
         seen.add(k)
-        for text, (values, slack) in zip(cells[1:], columns, strict=True):
-            if not _holds(text, float(values[k]), slack):
+        for text, (values, slack), places in zip(cells[1:], columns, decimals, strict=True):
+            if not _holds(text, float(values[k]), slack, places):
                 yield within("cell", NAME, name=cells[0], text=text)
     count = len(axis.numbers) - axis.closed
     if leaf.metadata["of"] == 1 and len(seen) < min(count, MOST // 2):
         yield within("missing_from", NAME, name=str(len(seen)))
+
+
+def _heads(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
+    """Give the headings of the columns: the crank angle, the output's own letters and units."""
+    own = (f"{one.name}, {drafting.word(one.unit)}" for one in comparison.findings[:3])
+    return [read(head) for head in ("φ, °", *own)]
 
 
 def _columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, float]]:
@@ -64,9 +75,20 @@ def _columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats,
     return [(found.axis.turned * 360 / TURN, ZERO), *own]
 
 
-def _holds(text: str, true: float, slack: float) -> bool:
+def _decimals(values: Floats, slack: float) -> int | None:
+    """Give the decimals that all numbers of a column must have, of its largest value; None: each has its own digits."""
+    largest = float(np.nanmax(np.abs(values), initial=0.0))
+    if not (EVEN[0] <= largest - slack and largest + slack < EVEN[1]):
+        return None
+    ends = {DIGITS - 1 - math.floor(math.log10(one)) for one in (largest - slack, largest + slack)}
+    return ends.pop() if len(ends) == 1 else None
+
+
+def _holds(text: str, true: float, slack: float, places: int | None) -> bool:
     if math.isnan(true) or text == ABSENT:
         return math.isnan(true) and text == ABSENT
+    if places is not None and len(text.replace(",", ".").partition(".")[2]) != places:
+        return False
     return reads(text, true, slack) or reads(text, true, slack, DIGITS)
 
 

@@ -12,13 +12,13 @@ from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_r
 from drawings.checks.graphs.figure_strokes import figure, scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
-from drawings.figures.diagrams.kinematic_diagrams import title
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
+from plans.linkage.travel import frame_slide
 from plans.study import Study
 from plans.words.words import message
 
@@ -38,7 +38,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from _figure(measured, leaf, own, rows, drafting)
     elif leaf.metadata["of"] == 1:
         yield message("wrong.missing", name=NAME)
-    yield from diagram_told.table(leaf, comparison, omega)
+    yield from diagram_told.table(leaf, comparison, omega, drafting)
     yield from diagram_told.notes(leaf, own, rows, drafting)
 
 
@@ -51,8 +51,9 @@ def _figure(
     along = stated.get("φ", 1.0)
     if _written(stated.get("t", math.inf), drafting) != _written(along / omega, drafting):
         yield message("wrong.scale", text="μ_t")
-    if head is None or title(own, drafting) not in head.texts:
-        yield on("title", NAME, text=title(own, drafting))
+    due = _title(own, drafting)
+    if head is None or due not in head.texts:
+        yield on("title", NAME, text=due)
     found = graphs(measured, leaf, rows, drafting, along)
     if len(found) < len(KEYS):
         yield message("wrong.missing", name=NAME)
@@ -66,3 +67,11 @@ def _figure(
 def _written(mu: float, drafting: Drafting) -> str:
     """Give the number of a scale as it is written, mu or K = 1/mu; of none at all nothing."""
     return number(1 / mu if drafting.notation == "K" else mu) if math.isfinite(mu) else ""
+
+
+def _title(own: DiagramsStudy, drafting: Drafting) -> str:
+    """Give the heading: the output by its number, one that slides by its point too."""
+    output = own.linkage.output
+    slide = frame_slide(own.linkage.mechanism, output.link)
+    point = output.point or (slide.point if slide else "")
+    return drafting.word(f"diagrams of {'point' if point else 'link'}", link=output.link, point=point)

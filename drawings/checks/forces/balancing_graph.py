@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from drawings.checks.graphs.figure_strokes import FigureStrokes, scales
 from drawings.checks.wrong import on
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import texts
 from plans.model.motion import Floats
 from plans.words.words import Message
@@ -25,8 +26,13 @@ def ordinates(measured: Measured, leaf: Leaf, moments: Floats, slack: float) -> 
         return
     told = {text.plain for text in texts((group,)) if text.plain.isdigit()}
     seen = {one.name: one for one in measured.vectors if one.plan == PLAN}
-    scale = max((one.scale for one in seen.values()), default=0.0)
+    scale = max((one.scale for one in seen.values()), default=_written(group))
     for k, moment in enumerate(moments):
         due = str(k) in told or k == leaf.metadata["position"]
         if due and abs(moment) > slack + SEEN * scale and str(k) not in seen:
             yield on("missing_at", PLAN, name=str(k), position=k)
+
+
+def _written(group: Group) -> float:
+    """Give the scale of the ordinates that the heading states, for where no ordinate is long enough to be measured."""
+    return max((mu for letter, mu in scales(FigureStrokes(group)).items() if letter != "φ"), default=0.0)

@@ -44,10 +44,11 @@ class Details(NamedTuple):
     def _small(self, plan: str, whole: Mapping[str, MeasuredVector], enlarged: set[str]) -> Iterator[Wrong]:
         """Name the outer forces that are not to be seen, neither in a detail nor told of beside the scale."""
         scale = next(iter(whole.values())).scale
-        told = " ".join(text.plain for group in self._figures(plan) for text in texts((group,)))
+        lines = (text.plain for group in self._figures(plan) for text in texts((group,)))
+        told = {word.rstrip(",") for line in lines for word in line.split()}  # a letter may have a comma inside: R10,11
         for name, letter in self.letters.items():
             small = self.slack < abs(self.known[name]) < SEEN * scale - self.slack
-            if small and name not in enlarged and letter not in told.replace(",", " ").split():
+            if small and name not in enlarged and letter not in told:
                 yield on("missing_on", plan, name=name)
 
     def _circles(

@@ -15,6 +15,7 @@ from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.lever_equation import NAME
 from drawings.figures.forces.lever_layout import PLAN
+from drawings.figures.forces.lever_terms import ARM
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
@@ -71,6 +72,7 @@ class LeverCheck:
             if known is None or figures is None or not self._holds(one, known, told.get(one.arm, ""), figures, mu):
                 yield message("wrong.equation", text=f"{one.force}·{one.arm}", cut=PLAN)
         yield from self._given(told)
+        yield from self._units(group)
         if self._drawn:
             yield from self._arms(named)
 
@@ -101,6 +103,13 @@ class LeverCheck:
             if name not in told or not _near(told[name], value, slack):
                 yield message("wrong.equation", text=f"{name} = {told.get(name, '')}", cut=PLAN)
 
+    def _units(self, group: Group) -> Iterator[Wrong]:
+        """Hold the units of the force that balances the lever and of its moment."""
+        due = {self._letter(DRIVING): word(self.language, "N"), self._letter(BALANCING): word(self.language, "N*m")}
+        for one in (found for text in texts((group,)) if (found := _ARM.fullmatch(text.plain)) is not None):
+            if one["name"] in due and (one["unit"] or "").rstrip(",") != due[one["name"]]:
+                yield message("wrong.equation", text=one[0], cut=PLAN)
+
     def _holds(self, one: Read, due: Due, arm: str, figures: Read, mu: float) -> bool:
         size, same = due.size, one.sign == figures.sign == (1 if due.power > 0 else -1)
         return same and arm == figures.arm and _near(figures.force, size, self.slack) and self._long(arm, due, mu)
@@ -116,7 +125,7 @@ class LeverCheck:
         scale = next(one.scale for one in self.measured.points if one.plan == PLAN)
         for name, read in named.items():
             due = self._due.get(name)
-            if due is None or not due.along or not read.arm.startswith("h"):
+            if due is None or not due.along or not read.arm.startswith(ARM):
                 continue
             length, one = abs(due.power) / due.size, seen.get(read.arm)
             near = 2 * self.measured.quantum * scale + length * self.slack / due.size

@@ -45,6 +45,8 @@ def pole(strokes: FigureStrokes, graph: Graph, due: DuePole, told: FigureStrokes
         yield on("differs_on", graph.name, name=name)
     if not strokes.lettered(name, [at]):
         yield on("letter", graph.name, name=name)
+    if not strokes.joins(at, graph.zero, FLUSH):
+        yield on("line", graph.name)
     sizes = [one for one in strokes.lines if level(one.start, one.end, at.real, graph.zero.real)]
     if not any(strokes.lettered(due.letter, [(one.start + one.end) / 2]) for one in sizes):
         yield on("letter", graph.name, name=due.letter)

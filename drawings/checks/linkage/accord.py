@@ -19,6 +19,7 @@ from plans.words.words import message
 
 NOISE = 1e-11  # of the largest: what is less is told as this
 DIGITS = 2  # of kappa
+ALIKE = 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
 
 
@@ -51,9 +52,6 @@ def _is_worst(position: int, told: str, kappa: Floats) -> bool:
     worst = float(np.nanmax(kappa))
     own = math.isclose(float(kappa[position]), worst, rel_tol=ALIKE) if position < len(kappa) else False
     return own and reading.reads(told, worst, ALIKE * worst, DIGITS)
-
-
-ALIKE = 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 
 
 def _pattern(language: str) -> str:

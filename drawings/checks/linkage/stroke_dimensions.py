@@ -21,7 +21,7 @@ from plans.words.words import Message
 SETS = 4  # strokes of a dimension that are looked at: its text, its line, both extension lines
 
 
-class Stroke(NamedTuple):
+class DueStroke(NamedTuple):
     """A slider's stroke by the analysis: its text, and its ends on the guide on paper, mm."""
 
     text: str
@@ -50,14 +50,14 @@ def faults(leaf: Leaf, laid: LaidMechanism, road: Analysis) -> Iterator[Message]
         yield on("stroke", POSITIONS.plan, name="H")
 
 
-def _is(one: Stroke, dimension: Sequence[object]) -> bool:
+def _is(one: DueStroke, dimension: Sequence[object]) -> bool:
     match dimension:
         case [Text() as text, Line() as line, Line() as first, Line() as second]:
             return one.is_drawn(text, line, first, second)
     return False
 
 
-def _strokes(laid: LaidMechanism, road: Analysis) -> Iterator[Stroke]:
+def _strokes(laid: LaidMechanism, road: Analysis) -> Iterator[DueStroke]:
     """Find the stroke of each slider on the frame: of the output, and of the others by their points' letters."""
     mechanism, out = laid.mechanism, laid.study.output
     slide = frame_slide(mechanism, out.link)
@@ -71,7 +71,7 @@ def _strokes(laid: LaidMechanism, road: Analysis) -> Iterator[Stroke]:
         if abs(ends[1] - ends[0]) > SEEN or slide in [one for one, _ in own]:
             letter = f"H{point}" if several else "H"
             size = fixed(1000 * told.stroke, laid.study.language).rstrip("0").rstrip(".,")
-            yield Stroke(f"{letter} = {size}", ends)
+            yield DueStroke(f"{letter} = {size}", ends)
 
 
 def _ends(laid: LaidMechanism, slide: Slide, point: str, reach: tuple[float, float]) -> tuple[complex, complex]:

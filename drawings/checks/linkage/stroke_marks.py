@@ -7,12 +7,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on
 from drawings.figures.linkage.position_plan import OTHERS, ROTATION
 from drawings.paper.strokes import Leaf, Line
-from drawings.symbols.symbols import TICK
+from drawings.symbols.symbols import BLOCK, TICK
 from plans.linkage.travel import frame_slide
 from plans.model.order import POSITIONS
 from plans.words.words import Message
@@ -39,9 +40,19 @@ def _ticks(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     lines = [line for group in named(leaf, OTHERS) for line in group.strokes if isinstance(line, Line)]
     middles = [(line.start + line.end) / 2 for line in lines if _is_tick(line, laid)]
     near = {k: min((abs(middle - spot) for middle in middles), default=math.inf) for k, spot in due.items()}
+    ends = [end for line in lines if _is_along(line, laid) for end in (line.start, line.end)]
+    for k in {0, len(places) - 1} & due.keys():
+        covered = abs(complex(*BLOCK)) if k == laid.position else 0.0  # a line ends where the shown block does
+        if not min((abs(end - due[k]) for end in ends), default=math.inf) <= EXACT + covered:
+            yield on("line", POSITIONS.plan)
     for k in due:
         if k != laid.position and near[k] > EXACT:
             yield on("missing_at", POSITIONS.plan, name=laid.mechanism.drive.end, position=k)
+
+
+def _is_along(line: Line, laid: LaidMechanism) -> bool:
+    run = (line.end - line.start) / _along(laid)
+    return abs(run.imag) <= SQUARE * abs(run)
 
 
 def _is_tick(line: Line, laid: LaidMechanism) -> bool:
@@ -56,5 +67,10 @@ def _arrows(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     told = [complex(row[laid.position]) for row, rate in zip(point[1:], stated, strict=False) if rate]
     lines = [line for group in named(leaf, ROTATION) for line in group.strokes if isinstance(line, Line)]
     senses = [float(np.sign(((line.end - line.start) / _along(laid)).real)) for line in lines]
+    labels = labels_of(leaf.groups)
+    for symbol, line in zip((symbol for symbol, rate in zip("va", stated, strict=True) if rate), lines, strict=False):
+        spots = [line.start, (line.start + line.end) / 2, line.end]
+        if not distance(labels.get(f"{symbol}{laid.mechanism.drive.end}", ()), spots) <= NEAREST:
+            yield on("letter", POSITIONS.plan, name=f"{symbol}_{laid.mechanism.drive.end}")
     if senses != [float(np.sign((value / _along(laid)).real)) for value in told]:
         yield on("sense", POSITIONS.plan, name=laid.mechanism.drive.end)

@@ -12,7 +12,6 @@ from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on
-from drawings.figures.linkage.phases import INDICES
 from drawings.figures.linkage.swing import LETTER
 from drawings.lettering.words import fixed
 from drawings.paper.strokes import Arc, Fill, Leaf, Text
@@ -21,6 +20,8 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import Extremes
 from plans.model.order import POSITIONS
 from plans.words.words import Message, word
+
+INDICES = ("index.work", "index.idle")  # of the crank's angle over either stroke
 
 
 class Sector(NamedTuple):

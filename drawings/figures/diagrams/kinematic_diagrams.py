@@ -54,11 +54,10 @@ def draw(own: DiagramsStudy, spot: Spot, drafting: Drafting) -> DiagramsFigure:
 
 
 def title(own: DiagramsStudy, drafting: Drafting) -> str:
-    """Head the figure with the output."""
-    point = own.linkage.output.point or (own.course.travel.slide.point if own.course.travel.slide else "")
-    return drafting.word(
-        "diagrams of point" if point else "diagrams of link", link=own.linkage.output.link, point=point
-    )
+    """Head the figure with the output: a point of what slides, a link that turns."""
+    travel, out = own.course.travel, own.linkage.output
+    point = (out.point or (travel.slide.point if travel.slide else "")) if travel.sliding else ""
+    return drafting.word("diagrams of point" if point else "diagrams of link", link=out.link, point=point)
 
 
 @dataclass(frozen=True)

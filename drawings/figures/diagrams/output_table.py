@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,8 @@ NAME = "output"
 MOST = 36  # positions that are told: of more every so many
 ABSENT = "—"
 NOUGHT = 1e-9  # of the largest: a rounding
+DIGITS = 4  # of the largest of a column, whose numbers all have its decimals
+PLACES = range(-3, 8)  # decimals of a column; of none below 0; of other sizes each number has its own digits
 
 
 def output_table(own: DiagramsStudy, drafting: Drafting) -> RuledTable:
@@ -39,20 +42,37 @@ def told_positions(found: Diagrams) -> tuple[int, ...]:
 
 
 def _rows(own: DiagramsStudy, found: Diagrams, drafting: Drafting) -> Iterator[TableRow]:
-    columns = list(_columns(whole(found, own.course.omega), own.course.omega))
+    columns = tuple(_columns(whole(found, own.course.omega), own.course.omega))
     for k in told_positions(found):
-        cells = (_cell(values[k], largest, drafting) for values, largest in columns)
+        cells = (_cell(column, k, drafting) for column in columns)
         yield TableRow(
             str(found.axis.numbers[k]), (fixed(math.degrees(found.axis.turned[k]), drafting.language), *cells)
         )
 
 
-def _columns(course: Course, omega: float) -> Iterator[tuple[list[float], float]]:
-    """Give the values of each column, and the largest that it has or that the one before it can make it."""
-    largest = 0.0
+class _Column(NamedTuple):
+    """A column's values, the largest that the one before it can make of them, and its own largest."""
+
+    values: list[float]
+    could: float
+    largest: float
+
+    @property
+    def places(self) -> int | None:
+        """Decimals of all its numbers; None where each has its own digits."""
+        if self.largest <= NOUGHT * self.could or not math.isfinite(self.largest):
+            return None
+        places = DIGITS - 1 - math.floor(math.log10(self.largest))
+        return max(places, 0) if places in PLACES else None
+
+
+def _columns(course: Course, omega: float) -> Iterator[_Column]:
+    """Give the columns of S, v, a."""
+    could = 0.0
     for column in course:
-        largest = max(float(np.nanmax(np.abs(column), initial=0.0)), omega * largest)
-        yield column.tolist(), largest
+        largest = float(np.nanmax(np.abs(column), initial=0.0))
+        could = max(largest, omega * could)
+        yield _Column(column.tolist(), could, largest)
 
 
 def whole(found: Diagrams, omega: float) -> Course:
@@ -61,7 +81,9 @@ def whole(found: Diagrams, omega: float) -> Course:
     return Course(s + found.count.turns * found.axis.turned, v + found.count.turns * omega, a)
 
 
-def _cell(value: float, largest: float, drafting: Drafting) -> str:
+def _cell(column: _Column, k: int, drafting: Drafting) -> str:
+    value, places = column.values[k], column.places
     if math.isnan(value):
         return ABSENT
-    return drafting.number(0.0 if abs(value) <= NOUGHT * largest else value)
+    told = 0.0 if abs(value) <= NOUGHT * column.could else value
+    return drafting.number(told, DIGITS) if places is None else fixed(told, drafting.language, places)

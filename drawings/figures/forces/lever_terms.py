@@ -14,6 +14,7 @@ from drawings.symbols.polygon import ShownVector
 from plans.model.kinetostatics import NOTHING
 
 POLE = "p"
+ARM = "h′"  # how the letters of arms begin that the lever draws; a line may begin with the image h of a point
 
 
 class LeverTerm(NamedTuple):
@@ -34,7 +35,7 @@ class LeverTerm(NamedTuple):
     @property
     def dimensioned(self) -> bool:
         """Whether the lever draws its arm."""
-        return self.arm.startswith("h")
+        return self.arm.startswith(ARM)
 
     @property
     def written(self) -> tuple[str, str]:
@@ -56,7 +57,7 @@ def terms(forces: Sequence[ShownVector], images: Mapping[complex, str], drafting
         arm = _line(own, images, length)
         if not arm:
             number += first.kind != BALANCE
-            arm = by_language(drafting.language, f"h′_{{{'bal' if first.kind == BALANCE else number}}}")
+            arm = by_language(drafting.language, f"{ARM}_{{{'bal' if first.kind == BALANCE else number}}}")
         letter = _couple(name, drafting) if first.kind == PAIR else letter_of(name, drafting)
         told.append(LeverTerm(name, letter, size, arm, length, sense, first.at, first.direction))
     return tuple(told)

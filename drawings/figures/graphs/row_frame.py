@@ -151,8 +151,12 @@ class RowFrame(Generic[Shown]):
 
     def _taken(self, scales: Sequence[Scale]) -> list[float]:
         """Give what the rows take at some scales, mm."""
-        spans = (row.span[1] - row.span[0] for row in self.plate.rows)
-        return [span / scale.mu for span, scale in zip(spans, scales, strict=True)]
+        return [span / scale.mu for span, scale in zip(self._spans, scales, strict=True)]
+
+    @cached_property
+    def _spans(self) -> list[float]:
+        """What the rows reach over, in their own units."""
+        return [high - low for low, high in (row.span for row in self.plate.rows)]
 
     @cached_property
     def scales(self) -> dict[str, Scale]:

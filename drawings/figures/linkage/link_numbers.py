@@ -24,7 +24,7 @@ ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it i
 DIRECTIONS = 16
 
 
-class Spot(NamedTuple):
+class NumberPlace(NamedTuple):
     """A place for a number: the middle of its circle, the place of the link that it is for, mm between them."""
 
     middle: complex
@@ -49,7 +49,7 @@ def frame_number(joints: Joints, labels: Labels, hand: Hand) -> Iterator[Stroke]
         yield _number(str(FRAME), spots, labels, hand)
 
 
-def _spots(joints: Joints, link: int, hand: Hand) -> Iterator[Spot]:
+def _spots(joints: Joints, link: int, hand: Hand) -> Iterator[NumberPlace]:
     """Give the places beside a link, the nearest first; beside a block where the link is no more than one."""
     radius = _radius(str(link), hand)
     outlines = (outline for outline in joints.outlines if outline.link == link)
@@ -60,15 +60,15 @@ def _spots(joints: Joints, link: int, hand: Hand) -> Iterator[Spot]:
         for share in SHARES:
             for start, end in bars:
                 across, foot = 1j * (end - start) / abs(end - start), start + share * (end - start)
-                yield from (Spot(foot + side * across * (radius + off), foot, off) for side in (1, -1))
+                yield from (NumberPlace(foot + side * across * (radius + off), foot, off) for side in (1, -1))
 
 
-def _around(foot: complex, link: int, clear: float, hand: Hand) -> Iterator[Spot]:
+def _around(foot: complex, link: int, clear: float, hand: Hand) -> Iterator[NumberPlace]:
     """Give the places round a spot that is kept clear so far."""
     for off in OFFS:
         reach = clear + _radius(str(link), hand) + off
         turns = (2 * math.pi * (k + 0.5) / DIRECTIONS for k in range(DIRECTIONS))
-        yield from (Spot(foot + cmath.rect(reach, turn), foot, off) for turn in turns)
+        yield from (NumberPlace(foot + cmath.rect(reach, turn), foot, off) for turn in turns)
 
 
 def _middle(joints: Joints, link: int) -> complex:
@@ -83,11 +83,11 @@ def _radius(content: str, hand: Hand) -> float:
     return max(ROUND * hand.text, abs(complex(right - left, top - bottom)) / 2 + 0.15 * hand.text)
 
 
-def _number(content: str, spots: list[Spot], labels: Labels, hand: Hand) -> Stroke:
+def _number(content: str, spots: list[NumberPlace], labels: Labels, hand: Hand) -> Stroke:
     """Draw a number in its circle at the first free place, with a leader where that is not beside its link."""
     radius = _radius(content, hand)
 
-    def covered(spot: Spot) -> int:
+    def covered(spot: NumberPlace) -> int:
         through = labels.ink.along(spot.middle, spot.foot) // LETTERED if spot.off > BESIDE else 0
         return labels.ink.under(_square(spot.middle, radius + 0.4)) + through
 
@@ -100,7 +100,7 @@ def _number(content: str, spots: list[Spot], labels: Labels, hand: Hand) -> Stro
     return group
 
 
-def _leader(spot: Spot, radius: float, hand: Hand) -> tuple[Stroke, ...]:
+def _leader(spot: NumberPlace, radius: float, hand: Hand) -> tuple[Stroke, ...]:
     """Lead from a circle's rim to a dot on its link."""
     rim = spot.middle + (spot.foot - spot.middle) / abs(spot.foot - spot.middle) * radius
     return Line(rim, spot.foot, hand.drafted), Circle(spot.foot, DOT * hand.symbol, INK)

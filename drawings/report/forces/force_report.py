@@ -15,8 +15,8 @@ from drawings.report.chapters import Chapters
 from drawings.report.forces.balancing_table import balancing_table
 from drawings.report.formula import Formula
 from drawings.report.gap_lines import gap_line, gap_lines
-from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
-from drawings.report.linkage.greatest import greatest
+from drawings.report.linkage.first_numbers import DIGITS as FEW_DIGITS
+from drawings.report.linkage.first_numbers import greatest
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison

@@ -18,7 +18,7 @@ from drawings.report.formula import Formula
 from drawings.report.gap_lines import gap_line, gap_lines, positions
 from drawings.report.linkage.data_chapter import data, structure
 from drawings.report.linkage.equations_chapter import drawn_scales, equations, shown_positions
-from drawings.report.linkage.greatest import first_numbers
+from drawings.report.linkage.first_numbers import first_numbers
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches

@@ -39,7 +39,7 @@ def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:
     """Give a guide's unit direction, or its image on a plan above; there None means that the guide does not turn."""
     name = key(slide)
     if name not in plan.units:
-        plan.units[name] = plan.vector(host, slide.way(host).direction, f"u{host}")
+        plan.units[name] = plan.vector(host, slide.way(host).direction, plan.written.own("u", host))
     return plan.units[name]
 
 

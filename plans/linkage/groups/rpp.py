@@ -21,7 +21,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     inner, outer = dyad.slide(), dyad.slide(1)
     guided = guide.direction(plan, outer, dyad.hosts[1])
     angle = inner.way(yoke).direction / outer.way(yoke).direction
-    slot = board.turn(f"u{yoke}", guided, angle, because("slot_angle"))
+    slot = board.turn(plan.written.own("u", yoke), guided, angle, because("slot_angle"))
     plan.units[guide.key(inner)] = slot
     left = guide.offset(plan, inner, stone, dyad.hinge(0)).left
     through = guide.shift(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
@@ -84,7 +84,10 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
         )
         n = board.lay_off(plan.written.own("n", yoke), under, carried, because("similar", point="N", link=yoke))
         slot = board.turn(
-            f"u{yoke}", turned, inner.way(yoke).direction / outer.way(yoke).direction, because("slot_turns")
+            plan.written.own("u", yoke),
+            turned,
+            inner.way(yoke).direction / outer.way(yoke).direction,
+            because("slot_turns"),
         )
     plan.units[guide.key(inner)] = slot
     plan.images[stone] = Image(a, slot, base.images[stone].at, base.images[stone].span)

@@ -21,7 +21,12 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     (a, c), slide = _outer(plan, dyad), dyad.slide()
     left = [guide.offset(plan, slide, dyad.links[end], dyad.hinge(end)).left for end in (0, 1)]
     slot = plan.board.tangent(
-        f"u{slide.owner}", c, a, left[0] - left[1], side, because("slot_holds", link=slide.owner, point=a.name)
+        plan.written.own("u", slide.owner),
+        c,
+        a,
+        left[0] - left[1],
+        side,
+        because("slot_holds", link=slide.owner, point=a.name),
     )
     plan.units[guide.key(slide)] = slot
     for end, pin in enumerate((a, c)):

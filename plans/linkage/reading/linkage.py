@@ -160,7 +160,7 @@ def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
     details = {
         "n": mechanism.moving_links,
         "p": mechanism.lower_pairs,
-        "found": mechanism.mobility,
+        "found": str(mechanism.mobility).replace("-", "\N{MINUS SIGN}"),
         "hinges": hinges,
         "slides": len(mechanism.slides),
         "advice": _mobility_advice(scene, mechanism),
