@@ -1,6 +1,6 @@
 """The composer: where on which sheets the contents stand, at which scales (компоновка листов).
 
-Units stand in their order; every order of tables and notes among the figures is tried. The fewest sheets on which all
+Figures stand in their order; several orders of tables and notes among them are tried. The fewest sheets on which all
 can be read and the foremost figure has its share of one are taken, on them all figures at the highest level that fits;
 of what fits so the composition is chosen whose figures are large and that leaves the least paper bare.
 """
@@ -18,7 +18,7 @@ from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
 from drawings.layout.slicing import Cuts, Slicing, Tree
 from drawings.layout.stood import Stood, size_of
-from drawings.layout.units import Shape, nested
+from drawings.layout.units import Order, Shape, nested
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
@@ -76,25 +76,43 @@ class _Composer:
     """The search for the composition of one set of sheets."""
 
     def __init__(self, asked: Request, page: Page) -> None:
-        self.asked, self.page = asked, page
+        self.asked, self.page, self.orders = asked, page, asked.orders
         self.cuts = Cuts(asked.stock.room)
-        self.known: dict[tuple[int, State], _Cutting] = {}
-        self.chosen: dict[tuple[int, State, SheetRun, bool], Tree] = {}
+        self.known: dict[tuple[Order, State], _Cutting] = {}
+        self.chosen: dict[tuple[Order, State, SheetRun, bool], Tree] = {}
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
-        floors, every = self.asked.floors, range(len(self.asked.orders))
-        count = min(self._cutting(order, floors).number(0) for order in every)
+        count = self._fewest()
         if not count:
             raise SheetError(message("refused.figure", format=self.page.name))
-        sets = (one for state in self._states(floors, count) for one in self._sets(state, count))
-        best = max(sets, key=lambda one: one.score)
+        best = self._found(count)
+        if count > 1 and self.asked.further and any(sheet.fault for sheet in best.sheets):
+            best = self._better(best)
         return tuple(sheet.composition() for sheet in best.sheets)
 
-    def _cutting(self, order: int, state: State) -> _Cutting:
+    def _better(self, best: _Set) -> _Set:
+        """Try the further orders: they may need fewer sheets, or leave less of them bare."""
+        self.orders, count = self.asked.further, len(best.sheets)
+        fewer = self._fewest()
+        if fewer > count:
+            return best
+        found = self._found(fewer)
+        return max(best, found, key=lambda one: (-len(one.sheets), one.score))
+
+    def _fewest(self) -> int:
+        """Count the sheets that are needed at the least scales."""
+        return min(self._cutting(order, self.asked.floors).number(0) for order in self.orders)
+
+    def _found(self, count: int) -> _Set:
+        """Find the best set of so many sheets."""
+        sets = (one for state in self._states(self.asked.floors, count) for one in self._sets(state, count))
+        return max(sets, key=lambda one: one.score)
+
+    def _cutting(self, order: Order, state: State) -> _Cutting:
         if (order, state) not in self.known:
             rungs, stock = rungs_of(self.asked.steps, state), self.asked.stock
-            shapes = [stock.shapes(unit, rungs) for unit in self.asked.orders[order]]
+            shapes = [stock.shapes(unit, rungs) for unit in order]
             opening = [stock.opening(own, head_of(self.page)) for own in shapes]
             sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
             slicing = Slicing(sizes, self.cuts, corner_of(self.page), opened)
@@ -103,7 +121,7 @@ class _Composer:
 
     def _fits(self, state: State, count: int) -> bool:
         """Tell whether all stands on so many sheets."""
-        numbers = (self._cutting(order, state).number(count) for order in range(len(self.asked.orders)))
+        numbers = (self._cutting(order, state).number(count) for order in self.orders)
         return any(0 < number <= count for number in numbers)
 
     def _states(self, floors: State, count: int) -> Iterator[State]:
@@ -121,7 +139,7 @@ class _Composer:
 
     def _sets(self, state: State, count: int) -> Iterator[_Set]:
         """Compose the sets that fit at some scales."""
-        for order in range(len(self.asked.orders)):
+        for order in self.orders:
             cutting = self._cutting(order, state)
             if count == 1:
                 if cutting.fits(0, len(cutting.shapes) - 1):
@@ -132,7 +150,7 @@ class _Composer:
                 trees = [self._best(order, state, run, run is parting[-1]) for run in parting]
                 yield self._grown(trees, state)
 
-    def _best(self, order: int, state: State, run: SheetRun, last: bool) -> Tree:
+    def _best(self, order: Order, state: State, run: SheetRun, last: bool) -> Tree:
         """Choose the best of the ways to cut one sheet of a set."""
         key = order, state, run, last
         if key not in self.chosen:
@@ -140,7 +158,6 @@ class _Composer:
         return self.chosen[key]
 
     def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
-
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)
             return Stood(self.asked.stock, self.page, tree, rungs_of(self.asked.steps, grown), last).fault

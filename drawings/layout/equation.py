@@ -95,7 +95,7 @@ class Passage(NamedTuple):
 
     def block(self) -> TextBlock:
         """Measure the ways to break it, each at the least width for its number of lines."""
-        least = max(_length((piece,), self.size) for one in self.equations for piece in one.pieces)
+        least = max(_length(whole, self.size) for one in self.equations for whole in _unbroken(one))
         width = max(_length(one.pieces, self.size) for one in self.equations)
         widths: dict[float, float] = {}
         while not widths or width >= max(least, NARROWEST * self.size):
@@ -119,12 +119,19 @@ class Passage(NamedTuple):
 
 def _broken(one: WrittenEquation, width: float, size: float) -> Iterator[Row]:
     row: Row = ()
-    for piece in one.pieces:
-        if row and _length((*row, piece), size) > width:
+    for whole in _unbroken(one):
+        if row and _length((*row, *whole), size) > width:
             yield row
             row = ()
-        row = (*row, piece)
+        row = (*row, *whole)
     yield row
+
+
+def _unbroken(one: WrittenEquation) -> Iterator[Row]:
+    """Give what stands on one line; the right side stays with the last term, for "= 0" alone is no line."""
+    kept = 2 if len(one.pieces) > 1 and one.pieces[-1].sign == "=" else 1
+    yield from ((piece,) for piece in one.pieces[:-kept])
+    yield one.pieces[-kept:]
 
 
 def _length(row: Iterable[Piece], size: float) -> float:

@@ -12,20 +12,26 @@ from drawings.layout.picture import Picture, Rung
 from drawings.layout.room import corner_of, head_of, room_of
 from drawings.layout.slicing import Cuts, Piece, Slicing
 from drawings.layout.table import RuledTable
-from drawings.layout.units import Shape, Stock, Unit, groups, orders
+from drawings.layout.units import Order, Shape, Stock, Unit, further, groups, orders
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
 
+FEW = 8  # figures of a set: among more of them tables and notes have places enough
+
 
 @dataclass(frozen=True)
 class Request:
-    """Units in their reading orders, the steps of their scales, the least steps."""
+    """Units in their reading orders, the steps of their scales, the least steps.
+
+    The `further` orders are for sets of some sheets, where one of them would stay bare.
+    """
 
     stock: Stock
-    orders: tuple[tuple[Unit, ...], ...]
+    orders: tuple[Order, ...]
     steps: tuple[Steps, ...]
     floors: State
+    further: tuple[Order, ...] = ()
 
 
 def request(contents: Contents, page: Page) -> Request:
@@ -52,8 +58,8 @@ class _Fitting:
         figures = [one for unit in groups(self.contents) for one in self._apart(unit, rungs)]
         tables = [one for k in range(len(self.contents.tables)) for one in self._pieces(first + k)]
         notes = [first + len(self.contents.tables)] if self.contents.notes is not None else []
-        every_order = tuple(orders(figures, tables, notes))
-        return Request(self._stock, every_order, steps, floors)
+        many = further(figures, tables, notes) if len(figures) <= FEW else []
+        return Request(self._stock, tuple(orders(figures, tables, notes)), steps, floors, tuple(many))
 
     @property
     def _stock(self) -> Stock:

@@ -20,6 +20,7 @@ Shown: TypeAlias = Picture | TextBlock | RuledTable | Notes
 CORNER, HEAD = -1, -2  # the numbers of the title block, and of what stands in the upper left corner
 CLEAR = 3.0  # mm from that to a heading
 Unit: TypeAlias = int | tuple["Unit", ...]
+Order: TypeAlias = tuple[Unit, ...]
 
 
 class Shape(NamedTuple):
@@ -109,7 +110,7 @@ def _unit(group: Sequence[tuple[int, Panel]]) -> Unit:
     return units[0] if len(units) == 1 else tuple(units)
 
 
-def orders(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit]) -> list[tuple[Unit, ...]]:
+def orders(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit]) -> list[Order]:
     """List the orders to read units in: tables and notes behind all figures or behind the first.
 
     >>> orders([0, 1], [2], [])
@@ -125,3 +126,26 @@ def orders(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit
         [*first, *notes, *tables, *rest],
     ]
     return list(dict.fromkeys(map(tuple, ways)))
+
+
+def further(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit]) -> list[Order]:
+    """List more orders, for sets of some sheets: tables and notes behind any of the figures.
+
+    >>> further([0, 1, 2], [], [3])
+    [(0, 1, 3, 2)]
+    """
+    ways = [
+        way
+        for k in range(1, len(figures))
+        for way in (
+            (*_behind(figures, k, notes), *tables),
+            (*_behind(figures, k, tables), *notes),
+            _behind(figures, k, (*tables, *notes)),
+        )
+    ]
+    known = orders(figures, tables, notes)
+    return [way for way in dict.fromkeys(ways) if way not in known]
+
+
+def _behind(units: Sequence[Unit], k: int, some: Sequence[Unit]) -> Order:
+    return *units[:k], *some, *units[k:]

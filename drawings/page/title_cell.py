@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from bisect import bisect
 from collections.abc import Iterator
 from functools import lru_cache
 from typing import NamedTuple
@@ -130,6 +131,5 @@ def _cut(line: str, size: float, room: float) -> str:
     """Cut a line that is too long, with an ellipsis."""
     if _long(line, size) <= room:
         return line
-    while line and _long(f"{line}{ELLIPSIS}", size) > room:
-        line = line[:-1]
-    return f"{line.rstrip()}{ELLIPSIS}"
+    kept = bisect(range(1, len(line) + 1), room, key=lambda count: _long(f"{line[:count]}{ELLIPSIS}", size))
+    return f"{line[:kept].rstrip()}{ELLIPSIS}"

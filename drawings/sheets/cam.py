@@ -24,7 +24,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets import cam_charts, cam_column
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
@@ -50,7 +50,7 @@ class _Contents(NamedTuple):
     drawing: CamDrawing
     angle: PressureView
     profile: Exhibit
-    table: Caption
+    table: RuledTable
     notes: tuple[str, ...]
 
 
@@ -64,25 +64,20 @@ def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
 
 def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _Contents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
-    table = _results(drawing, exact, drafting)
     return _Contents(
         drawing,
         pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
         _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
-        Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting)),
+        _results(drawing, exact, drafting),
         CamNotes(drawing.found, drafting).all,
     )
 
 
 def _told(contents: _Contents, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
-    shows: tuple[Exhibit | Caption, ...] = (
-        *_shows(contents, way, drafting),
-        contents.profile,
-        contents.table,
-    )
+    shows = (*_shows(contents, way, drafting), contents.profile)
     title = drafting.word("cam sheet title", name=cam.name)
-    return Draft("cam", title, shows, (), contents.notes, partial(_facts, cam, way == JOINED))
+    return Draft("cam", title, shows, (contents.table,), contents.notes, partial(_facts, cam, way == JOINED))
 
 
 def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:

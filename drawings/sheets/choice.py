@@ -21,13 +21,13 @@ if TYPE_CHECKING:  # a kinematics sheet does without forces
 CHOICES = 12  # positions that a message offers at most
 
 
-def position(study: LinkageStudy, comparison: MotionComparison) -> int:
-    """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
+def position(study: LinkageStudy, comparison: MotionComparison, beside: Collection[int] = ()) -> int:
+    """Give the position drawn in full lines: the scene's own, the one whose forces stand beside, or the fastest one."""
     wanted = position_asked(study)
     if wanted is not None:
         return wanted
     free = ~study.lost
-    named = [k for k in study.form.sheet.plans if free[k]]
+    named = [k for k in study.form.sheet.plans or beside if free[k]]
     return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
@@ -44,12 +44,19 @@ def position_asked(study: LinkageStudy) -> int | None:
     return None if wanted is None else int(wanted)
 
 
-def plans(study: LinkageStudy, comparison: MotionComparison, shown: int) -> tuple[int, ...]:
-    """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration."""
+def plans(
+    study: LinkageStudy, comparison: MotionComparison, shown: int, beside: Collection[int] = ()
+) -> tuple[int, ...]:
+    """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration.
+
+    Where the forces of several positions stand beside, their inertia forces want the plans of these.
+    """
     if study.lost.all():
         return ()
     if study.form.sheet.plans:
         return study.form.sheet.plans
+    if len(beside) > 1:
+        return tuple(sorted({shown, *beside}))
     free = ~study.lost
     free[shown] = False
     telling = _telling(study, comparison, 1) * _telling(study, comparison, 2)  # both of its plans are open figures

@@ -22,8 +22,8 @@ from drawings.layout.contents import Panel
 from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
-from drawings.sheets.choice import plans, position
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.choice import force_positions, plans, position
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
 from geometry.board import Mark
@@ -42,17 +42,35 @@ SHARE = 1 / 3  # of its sheet
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheets of a scene."""
-    return sheets(study["linkage"], study.comparison("linkage"), study["diagrams"])
+    return sheets(study["linkage"], study.comparison("linkage"), study["diagrams"], _loaded(study))
 
 
-def sheets(study: LinkageStudy, comparison: MotionComparison, output: DiagramsStudy | None = None) -> tuple[Leaf, ...]:
-    """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
-    return lay_out(study.scene, [_KinematicsSheet(study, comparison, output).draft])
+def sheets(
+    study: LinkageStudy,
+    comparison: MotionComparison,
+    output: DiagramsStudy | None = None,
+    beside: tuple[int, ...] = (),
+) -> tuple[Leaf, ...]:
+    """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable.
+
+    Of the positions `beside` the same set has force sheets.
+    """
+    return lay_out(study.scene, [_KinematicsSheet(study, comparison, output, beside).draft])
 
 
 def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
     """Lay out the first kinematics sheet."""
     return sheets(study, comparison)[0]
+
+
+def _loaded(study: Study) -> tuple[int, ...]:
+    """Give the positions whose forces the set draws: their inertia forces are taken from the plans of these."""
+    if "forces" not in study.scene.sheets:
+        return ()
+    try:
+        return force_positions(study["forces"], study.comparison("forces"))
+    except SheetError:
+        return ()  # the force sheets say why there are none
 
 
 @dataclass(frozen=True)
@@ -62,6 +80,7 @@ class _KinematicsSheet:
     study: LinkageStudy
     comparison: MotionComparison
     output: DiagramsStudy | None  # None: neither the output's diagrams nor their table are shown
+    beside: tuple[int, ...] = ()
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -79,12 +98,12 @@ class _KinematicsSheet:
 
     @cached_property
     def shown(self) -> int:
-        return position(self.study, self.comparison)
+        return position(self.study, self.comparison, self.beside)
 
     @cached_property
     def positions(self) -> tuple[int, ...]:
         """The positions whose plans are drawn."""
-        return plans(self.study, self.comparison, self.shown)
+        return plans(self.study, self.comparison, self.shown, self.beside)
 
     @cached_property
     def bones(self) -> Skeletons:

@@ -22,6 +22,7 @@ from plans.words.words import message
 GRAPHS = ("balancing",)  # their own scale is that of the angle: the key of such a figure governs its ordinates
 READABLE = 20.0  # mm: a figure of four large letters, or ordinates of so much, are a blot whose course is not seen
 NEAREST = 3  # standard scales that a refusal names
+ROUNDED = 1e-12  # of a scale of two digits: what its quotient by a power of ten leaves, some thousand roundings
 
 
 def key_of(kind: str, figure: str) -> str:
@@ -122,7 +123,7 @@ def _rounded_up(mu: float) -> float:
     (0.013, 250.0)
     """
     step = 10.0 ** (math.floor(math.log10(mu)) - 1)
-    return float(f"{math.ceil(mu / step * (1 - 1e-12)) * step:.12g}")
+    return float(f"{math.ceil(mu / step * (1 - ROUNDED)) * step:.12g}")
 
 
 def _rounded_down(mu: float) -> float:

@@ -12,6 +12,8 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
 
+from tests import homes
+
 ROOT = Path(__file__).parents[2]
 OWN = ("geometry", "plans", "drawings")
 
@@ -57,9 +59,11 @@ def planted(fault: DrawingFault) -> Iterator[None]:
     for one, faulty in list(_pairs(module.__dict__, other, module.__name__)):
         one.__code__ = faulty.__code__
     _set({name: (old, other[name]) for name, old in numbers.items()})
+    homes.changed = fault.name if fault.file.startswith(homes.COMPOSED) else ""
     try:
         yield
     finally:
+        homes.changed = ""
         for one, code in codes:
             one.__code__ = code
         _set({name: (other[name], old) for name, old in numbers.items()})

@@ -78,7 +78,7 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
 def test_the_poles_of_a_part_of_a_turn_stand_on_the_paper(tmp_path: Path) -> None:
     """What goes forth alone wants poles far from its axis, though the graphs be as high as ever."""
     text = (ROOT / "drawings" / "gallery" / "crank-rocker.toml").read_text(encoding="utf-8").partition("[sheet]")[0]
-    swing = text.replace('start = "extreme"\npositions = 12', "positions = [40, 50, 60, 70, 80]")
+    swing = text.replace('start = "extreme"\npositions = 12', "positions = [40, 50, 60, 70, 80]\n[output]\npoint = 'B'")
     study = Study(
         parse_scene(swing.replace('sheets = ["kinematics", "forces"]', "").replace("forces = [2]", "")), DRAWN
     )
@@ -86,6 +86,8 @@ def test_the_poles_of_a_part_of_a_turn_stand_on_the_paper(tmp_path: Path) -> Non
     checked(leaf, study, tmp_path)
     poles = [mark.at for mark in texts(leaf.groups) if mark.plain in ("P1", "P2", "H1", "H2")]
     assert len(poles) == 4
+    heads = [text.plain for text in texts(leaf.groups)]
+    assert "Kinematic diagrams of link 3" in heads, "an angle is that of a link, though the output be told by its point"
     assert all(field.left < at.real < field.right and field.bottom < at.imag < field.top for at in poles)
 
 

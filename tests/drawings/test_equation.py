@@ -121,3 +121,8 @@ def test_letters_of_russian_sheets_are_those_of_russian_courses(ours: str, their
 
 def test_drawing_is_one_named_group() -> None:
     assert isinstance(PASSAGE.write(Field(0, 0, 100, 100), HAND), Group)
+
+
+def test_the_right_side_is_never_a_line_of_its_own() -> None:
+    for width, _ in PASSAGE.block().sizes:
+        assert ["="] not in [[piece.sign for piece in row] for row in PASSAGE.rows(width)]

@@ -16,13 +16,15 @@ from drawings.measure.measure import measure_file
 from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
-from drawings.sheets import forces
+from drawings.sheets import forces, kinematics
+from drawings.sheets.choice import force_positions
 from plans.checks.compare import compare
 from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics, without
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
+from plans.study import Study
 from tests.drawings.collisions import collisions
 from tests.drawings.memo import verify_loaded
 from tests.drawings.slips import Change, changed, dropped, in_part, marked, rewritten, stretched
@@ -182,6 +184,19 @@ def test_without_a_word_the_forces_are_those_of_the_hardest_loaded_position() ->
     assert loaded[shown]
     assert moments[shown] == pytest.approx(moments[loaded].max())
     assert moments.max() > 1.05 * moments[shown], "the scene must tell a loaded position from the hardest of all"
+
+
+def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematics_sheet() -> None:
+    """Their inertia forces are taken from its acceleration plan; alone, the sheet shows the fastest position."""
+    text = text_of("shaper", ("value = 1500", "value = 150"), ("positions = [60]", "positions = 12"))
+    both, alone = (
+        Study(parse_scene(text.replace('sheets = ["forces"]', f"sheets = {sheets}")))
+        for sheets in ('["kinematics", "forces"]', '["kinematics"]')
+    )
+    own = Statics(both["linkage"])
+    (drawn,) = force_positions(own, compare_forces(own, both.comparison("linkage")))
+    shown = [kinematics.leaves(study)[0].metadata["shown"] for study in (both, alone)]
+    assert shown[0] == drawn != shown[1]
 
 
 def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, tmp_path: Path) -> None:

@@ -10,13 +10,16 @@ from pathlib import Path
 
 import pytest
 
+from drawings.checks import verify_kinematics
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.checks.verify_forces import faults
 from drawings.lettering.lettering import lettered
+from drawings.measure.measure import measure_file
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
+from drawings.sheets import kinematics
 from drawings.sheets.forces import leaves
-from plans.scene.scene import read_scene
+from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
@@ -41,6 +44,15 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
     for leaf in leaves(study_of(name)):
         checked(leaf, study_of(name), tmp_path)
         assert collisions(leaf) == []
+
+
+def test_ticks_close_to_the_drawn_position_may_lie_under_its_block(tmp_path: Path) -> None:
+    text = (CASES / "strokes" / "ram.toml").read_text(encoding="utf-8").replace('"forces"', '"kinematics"', 1)
+    study = Study(parse_scene(text.replace("positions = 6", "positions = 60")))
+    leaf = kinematics.leaves(study)[0]
+    path = tmp_path / "sheet.svg"
+    path.write_bytes(svg(lettered(leaf)))
+    assert list(verify_kinematics.faults(measure_file(path), leaf, study)) == []
 
 
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)

@@ -54,7 +54,7 @@ class Fault(NamedTuple):
     @property
     def nodes(self) -> list[str]:
         """The tests that must see it, as pytest names them."""
-        return [f"{FOLDER}/{test}" for test in self.seen_by]
+        return [test if "/" in test else f"{FOLDER}/{test}" for test in self.seen_by]
 
 
 def faults(path: Path) -> list[Fault]:

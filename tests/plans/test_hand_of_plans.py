@@ -12,7 +12,8 @@ import pytest
 from geometry import draughtsman, hand_error
 from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
-from geometry.hand_error import Hand, number_error
+from geometry.hand_error import SlippingHand
+from geometry.scatter import number_error
 from plans.checks.compare import compare
 from plans.checks.hand.forces import forces_by_hand
 from plans.checks.hand.motion import MotionByHand
@@ -131,7 +132,7 @@ def test_a_rate_is_out_by_what_turns_the_link_and_by_its_length() -> None:
     base, above = Board("positions"), Board("velocities")
     arm = base.join("AB", base.given("A", 2 + 1j), base.given("B", 32 + 1j))
     turning = above.join("ab", above.given("a", 1 + 1j), above.given("b", 1 + 13j))
-    hand = Hand(0.2, {"positions": np.ones(1), "velocities": np.ones(1)})
+    hand = SlippingHand(0.2, {"positions": np.ones(1), "velocities": np.ones(1)})
     slips = 0.2 / np.sqrt(3) * np.array([1 / 30, 1 / 30, 12 / 30**2, 12 / 30**2])
     told = errors_by_hand({"ω": Reading(arm, turning)}, hand)
     assert told["ω"] == pytest.approx(number_error(slips[:, None] + 0j), rel=1e-12)

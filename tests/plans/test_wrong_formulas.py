@@ -1,4 +1,4 @@
-"""Wrong formulas of rotors, balances, banks, machines' motion and run, cyclograms and cams, seen by tests named beside.
+"""Wrong formulas of all techniques but the forces, seen by the tests named beside them.
 
 Each table stands in tests/cases.
 """
@@ -15,7 +15,8 @@ CASES = Path(__file__).parents[1] / "cases"
 MACHINES = "machine_faults", "dynamics_analysis_faults", "run_faults"
 CAMS = "cam_task_faults", "cam_law_faults", "cam_size_faults", "cam_profile_faults"
 BALANCES = "balance_construction_faults", "balance_formula_faults", "bank_formula_faults"
-NAMES = ("rotor_faults", *BALANCES, *MACHINES, "cyclogram_faults", *CAMS)
+DRAWN = "stroke_formula_faults", "diagram_formula_faults", "hand_formula_faults"
+NAMES = ("rotor_faults", *DRAWN, *BALANCES, *MACHINES, "cyclogram_faults", *CAMS)
 TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
 
 

@@ -73,5 +73,6 @@ def _title(own: DiagramsStudy, drafting: Drafting) -> str:
     """Give the heading: the output by its number, one that slides by its point too."""
     output = own.linkage.output
     slide = frame_slide(own.linkage.mechanism, output.link)
-    point = output.point or (slide.point if slide else "")
+    slides = slide is not None or output.parting is not None
+    point = (output.point or (slide.point if slide else "")) if slides else ""
     return drafting.word(f"diagrams of {'point' if point else 'link'}", link=output.link, point=point)

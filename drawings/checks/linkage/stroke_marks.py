@@ -12,6 +12,7 @@ from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on
 from drawings.figures.linkage.position_plan import OTHERS, ROTATION
+from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line
 from drawings.symbols.symbols import BLOCK, TICK
 from plans.linkage.travel import frame_slide
@@ -42,12 +43,19 @@ def _ticks(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     near = {k: min((abs(middle - spot) for middle in middles), default=math.inf) for k, spot in due.items()}
     ends = [end for line in lines if _is_along(line, laid) for end in (line.start, line.end)]
     for k in {0, len(places) - 1} & due.keys():
-        covered = abs(complex(*BLOCK)) if k == laid.position else 0.0  # a line ends where the shown block does
-        if not min((abs(end - due[k]) for end in ends), default=math.inf) <= EXACT + covered:
+        hidden = abs(complex(*BLOCK)) if _covered(due[k], laid) else 0.0  # a line ends where the shown block does
+        if not min((abs(end - due[k]) for end in ends), default=math.inf) <= EXACT + hidden:
             yield on("line", POSITIONS.plan)
-    for k in due:
-        if k != laid.position and near[k] > EXACT:
+    for k, spot in due.items():
+        if near[k] > EXACT and not _covered(spot, laid):
             yield on("missing_at", POSITIONS.plan, name=laid.mechanism.drive.end, position=k)
+
+
+def _covered(spot: complex, laid: LaidMechanism) -> bool:
+    """Tell whether a pair of the drawn position may stand before a spot on paper: no symbol is larger than a block."""
+    reach = abs(complex(*BLOCK)) / 2 * page_of(laid.study.scene).hand.symbol
+    points = (complex(moved.r[laid.position]) for moved in laid.motion.points.values())
+    return any(abs(laid.at.on(point) - spot) <= reach for point in points)
 
 
 def _is_along(line: Line, laid: LaidMechanism) -> bool:

@@ -27,7 +27,7 @@ SYMBOL, UNIT = "φ", "rad"
 # In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
 ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.11, 0.2
 NAMES = 1.7  # of the turn: the column of names stands left of the rows
-MARGINS = Margins(3.0, 2.0, 3.2)  # paper around it in sizes of its letters
+MARGINS = Margins(1.85, 2.0, 3.2)  # paper around it in sizes of its letters
 LARGER = 2.1  # times as large it is drawn at most: from one standard scale to the next is twice
 DEGREES = 30  # from one number of the abscissa to the next
 BESIDE = 0.8  # mm from a line to its letters
@@ -103,12 +103,18 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
 
 def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> BarFigure:
     """Draw it in its spot: heading, rows, abscissa, setting angles."""
-    place, hand = room.place(*spot), drafting.hand
+    hand = drafting.hand
+    place = _beside(room.place(*spot), room.margins.side - BESIDE)
     title = heading(spot.box, drafting.word(TITLE), drafting.scale(spot.scale), hand)
     frame = Group((*_grid(chart, place, hand), *_names(chart, place, drafting), *_axis(chart, place, drafting)))
     bars = Group(tuple(_bars(chart, place, drafting)), ROWS)
     settings = tuple(_settings(chart, place, drafting))
     return BarFigure(chart, place, (Group((title, frame, bars, *settings), NAME),), drafting)
+
+
+def _beside(place: Place, spare: float) -> Place:
+    """Stand it at the left side of its room: nothing stands left of it, right of it the letter of the abscissa."""
+    return place._replace(origin=place.origin - spare)
 
 
 def _written(hand: Hand) -> float:

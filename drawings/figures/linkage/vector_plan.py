@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
@@ -30,6 +30,7 @@ BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
 NONE: Mapping[str, tuple[int, complex]] = {}
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
+SAME = 1e-6  # of a vector: two constructions of one point differ by rounding, a ten-thousandth of a mm on no sheet
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
 
@@ -93,7 +94,17 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     sides = tuple(
         side for name, mass in masses.items() for side in _sides(plan, mass[0], centres[name], arrows, column)
     )
-    return VectorDiagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules, centres, sides)
+    return VectorDiagram(plan, column, _once(arrows.values()), rays, tuple(images), rules, centres, sides)
+
+
+def _once(arrows: Iterable[Arrow]) -> tuple[Arrow, ...]:
+    """Give each arrow once: the point of a link under a pin is found again for each pair that the pin has there."""
+    kept: dict[str, list[Arrow]] = {}
+    for arrow in arrows:
+        own = kept.setdefault(arrow.name, [])
+        if not any(abs(arrow.ends[1] - one.ends[1]) <= SAME * abs(arrow.ends[1]) for one in own):
+            own.append(arrow)
+    return tuple(arrow for own in kept.values() for arrow in own)
 
 
 def _sides(

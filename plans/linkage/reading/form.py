@@ -223,7 +223,8 @@ class PlansTable(Table):
     plans: tuple[int, ...] = key(
         many(f.POSITION, f.NO_REPEATS, first=f.FEW),
         (),
-        meaning="Positions whose plans are drawn; default: one of the working stroke and one more, both open figures.",
+        meaning="Positions whose plans are drawn; default: one of the working stroke and one more, both "
+        "open figures; beside force sheets the positions of these first.",
     )
     position: int | None = key(f.POSITION, None, meaning="The position in full lines; default: the first of plans.")
 
