@@ -33,11 +33,11 @@ def quantity(name: str, language: str) -> str:
     """Name a quantity: its letter, and in words what tells it from others of that letter.
 
     >>> quantity("M_bal lever", "en"), quantity("M_bal lever", "ru")
-    ('M_bal lever', 'M_bal по рычагу')
+    ('M_bal lever', 'M_ур по рычагу')
     >>> quantity("m_cw4", "ru")
     'm_пр4'
     """
     parts = name.split(" ")
     if len(parts) == 1:
         return written(term(language, "quantity", name), language)
-    return " ".join(term(language, "quantity_part", part) for part in parts)
+    return " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)

@@ -20,6 +20,7 @@ from plans.scene.scene import Scene
 from plans.words.words import message
 
 GRAPHS = ("balancing",)  # their own scale is that of the angle: the key of such a figure governs its ordinates
+READABLE = 20.0  # mm: a figure of four large letters, or ordinates of so much, are a blot whose course is not seen
 NEAREST = 3  # standard scales that a refusal names
 ROUNDED = 1e-12  # of a scale of two digits: what its quotient by a power of ten leaves, some thousand roundings
 
@@ -73,10 +74,9 @@ class StatedScales(NamedTuple):
                     name, one, "refused.scale_large", **_millimetres(wide=size[0], high=size[1]), **self._room(size)
                 )
         largest = max(pictures, key=lambda one: max(one.wide, one.high), default=None)
-        if largest is not None and (extent := max(largest.wide, largest.high) / mu) < largest.least * SMALLER:
-            raise self._refused(
-                name, largest, "refused.scale_small", size=f"{extent:.0f}", least=f"{largest.least:.0f}"
-            )
+        if largest is not None and max(largest.wide, largest.high) / mu < (largest.least * SMALLER or READABLE):
+            sizes = _millimetres(max(largest.wide, largest.high) / mu, largest.least or READABLE, ("size", "least"))
+            raise self._refused(name, largest, "refused.scale_small", **sizes)
 
     @property
     def _rooms(self) -> tuple[Size, ...]:
@@ -98,7 +98,7 @@ class StatedScales(NamedTuple):
     def _fitting(self, picture: Picture) -> list[float]:
         """Give the standard scales at which a figure fits and can be read, nearest to what is stated first."""
         rungs = chain.from_iterable(picture.ladder(*room, self.page.standard).rungs for room in self._rooms)
-        fit = {rung.scale.mu for rung in rungs if rung.extent >= picture.least * SMALLER}
+        fit = {rung.scale.mu for rung in rungs if rung.extent >= (picture.least * SMALLER or READABLE)}
         mu = self.stated[key_of(self.kind, picture.name)]
         return sorted(sorted(fit, key=lambda one: max(one / mu, mu / one))[:NEAREST])
 
@@ -110,6 +110,10 @@ def see_ordinates(scene: Scene, name: str, span: float, high: float) -> None:
         parts = {"scale": _written(mu, False), "least": _written(_rounded_up(span / high), False)}
         sizes = _millimetres(span / mu, high, ("high", "up"))
         raise SheetError(of_scale(scene, name, message("refused.scale_ordinates", name=name, **parts, **sizes)))
+    if 0 < span / mu < READABLE:
+        parts = {"scale": _written(mu, False), "most": _written(_rounded_down(span / READABLE), False)}
+        sizes = _millimetres(span / mu, READABLE, ("high", "needed"))
+        raise SheetError(of_scale(scene, name, message("refused.scale_flat", name=name, **parts, **sizes)))
 
 
 def _rounded_up(mu: float) -> float:
@@ -120,6 +124,16 @@ def _rounded_up(mu: float) -> float:
     """
     step = 10.0 ** (math.floor(math.log10(mu)) - 1)
     return float(f"{math.ceil(mu / step * (1 - ROUNDED)) * step:.12g}")
+
+
+def _rounded_down(mu: float) -> float:
+    """Round a scale down to two digits.
+
+    >>> _rounded_down(0.01234), _rounded_down(250.0)
+    (0.012, 250.0)
+    """
+    step = 10.0 ** (math.floor(math.log10(mu)) - 1)
+    return float(f"{math.floor(mu / step * (1 + 1e-12)) * step:.12g}")
 
 
 def _holds(room: Size, size: Size) -> bool:

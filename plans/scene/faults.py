@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from geometry.errors import DraftError
@@ -29,6 +29,7 @@ class Fault:
     value: str
     kind: str
     details: Mapping[str, object] = field(default_factory=dict)
+    settles: Sequence[Path] = ()  # keys of which nothing else need be said: what is to be changed here changes them
 
     @property
     def expected(self) -> str:

@@ -184,7 +184,8 @@ def _scene(source: Source) -> Scene:
         faults = refusals(error, source, kinds_of())
         unlisted = max(0, len(error.refusals) - REFUSALS_LIMIT)
         meaning = [] if unlisted else _further_faults(source, faults)
-        raise SceneError([*faults, *meaning], unlisted) from None
+        settled = {path for fault in meaning for path in fault.settles}
+        raise SceneError([*(one for one in faults if one.path not in settled), *meaning], unlisted) from None
     except LimitError as error:
         raise LimitError(placed(source.file, error.args[0])) from None
 

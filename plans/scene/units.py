@@ -213,6 +213,8 @@ def _written(text: str, kind: Kind) -> Decimal:
     comma = DECIMAL_COMMA.match(text)
     if comma:
         raise wrong("decimal_comma", kind=kind.name, written=f"{comma[1]}.{comma[2]}")
+    if not any(kind.units) and (not match or match[2]):
+        raise wrong("not_bare", kind=kind.name)
     if not match:
         raise wrong("not_a_quantity", kind=kind.name, units=kind.allowed, example=_example(kind))
     number = _finite(decimal(match[1]), kind)

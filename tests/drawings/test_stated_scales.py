@@ -121,6 +121,8 @@ def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_roo
 def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> None:
     with pytest.raises(SheetError, match=r"sheet.scale.velocity = 3: .* is \d mm large, and its letters need"):
         kinematics.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
+    with pytest.raises(SheetError, match=r'sheet.scale.length = "1:\d+": .* is 0 mm large, .* choose "1:'):
+        kinematics.leaves(Study(scene_of("[sheet.scale]\nlength = 1000\n")))
 
 
 def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_are_refused(tmp_path: Path) -> None:
@@ -128,6 +130,9 @@ def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_a
     (sheet,) = forces.leaves(study)
     (path := tmp_path / "sheet.svg").write_bytes(svg(sheet))
     assert scales([measure_file(path)], "balancing") == {6.0}
+    vars(study.scene.sheet.scale)["moment"] = Decimal(1000)
+    with pytest.raises(SheetError, match=r"sheet.scale.moment = 1000: the ordinates would be 0 mm, .* \d+ or less$"):
+        forces.leaves(study)
     vars(study.scene.sheet.scale)["moment"] = Decimal("0.5")
     with pytest.raises(SheetError, match=r"sheet.scale.moment = 0.5: the ordinates would be \d+ mm, and the graph has"):
         forces.leaves(study)
@@ -146,6 +151,7 @@ def test_a_scale_of_figures_that_no_sheet_has_is_refused_and_those_are_listed_th
         ("velocity = 0", "this scale factor to be greater than 0"),
         ("length = -1", "this scale factor to be greater than 0"),
         ("speed = 1", "expected a key of [sheet.scale]"),
+        ('velocity = "1:2"', "a number without a unit"),
     ],
 )
 def test_a_wrong_scale_is_refused_at_its_line(text: str, says: str) -> None:

@@ -198,6 +198,14 @@ def test_a_fixed_point_that_a_force_is_hung_on_is_no_spare_one() -> None:
     assert "spare_point" not in {note.kind for note in notes_of(parse_scene(more))}
 
 
+def test_a_fixed_point_that_a_cylinder_stands_on_is_no_spare_one() -> None:
+    stroke = 'link = 1\n[drive.stroke]\nbetween = "KA"\nfrom = 0.5\nto = 0.6\nspeed = 0.1\n'
+    more = ENGINE.replace("O = [0, 0]", "O = [0, 0]\nK = [0, 1]").partition("[drive]\n")[0] + f"[drive]\n{stroke}"
+    assert "spare_point" not in {note.kind for note in notes_of(parse_scene(more))}
+    with_another = more.replace("K = [0, 1]", "K = [0, 1]\nL = [1, 1]")
+    assert "spare_point" in {note.kind for note in notes_of(parse_scene(with_another))}
+
+
 @pytest.mark.parametrize(
     "text",
     [

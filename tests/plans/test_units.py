@@ -78,7 +78,8 @@ def test_pi_is_good_for_every_conversion() -> None:
         (True, units.LENGTH, "not_a_number"),
         ([1], units.LENGTH, "not_a_number"),
         ({}, units.LENGTH, "not_a_number"),
-        ("3 m", units.NUMBER, "wrong_unit"),
+        ("3 m", units.NUMBER, "not_bare"),
+        ("half", units.NUMBER, "not_bare"),
     ],
 )
 def test_a_refusal_is_of_one_kind(written: object, kind: Kind, fault: str) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from decimal import Decimal
 from math import ceil, log2
 
-from plans.linkage.reading.cylinder import by_ram
+from plans.linkage.reading.cylinder import BETWEEN, by_ram
 from plans.linkage.reading.form import FrameLine, SlideTable
 from plans.linkage.reading.shapes import Spot
 from plans.linkage.reading.stroke import StrokeTable
@@ -40,7 +40,7 @@ def _crank_ends(survey: Survey) -> tuple[str, str] | None:
         survey.report(LINK, "many_hinges", points=", ".join(fixed), link=link)
         survey.doubts.add(("mechanism", "links", str(link)))
     elif not fixed and _pushed(survey) is not None:
-        survey.report(LINK, "stroke_needed", link=link)
+        _report_pushed(survey)
     elif not fixed:
         advice = message("advice.hinge", link=link)
         survey.report(LINK, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
@@ -49,10 +49,19 @@ def _crank_ends(survey: Survey) -> tuple[str, str] | None:
     return (fixed[0], free[0]) if fixed and free else None
 
 
+def _report_pushed(survey: Survey) -> None:
+    """Say that a link that slides on the frame is no crank: neither a speed nor a cylinder turns it."""
+    link = survey.form.drive.link
+    if survey.form.drive.stroke is not None:
+        survey.report(BETWEEN, "pushed_itself", link=link)
+    else:
+        survey.report(LINK, "stroke_needed", (("drive", "speed"),), link=link)
+
+
 def _pushed_ends(survey: Survey) -> tuple[str, str] | None:
     table, link = _pushed(survey), survey.form.drive.link
     if table is None:
-        if not survey.doubtful(LINK, ("mechanism", "slides"), ("mechanism", "frame")):
+        if not survey.doubtful(LINK, ("mechanism", "slides"), ("mechanism", "frame"), BETWEEN):
             survey.report(LINK, "no_guide", link=link)
         return None
     point = table.point or survey.points_of[link][0]
@@ -68,7 +77,7 @@ def _check_turnless(survey: Survey) -> None:
             survey.report(("drive", "stroke"), "turn_needed", name=name)
     for name in ("balancing", "gear"):
         if scene.has(("drive", name)):
-            survey.report(("drive", name), "stroke_alone", name=name)
+            survey.report(("drive", name), "turn_alone", name=name)
 
 
 def _pushed(survey: Survey) -> SlideTable | None:

@@ -172,11 +172,11 @@ class DriveTable(Table):
             raise wrong("start_with_list", at=("start",))
 
     def _check_stroke(self) -> None:
-        alone = [name for name in ("speed", "acceleration", "start") if name in self.given]
+        alone = {"speed": "stroke_alone", "acceleration": "stroke_alone", "start": "turn_alone"}
         if isinstance(self.positions, tuple):
             raise wrong("stroke_with_list", at=("positions",))
-        if alone:
-            raise wrong("stroke_alone", name=alone[0], at=(alone[0],))
+        for name in alone.keys() & self.given:
+            raise wrong(alone[name], name=name, at=(name,))
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:

@@ -95,6 +95,7 @@ def _spare_points(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
         used.update(() if isinstance(slide.along, FrameLine) else slide.along)
     for key in form.mechanism.lengths:
         used.update(split_line(key))
+    used.update((form.drive.stroke and form.drive.stroke.between) or ())  # the foot of a cylinder
     used.update(*(other.borrowed() for other in scene.forms))
     for name in form.mechanism.frame:
         if name not in used:
@@ -111,4 +112,5 @@ def _sketch(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
 def _rest(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
     stroke, drive = form.drive.stroke, form.drive
     if not any(stroke.rates if stroke else (drive.speed, drive.acceleration)):
-        yield scene.fault(("drive", "stroke", "speed") if stroke else ("drive", "speed"), "at_rest")
+        still: Path = ("drive", "stroke", "speed") if stroke else ("drive", "speed")
+        yield scene.fault(still, "stroke_at_rest" if stroke else "at_rest")

@@ -84,7 +84,7 @@ class StrokeTable(Table):
             raise wrong("no_stroke", at=("to",))
         if self.speeds and "acceleration" in self.given:
             raise wrong("one_of_two", first="acceleration", second="speeds", found="both", at=("acceleration",))
-        if self.speeds or self.places:
+        if self.places or "speeds" in self.given:
             self._check_law()
 
     def _check_law(self) -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import cached_property
 from typing import NamedTuple
@@ -38,10 +38,10 @@ class Survey:
         """What the scene says of its linkage."""
         return self.scene.of(LinkageForm)
 
-    def report(self, path: Path, kind: str, /, **details: object) -> None:
-        """Add a fault, unless its place is in doubt already."""
+    def report(self, path: Path, kind: str, settles: Sequence[Path] = (), /, **details: object) -> None:
+        """Add a fault, unless its place is in doubt already; it is all that is said of the keys that it settles."""
         if not self.doubtful(path):
-            self.faults.append(self.scene.fault(path, kind, **details))
+            self.faults.append(replace(self.scene.fault(path, kind, **details), settles=settles))
 
     def doubtful(self, *paths: Path) -> bool:
         """Tell whether one of the paths, or something in it or around it, was at fault before."""
