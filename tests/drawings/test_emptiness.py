@@ -19,10 +19,16 @@ LARGEST, LAST = 0.15, 0.30  # shares of the field that an empty rectangle may ta
 FORMATS = ("A2", "A3", "A1")
 WITHIN = 0.25  # that a plan of positions may leave within its own box: a far anchor, a slider over a crank
 OPEN = {("conveyor", "A2"), ("conveyor", "A3"), ("squeezer", "A1"), ("shaper", "A2")}
+# On A4 these leave up to a quarter: a figure too high to be drawn larger leaves a strip of 40 to 60 mm beside it.
+NARROW = {
+    "crank-rocker", "jaw-crusher", "scotch-yoke", "shaper", "shaper-loaded",
+    "slider-crank", "squeezer", "tangent", "toggle-press", "walking-leg",
+}  # fmt: skip
+ROWS = [*product(LINKAGES, FORMATS), *((path, "A4") for path in LINKAGES if path.stem not in NARROW)]
 KINDS = {"kinematics": kinematics, "forces": forces}
 
 
-@pytest.mark.parametrize("row", some(product(LINKAGES, FORMATS), 24), ids=lambda row: f"{row[0].stem}-{row[1]}")
+@pytest.mark.parametrize("row", some(ROWS, 24), ids=lambda row: f"{row[0].stem}-{row[1]}")
 def test_no_sheet_is_left_empty(row: tuple[Path, str]) -> None:
     path, size = row
     scene = read_scene(path)
