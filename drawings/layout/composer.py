@@ -147,7 +147,7 @@ class _Composer:
                         yield self._grown([tree], state)
                 continue
             for parting in partings(len(cutting.shapes), count, cutting.fits, cutting.areas)[:PARTINGS]:
-                trees = [self._best(order, state, run, run is parting[-1]) for run in parting]
+                trees = [self._best(order, state, run, self._ends(run is parting[-1])) for run in parting]
                 yield self._grown(trees, state)
 
     def _best(self, order: Order, state: State, run: SheetRun, last: bool) -> Tree:
@@ -164,6 +164,10 @@ class _Composer:
 
         return min(cutting.trees(*run), key=fault)
 
+    def _ends(self, last: bool) -> bool:
+        """Tell whether no sheet follows the last one of these."""
+        return last and not self.asked.followed
+
     def _growth(self, trees: Sequence[Tree]) -> Growth:
         return Growth(self.asked.stock, ends_of(self.page), self.asked.steps, trees)
 
@@ -171,7 +175,9 @@ class _Composer:
         grown = self._growth(trees).grown(state)
         rungs, steps = rungs_of(self.asked.steps, grown), self.asked.steps
         last = len(trees) - 1
-        sheets = tuple(Stood(self.asked.stock, self.page, tree, rungs, k == last) for k, tree in enumerate(trees))
+        sheets = tuple(
+            Stood(self.asked.stock, self.page, tree, rungs, self._ends(k == last)) for k, tree in enumerate(trees)
+        )
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
         return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets) - late)

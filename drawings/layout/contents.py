@@ -39,11 +39,15 @@ class Panel(NamedTuple):
 
 @dataclass(frozen=True)
 class Contents:
-    """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets."""
+    """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets.
+
+    Its last sheet may be barer than the others, unless sheets of other contents follow in the same set.
+    """
 
     panels: tuple[Panel, ...] = ()
     tables: tuple[RuledTable, ...] = ()
     notes: Notes | None = None
+    followed: bool = False
 
     @cached_property
     def foremost(self) -> Panel | None:

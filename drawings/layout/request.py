@@ -24,7 +24,8 @@ FEW = 8  # figures of a set: among more of them tables and notes have places eno
 class Request:
     """Units in their reading orders, the steps of their scales, the least steps.
 
-    The `further` orders are for sets of some sheets, where one of them would stay bare.
+    The `further` orders are for sets of some sheets, where one of them would stay bare. Behind a set that is `followed`
+    stand other sheets: none of its own is the last.
     """
 
     stock: Stock
@@ -32,6 +33,7 @@ class Request:
     steps: tuple[Steps, ...]
     floors: State
     further: tuple[Order, ...] = ()
+    followed: bool = False
 
 
 def request(contents: Contents, page: Page) -> Request:
@@ -59,7 +61,8 @@ class _Fitting:
         tables = [one for k in range(len(self.contents.tables)) for one in self._pieces(first + k)]
         notes = [first + len(self.contents.tables)] if self.contents.notes is not None else []
         many = further(figures, tables, notes) if len(figures) <= FEW else []
-        return Request(self._stock, tuple(orders(figures, tables, notes)), steps, floors, tuple(many))
+        own = tuple(orders(figures, tables, notes))
+        return Request(self._stock, own, steps, floors, tuple(many), self.contents.followed)
 
     @property
     def _stock(self) -> Stock:

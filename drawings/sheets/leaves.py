@@ -76,7 +76,7 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
 
 def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
     """Lay out drafts whose sheets differ in what their scene says of them, such as the format."""
-    own = [_chosen(scene, draft) for scene, draft in drafts]
+    own = [_chosen(scene, draft, k + 1 < len(drafts)) for k, (scene, draft) in enumerate(drafts)]
     composed = [(one, sheet) for one in own for sheet in one.sheets]
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
 
@@ -86,11 +86,11 @@ def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     return _Leaves(scene, draft).composed
 
 
-def _chosen(scene: Scene, draft: Draft) -> _Leaves:
+def _chosen(scene: Scene, draft: Draft, followed: bool) -> _Leaves:
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
-        return _Leaves(scene, draft)
-    return min((_Leaves(scene, one) for one in (draft, *draft.instead)), key=lambda one: one.cost)
+        return _Leaves(scene, draft, followed)
+    return min((_Leaves(scene, one, followed) for one in (draft, *draft.instead)), key=lambda one: one.cost)
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,7 @@ class _Leaves:
 
     scene: Scene
     draft: Draft
+    followed: bool = False  # by the sheets of another draft
 
     @cached_property
     def page(self) -> Page:
@@ -120,7 +121,8 @@ class _Leaves:
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
         panels = self.scales.panels([one.panel for one in self.draft.shows])
-        return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text, self.draft.narrow))
+        notes = measure(self.draft.notes, self.page.hand.text, self.draft.narrow)
+        return Contents(panels, self.draft.tables, notes, self.followed)
 
     @cached_property
     def composed(self) -> Sequence[Composition]:

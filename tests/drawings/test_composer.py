@@ -6,6 +6,7 @@ import importlib
 import inspect
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
+from drawings.layout.bareness import bareness
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
@@ -173,6 +175,15 @@ def test_a_small_set_fills_its_sheet() -> None:
     page = Page("A1")
     (only,) = compose(Contents(tuple(panels), (table(8),), SAID), page)
     assert sum(box.width * box.height for box in boxes(only, page)) > 0.55 * page.field.width * page.field.height
+
+
+def test_no_sheet_is_left_barer_for_being_last_if_others_follow() -> None:
+    last = Contents((Panel(figure("a", 0.3, 1.0)), Panel(figure("b", 0.3, 1.0))), (table(8),), SAID)
+    page, bare = Page("A3"), []
+    for content in (last, replace(last, followed=True)):
+        (only,) = compose(content, page)
+        bare.append(bareness(boxes(only, page), page.field))
+    assert bare[1] < 0.15 < bare[0]
 
 
 @pytest.mark.parametrize("count", [2, 3, 5])
