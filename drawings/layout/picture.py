@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from drawings.layout.outline import WHOLE, Band, outline
 from drawings.layout.place import Place
 from drawings.page.page import Field
 from drawings.page.scale import Scale, fitting
@@ -37,6 +38,7 @@ class Picture(NamedTuple):
     most: float = math.inf  # mm: lines drawn larger would be out of proportion
     open: bool = True  # above it stands nothing but its heading in the middle
     exact: float = 0.0  # mu: it is drawn at this scale and no other, if there is one
+    bands: tuple[Band, ...] = WHOLE  # what of the box of its lines may be inked
 
     def size(self, scale: Scale) -> tuple[float, float]:
         """Give width and height on paper, mm, margins and heading included."""
@@ -118,4 +120,5 @@ def picture(
     left, right = min(v.real for v in values), max(v.real for v in values)
     bottom, top = min(v.imag for v in values), max(v.imag for v in values)
     middle = complex(left + right, bottom + top) / 2
-    return Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)
+    own = Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)
+    return own._replace(bands=outline(values))

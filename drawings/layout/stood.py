@@ -71,10 +71,16 @@ class Stood:
             yield box
             return
         scale, around = self.rungs[one.name].scale, one.margins
-        half = one.wide / scale.mu / 2 + LETTERED * around.side
-        middle = box.centre.real
-        low, high = box.bottom + (1 - LETTERED) * around.below, box.top - HEAD
-        yield Field(middle - half, low, middle + half, high)
+        middle, wide, high = box.centre.real, one.wide / scale.mu, one.high / scale.mu
+        left, low = middle - wide / 2, box.bottom + around.below
+        side, below, above = LETTERED * around.side, LETTERED * around.below, box.top - HEAD - low - high
+        for band in one.bands:
+            yield Field(
+                left + band.left * wide - side,
+                low + band.low * high - below,
+                left + band.right * wide + side,
+                low + band.high * high + above,
+            )
         yield Field(middle - one.heading / 2, box.top - HEAD, middle + one.heading / 2, box.top)
 
     def composition(self) -> Composition:

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as some
 
 from drawings.layout.bareness import bareness
+from drawings.layout.outline import BANDS, outline
 from drawings.layout.parting import fewest, partings
 from drawings.layout.slicing import GAP, Cuts, Piece, Size, Slicing, Tree, pieces
 from drawings.layout.standing import Occupant, Standing, natural
@@ -96,6 +97,26 @@ def test_boxes_are_told_as_bare_as_they_leave_a_sheet() -> None:
     box = Field(20.0, 5.0, 20.0 + field.width / 3, 292.0)
     assert bareness([box], field) == pytest.approx(2 / 3, abs=0.02)
     assert bareness([field], field) == 0.0
+
+
+points = some.lists(some.tuples(lengths, lengths), min_size=1, max_size=6).map(lambda own: [complex(*p) for p in own])
+
+
+@given(points, some.lists(some.floats(0.0, 1.0), min_size=6, max_size=6))
+def test_no_line_between_points_of_a_figure_leaves_its_outline(values: list[complex], shares: list[float]) -> None:
+    left, low = min(v.real for v in values), min(v.imag for v in values)
+    wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
+    bands = outline(values)
+    assert bands[0].low == 0.0 and bands[-1].high == 1.0 and len(bands) <= BANDS
+    for (one, other), share in product(combinations(values, 2), shares):
+        x, y = one.real + share * (other.real - one.real) - left, one.imag + share * (other.imag - one.imag) - low
+        within = [band for band in bands if (band.low - 1e-9) * high <= y <= (band.high + 1e-9) * high]
+        assert any((band.left - 1e-9) * wide <= x <= (band.right + 1e-9) * wide for band in within)
+
+
+def test_the_corner_beside_a_slope_is_bare() -> None:
+    bands = outline([0j, 80 + 80j])  # a line on the diagonal
+    assert [(band.left, band.right) for band in bands] == [(k / BANDS, (k + 1) / BANDS) for k in range(BANDS)]
 
 
 def test_the_fewest_sheets_are_taken_and_filled_evenly() -> None:
