@@ -78,7 +78,8 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     Of the mass centres of links, each by its letter with its link and place there, the images are drawn by similarity.
     """
     centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
-    own = set(centres.values()) - set(plan.letters.values())
+    lettered = set(plan.letters.values())
+    own = dict.fromkeys(mark for mark in centres.values() if mark not in lettered)  # in order: a set of marks has none
     needed = [mark for mark in behind(*plan.letters.values(), *own) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
     arrows: dict[tuple[Mark, Mark], Arrow] = {}
