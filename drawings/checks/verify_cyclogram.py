@@ -7,11 +7,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks import cyclogram_charts, cyclogram_told, reading
+from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cyclogram import bar_chart, characteristic_plan, circular_chart
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
+from plans.analytic.balance.mass_centre import placed
 from plans.checks.compare import road_of
 from plans.checks.cyclogram_comparison import CyclogramComparison
 from plans.cyclogram.rows import rows_of
@@ -73,5 +75,9 @@ def _true(study: CyclogramStudy, found: Cyclogram, shown: int) -> dict[tuple[str
         if name != mechanism.drive.pivot
     }
     places |= {(POSITIONS.plan, name): place for name, place in fixed.items() if name != mechanism.drive.pivot}
+    places |= {
+        (POSITIONS.plan, name): complex(placed(mechanism, motion, link, own)[shown])
+        for name, (link, own) in mass_centres(study.linkage).items()
+    }
     numbered = (k for k in range(len(pins)) if k != shown)
     return places | {(characteristic_plan.NAME, f"{end}_{k}"): complex(pins[k]) for k in numbered}

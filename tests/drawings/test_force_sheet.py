@@ -101,7 +101,7 @@ FAULTS: dict[str, Change] = {
     "the roads are said to be nearer than they are": altered("10−11", "10^{−12}"),
     "a force in the equations is wrong": rewritten("G4 = 29.43 N,", "G_4 = 29.34 N,"),
     "a reaction in the equations is wrong": rewritten("R05 = 211.58 N,", "R_{05} = 212.58 N,"),
-    "a force plan's scale is written wrong": rewritten("μF = 10 N/mm", "μ_F = 5 N/mm"),
+    "a force plan's scale is written wrong": altered(r"μF = [\d.]+ N/mm", "μ_F = 7 N/mm"),
     "a letter of a force is missing": rewritten("Fus", ""),
 }
 

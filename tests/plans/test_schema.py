@@ -44,7 +44,7 @@ UNSEEN = {
     "c02_two_codings_of_a_letter", "c03_hidden_sign_in_a_title", "d13_guide_of_equal_points",
     "g08_diagram_of_travel_that_falls", "g08_diagram_that_covers_a_part_of_the_stroke", "j03_planes_coincide",
     "j_bank_compensator_of_another_order", "j_bank_member_twice", "j_bank_with_a_short_rod",
-    "j_bank_with_rod_like_crank", "j_counterweight_twice",
+    "j_bank_with_rod_like_crank", "j_counterweight_twice", "k02_scale",
 }  # fmt: skip
 PLAIN = """
 [mechanism.frame]

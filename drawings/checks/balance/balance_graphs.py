@@ -28,6 +28,7 @@ from plans.words.words import message
 TURN = 360.0  # degrees
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 DIGITS = 4  # of the least values
+CROWDED = 6.0  # sizes of a number: two numbers of two figures with a letter's room on both sides of each
 
 
 def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
@@ -51,13 +52,26 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         yield from _curve(part, expected, state, (zero, scales["φ"], mu))
 
 
+def _crowded(k: int, seen: Mapping[str, MeasuredVector], expected: Expected) -> bool:
+    """Tell whether two positions that are drawn leave no room between them for one more that can be numbered."""
+    feet = {int(name): one.start.real for name, one in seen.items() if name.isdigit()}
+    if len(feet) < 2:
+        return False
+    first, last, count = min(feet), max(feet), len(expected.balance.before.centre.phi)
+    feet[count] = feet[first] + (feet[last] - feet[first]) * (count - first) / (last - first)  # the end of the turn
+    below, above = max((n for n in feet if n < k), default=None), min(n for n in feet if n > k)
+    return below is not None and feet[above] - feet[below] < CROWDED * expected.drafting.hand.number
+
+
 def _ordinates(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> Iterator[Wrong]:
     """Hold the ordinates at the positions, those of the state that is told last."""
     own = list(expected.states.values())[-1].centre.moment
     values = np.where(np.abs(own) <= expected.none.moment, 0.0, own)
     largest = max(one.rocking for one in expected.states.values())
     slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
-    told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
+    told = {
+        str(k) for k in expected.told if abs(values[k]) > SHORT * mu and not _crowded(k, seen, expected)
+    } | seen.keys()
     due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
     yield from marks.held(seen, due, moment_graph.NAME, slack)
 
