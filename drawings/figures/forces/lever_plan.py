@@ -156,7 +156,15 @@ def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
     side, below, above = (size * hand.letter + reach(shown.forces) * hand.symbol for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
-    return picture(name, shown.points, (SYMBOL, UNIT), margins, title, least)
+    return picture(name, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
+
+
+def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:
+    """Give the feet of the arms that are dimensioned, in true units."""
+    for one in balance(shown, drafting):
+        if one.dimensioned:
+            across = 1j * one.direction / abs(one.direction)
+            yield across * (one.at * across.conjugate()).real
 
 
 def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LeverFigure:
