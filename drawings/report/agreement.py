@@ -14,11 +14,12 @@ from plans.checks.hand.quantity import SLIP
 NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
 
 
-def agreed(findings: Sequence[Finding], drafting: Drafting) -> Iterator[str]:
+def agreed(findings: Sequence[Finding], drafting: Drafting, by_hand: bool = True) -> Iterator[str]:
     """Say how far construction and analysis are apart, and what the column of the hand tells; nothing of nothing."""
     if findings:
         yield drafting.word("accord of roads", share=share(findings))
-        yield drafting.word("polygon hand note", slip=drafting.number(SLIP))
+        if by_hand:
+            yield drafting.word("polygon hand note", slip=drafting.number(SLIP))
 
 
 def share(findings: Sequence[Finding]) -> str:

@@ -10,6 +10,7 @@ import pytest
 from geometry import draughtsman
 from geometry.draughtsman import Draughtsman, copies
 from geometry.scatter import POINT
+from plans.checks.hand.bank import bank_by_hand
 from plans.checks.hand.quantity import SLIP
 from plans.checks.hand.rotor import rotor_by_hand
 from plans.model.rotor import Rotor
@@ -56,3 +57,13 @@ def test_a_row_of_vectors_is_out_by_the_root_of_their_number() -> None:
 def test_what_no_figure_shows_has_no_error(fan: RotorStudy) -> None:
     assert rotor_by_hand(fan, {"across": 1.0}) == {}
     assert rotor_by_hand(fan, {"couples": 1.0}).keys() == {("ΣmDh", 0), ("m_ID_I", 0)}
+
+
+def test_a_polygon_of_a_bank_is_out_by_its_members_and_its_mass_by_the_square_of_the_speed() -> None:
+    """Four equal vectors of order 2 in line: along the sum the deviation is 0.2 sqrt(4/3) mm."""
+    bank = Study(read_scene(GALLERY / "four-cylinder-bank.toml"))["bank"]
+    told = bank_by_hand(bank, {"order_forces-2": 10.0})
+    assert told["F_II", 0] == pytest.approx(10.0 * POINT * 0.2 * np.sqrt(4 / 3), rel=0.03)
+    assert told["F_-II", 0] == pytest.approx(told["F_II", 0])  # the mirror image
+    assert told["mr_II", 0] == pytest.approx(told["F_II", 0] / (2 * bank.task.speed) ** 2)
+    assert told.keys() == {("F_II", 0), ("F_-II", 0), ("mr_II", 0), ("mr_-II", 0)}

@@ -36,13 +36,14 @@ def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str
         yield message("wrong.notes")
 
 
-def apart(leaf: Leaf, findings: Sequence[Finding], language: str) -> Iterator[Wrong]:
-    """Hold the sentences of a sheet without positions about both roads, and about the hand; its notes must say both."""
+def apart(leaf: Leaf, findings: Sequence[Finding], language: str, by_hand: bool = True) -> Iterator[Wrong]:
+    """Hold the sentence of a sheet without positions about both roads, and see that its column of the hand is told."""
     if not (leaf.metadata["notes"] and findings):
         return
     notes = _notes(leaf)
     told = re.search(_pattern("accord of roads", language), notes)
-    if told is None or Text(0j, word(language, "polygon hand note", slip=number(SLIP, language))).plain not in notes:
+    hand = Text(0j, word(language, "polygon hand note", slip=number(SLIP, language))).plain
+    if told is None or (hand in notes) != by_hand:
         yield message("wrong.notes")
     elif not _is_close(math.pow(10.0, -int(told[1] or 0)), findings):
         yield message("wrong.told", text=told[0])

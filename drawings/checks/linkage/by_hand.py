@@ -48,13 +48,18 @@ def wrong_cells(leaf: Leaf, named: Mapping[str, Finding], told: Told) -> Iterato
             yield message("wrong.value", text=row.third, name=row.finding.name, position=row.position)
 
 
-def wrong_results(leaf: Leaf, table: str, named: Mapping[str, Finding], told: Told, language: str) -> Iterator[Wrong]:
-    """Give the same of a table of no position, by its name, and each of its parts that has other headings."""
-    heads = [Text(0j, word(language, key)).plain for key in HEADS]
+def wrong_results(
+    leaf: Leaf, table: str, named: Mapping[str, Finding], told: Told | None, language: str
+) -> Iterator[Wrong]:
+    """Give the same of a table of no position, by its name, and each of its parts that has other headings.
+
+    Where nothing is `told` it has no column of the hand.
+    """
+    heads = [Text(0j, word(language, key)).plain for key in (HEADS if told is not None else HEADS[:-1])]
     for group in (one for one in groups(leaf.groups) if one.name.removeprefix(f"{table}-").isdigit()):
         if heads not in ([text.plain for text in row] for row in reading.rows(group)):
             yield within("in", table, text=heads[-1])
-        for row in _wrong(group, named, told, (0,)):
+        for row in _wrong(group, named, told, (0,)) if told is not None else ():
             yield within("cell", table, name=row.finding.name, text=row.third)
 
 
