@@ -119,8 +119,9 @@ def _slotted(
 def _crossing(
     bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
 ) -> tuple[list[Bar], list[Corner]]:
-    """Lay a bar along a slot's line on which no other lies: it hangs on the link by the nearest of its points."""
-    point = min(spots, key=lambda spot: _off(way, spot, low, high))
+    """Lay a bar along a slot's line on which no other lies: it hangs on the first of the points nearest to it."""
+    least, size = min(abs(along(way, spot).imag) for spot in spots), max(abs(along(way, spot)) for spot in spots)
+    point = next(spot for spot in spots if abs(along(way, spot).imag) <= least + FLAT * size)
     step = along(way, point)
     foot = way.through + step.real * way.direction
     tied = abs(step.imag) > FLAT * max(abs(point - foot), high - low)
@@ -134,12 +135,6 @@ def _crossing(
 def along(way: Way, spot: complex) -> complex:
     """Measure where a spot lies from a line's point: along the line, and to its left."""
     return (spot - way.through) * way.direction.conjugate()
-
-
-def _off(way: Way, spot: complex, low: float, high: float) -> tuple[float, float]:
-    """Tell how far a spot is from a line, and from a part of it."""
-    step = along(way, spot)
-    return abs(step.imag), max(low - step.real, step.real - high, 0.0)
 
 
 def _flat(bar: Bar, way: Way, length: float) -> bool:

@@ -117,7 +117,9 @@ def _sides(
     if image.arm is None or centre is image.origin or image.arm.step.inputs in drawn:
         return
     start, end = at(image.origin.point, column), at(centre.point, column)
-    yield from ((start, end), (end, start + at(image.arm.point, column)))
+    yield start, end
+    if image.arm.step.op == "join":  # of a link that a slot directs the arm is a unit, and ends at no image
+        yield end, start + at(image.arm.point, column)
 
 
 def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
