@@ -118,7 +118,7 @@ def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> Reading:
 
     def turn(moved: Moves, ray: tuple[Mark, Mark]) -> Slopes:
         start, end = ray
-        return -1j * (moved[end] - moved[start]) / np.asarray(between(start, end))
+        return np.asarray(-1j * (moved[end] - moved[start]) / np.asarray(between(start, end)))
 
     def error(moved: Moves) -> Floats:
         first, *others = (turn(moved, ray) for ray in rays)
