@@ -1,4 +1,4 @@
-"""The table of values: each drawn quantity by plan and by analysis, with what a hand may be out (таблица результатов)."""
+"""The table of values: drawn quantities by plan and by analysis, with what a hand may be out (таблица результатов)."""
 
 from __future__ import annotations
 
