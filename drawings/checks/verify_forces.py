@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from drawings.checks.forces.balancing_graph import ordinates
 from drawings.checks.forces.details import Details, Sheets
 from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.load_points import loads
+from drawings.checks.forces.scheme_forces import Floor
+from drawings.checks.forces.schemes import LoadingSchemes
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
@@ -32,6 +35,7 @@ from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import plain_name
 from geometry import draughtsman, hand_error
 from plans.checks.comparison import Finding
+from plans.checks.force_bill import ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.checks.hand.forces import FIGURES, forces_by_hand
@@ -59,6 +63,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.loads()
     yield from check.lever()
     yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
+    yield from check.schemes()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     named = table_names(comparison, statics)
     yield from reading.tables(leaf, named)
@@ -166,6 +171,22 @@ class _Check:
                 along, force = shaft.end - shaft.start, known[name]
                 if abs(force) > self.slack and not abs(along / abs(along) - force / abs(force)) <= ASKEW:
                     yield on("direction", group.name, name=name)
+
+    @cached_property
+    def bills(self) -> dict[tuple[int, ...], ForceBill]:
+        """What acts on each group, and on the primary link, by their links."""
+        groups = self.statics.study.groups
+        bills = (ForceBill(self.expected(), groups, one) for one in (*groups, None))
+        return {bill.links: bill for bill in bills}
+
+    def schemes(self) -> Iterator[Wrong]:
+        """Hold the loading schemes."""
+        found, sheet = self.comparison.analysis, self.statics.form.sheet
+        force, moment = found.nothing
+        floor = Floor(
+            self.slack + force, self.slack * found.size + moment, self.statics.study.language, sheet.reactions
+        )
+        yield from LoadingSchemes(self.leaf, self.bills, floor).faults()
 
     def _labels(self) -> list[str]:
         return [cut.label for cut in self.statics.drafts().plans.plan.cuts]
