@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.graphs.figure_strokes import FigureStrokes
-from drawings.checks.labelled import NEAREST
-from drawings.paper.strokes import Fill, Group, Line, Polyline
+from drawings.paper.strokes import Fill, Group, Line, Polyline, Text
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes
 
+FAR = 1e4  # mm: more than all letters of a figure are from their points together
 FINE = 0.02  # mm: less than a twentieth of the thinnest line; what rounding of coordinates moves a place by is far less
 
 
@@ -76,7 +76,9 @@ class LaidScheme:
 def laid_scheme(group: Group, mu: float, points: Mapping[str, complex]) -> LaidScheme:
     """Find where a scheme lies: there most of its points have circles, and their letters beside these."""
     strokes = FigureStrokes(group)
-    circles = np.array([one.centre for one in strokes.circles])
+    numbers = [one.at for one in strokes.of(Text) if one.plain.isdigit()]
+    bare = [one for one in strokes.circles if all(abs(one.centre - at) > one.radius for at in numbers)]
+    circles = np.array([one.centre for one in bare])
     spots = np.array(list(points.values()), dtype=np.complex128) / mu
     if not len(circles) or not len(spots):
         return LaidScheme(strokes, complex("nan"), mu)
@@ -85,8 +87,7 @@ def laid_scheme(group: Group, mu: float, points: Mapping[str, complex]) -> LaidS
     score = (off <= FINE).sum(axis=1).astype(float)
     for k in np.flatnonzero(score == score.max()):
         at = (complex(tries[k] + spot) for spot in spots)
-        beside = (strokes.far(name, [spot]) <= NEAREST for name, spot in zip(points, at, strict=True))
-        score[k] += sum(beside) / (1 + len(spots))
+        score[k] -= min(sum(strokes.far(name, [spot]) for name, spot in zip(points, at, strict=True)) / FAR, 0.5)
     return LaidScheme(strokes, _middle(circles, spots, complex(tries[int(score.argmax())])), mu)
 
 
