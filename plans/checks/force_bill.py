@@ -127,6 +127,13 @@ class ForceBill:
         spots = self.expected.mechanism.links[link].points.values()
         return self.on(link, sum(spots) / len(spots) if body is None else body.centre)
 
+    def speed(self, link: int, place: complex) -> complex:
+        """Give the velocity of a place on a link, m/s."""
+        name = next(iter(self.expected.mechanism.links[link].points))
+        point, k = self.expected.motion.points[name], self.expected.k
+        turned = 1j * float(self.expected.motion.links[link].omega[k]) * (place - complex(point.r[k]))
+        return complex(point.v[k]) + turned
+
     def _own(self, link: int) -> Iterator[ActingForce]:
         expected, body = self.expected, self.expected.machine.bodies.get(link)
         if body is not None:
