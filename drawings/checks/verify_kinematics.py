@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from drawings.checks import reading
 from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.linkage import (
+    bars,
     centre_images,
     part_letters,
     position_marks,
@@ -18,6 +19,7 @@ from drawings.checks.linkage import (
     value_rows,
 )
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
+from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
@@ -130,6 +132,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
             yield message("wrong.point_missing", name=name)
         elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
             yield message("wrong.point_differs", name=name)
+    plan = LaidPlan(leaf, laid, comparison.road, allowed / at.scale)
+    yield from bars.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)
     if study.travel is not None:
