@@ -161,8 +161,8 @@ def test_an_edit_is_told(name: str) -> None:
 def test_what_is_hidden_is_told_with_the_reason() -> None:
     arrow = next(item for item in items(LEAF) if item.name == "p a")
     gone = edited(lambda one: None if one is arrow.stroke else one)
-    assert told(gone, Hidden(arrow, "white")) == [
-        f"in the file, but not seen (white): vector p a at (55.00, 60.00) mm, {IN_PLAN}"
+    assert told(gone, Hidden(arrow, "pale")) == [
+        f"in the file, but not seen (in the colour of paper): vector p a at (55.00, 60.00) mm, {IN_PLAN}"
     ]
 
 
