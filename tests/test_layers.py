@@ -196,7 +196,7 @@ ROOMS = (
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),
     ("drawings.lettering", "drawings.measure"),
-    ("drawings.page", "drawings.files", "drawings.pens"),
+    ("drawings.page", "drawings.files", "drawings.pens", "drawings.collation"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
     ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),

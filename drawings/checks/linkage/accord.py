@@ -10,10 +10,11 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.wrong import Wrong
-from drawings.lettering.words import word
-from drawings.paper.strokes import Leaf
+from drawings.lettering.words import number, word
+from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
 from plans.checks.comparison import Finding
+from plans.checks.hand.quantity import SLIP
 from plans.model.motion import Floats
 from plans.words.words import message
 
@@ -25,8 +26,7 @@ HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
 
 def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str) -> Iterator[Wrong]:
     """Hold the sentence about both roads against their differences; of a longer set one sheet bears it."""
-    lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]
-    told = re.search(_pattern(language), " ".join(lines).replace("\N{NO-BREAK SPACE}", " "))
+    told = re.search(_pattern("accord", language), _notes(leaf))
     if told is not None:
         power, position, condition = told.groups()
         close = _is_close(math.pow(10.0, -int(power or 0)), findings)
@@ -34,6 +34,25 @@ def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str
             yield message("wrong.told", text=told[0])
     elif leaf.metadata["of"] == 1 and np.isfinite(kappa).any():
         yield message("wrong.notes")
+
+
+def apart(leaf: Leaf, findings: Sequence[Finding], language: str, by_hand: bool = True) -> Iterator[Wrong]:
+    """Hold the sentence of a sheet without positions about both roads, and see that its column of the hand is told."""
+    if not (leaf.metadata["notes"] and findings):
+        return
+    notes = _notes(leaf)
+    told = re.search(_pattern("accord of roads", language), notes)
+    hand = Text(0j, word(language, "polygon hand note", slip=number(SLIP, language))).plain
+    if told is None or (hand in notes) != by_hand:
+        yield message("wrong.notes")
+    elif not _is_close(math.pow(10.0, -int(told[1] or 0)), findings):
+        yield message("wrong.told", text=told[0])
+
+
+def _notes(leaf: Leaf) -> str:
+    """Read the notes of a sheet, its lines as one."""
+    lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]
+    return " ".join(lines).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def _is_close(bound: float, findings: Sequence[Finding]) -> bool:
@@ -54,9 +73,9 @@ def _is_worst(position: int, told: str, kappa: Floats) -> bool:
     return own and reading.reads(told, worst, ALIKE * worst, DIGITS)
 
 
-def _pattern(language: str) -> str:
-    """Give the sentence with its numbers to be read."""
-    found = re.escape(word(language, "accord", **{key: f"<{key}>" for key in HELD}))
-    for key, number in HELD.items():
-        found = found.replace(re.escape(f"<{key}>"), f"(?:{number})")
+def _pattern(key: str, language: str) -> str:
+    """Give a sentence with its numbers to be read."""
+    found = re.escape(word(language, key, **{part: f"<{part}>" for part in HELD}))
+    for part, told in HELD.items():
+        found = found.replace(re.escape(f"<{part}>"), f"(?:{told})")
     return found

@@ -110,23 +110,24 @@ class LaidPoses(NamedTuple):
         own = [Segments(self.on(link, start), self.on(link, end)) for start, end in bars(self.mechanism, link)]
         for slide in self.mechanism.slides:
             if slide.owner == link:
-                own += [Segments(end, self.block(slide)) for end in self._slotted(slide)]
+                own += self._slot(slide)
             if slide.slider == link:
                 own.append(Segments(self.point(slide.point), self.block(slide)))
         return own
 
-    def _slotted(self, slide: Slide) -> Iterator[Complexes]:
-        """Give the ends of the bar that lies along a slot."""
-        for ends in bars(self.mechanism, slide.owner):
-            if flat(slide, ends):
-                yield from (self.on(slide.owner, end) for end in ends)
+    def _slot(self, slide: Slide) -> list[Segments]:
+        """Give a slot from both ends of the bar that lies along it; without one it hangs on a point of its link."""
+        link, block = slide.owner, self.block(slide)
+        lying = [ends for ends in bars(self.mechanism, link) if flat(slide, ends)]
+        if lying:
+            return [Segments(self.on(link, end), block) for ends in lying for end in ends]
+        point, foot = hanging(slide, jointed(self.mechanism, link))
+        return [Segments(self.on(link, point), self.on(link, foot)), Segments(self.on(link, foot), block)]
 
 
 def bars(mechanism: Mechanism, link: int) -> list[tuple[complex, complex]]:
     """Give the bars of a link in its own frame: one through points on a line, else the sides about its points."""
-    points = mechanism.links[link].points
-    jointed = [spot for name, spot in points.items() if not is_centre(name) or name in mechanism.hinges]
-    spots = list(dict.fromkeys(jointed if len(jointed) > 1 else points.values()))
+    spots = jointed(mechanism, link)
     if len(spots) < 2:
         return []
     first, last = max(combinations(spots, 2), key=lambda pair: abs(pair[1] - pair[0]))
@@ -137,10 +138,26 @@ def bars(mechanism: Mechanism, link: int) -> list[tuple[complex, complex]]:
     return list(pairwise([*around, around[0]]))
 
 
+def jointed(mechanism: Mechanism, link: int) -> list[complex]:
+    """Give the points that the bars of a link run through, in its own frame; a mass centre is a mark beside them."""
+    points = mechanism.links[link].points
+    joints = [spot for name, spot in points.items() if not is_centre(name) or name in mechanism.hinges]
+    return list(dict.fromkeys(joints if len(joints) > 1 else points.values()))
+
+
 def flat(slide: Slide, ends: tuple[complex, complex]) -> bool:
     """Tell whether a bar of the owner lies on its slide's line."""
     way = slide.on_owner
     return all(_off(end, way.through, way.through + way.direction) <= STRAIGHT * abs(ends[1] - ends[0]) for end in ends)
+
+
+def hanging(slide: Slide, spots: Sequence[complex]) -> tuple[complex, complex]:
+    """Give the first of a link's points that are nearest to a slot's line, and its foot on the line."""
+    way = slide.on_owner
+    off = [abs(((spot - way.through) / way.direction).imag) for spot in spots]
+    size = max(abs(spot - way.through) for spot in spots)
+    point = next(spot for spot, away in zip(spots, off, strict=True) if away <= min(off) + STRAIGHT * size)
+    return point, way.through + ((point - way.through) / way.direction).real * way.direction
 
 
 def _off(spot: complex, start: complex, end: complex) -> float:

@@ -1,0 +1,69 @@
+"""What a hand may be out on polygons of vectors: against chance drawings, each slip tried, and reckoned on paper."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from geometry import draughtsman
+from geometry.draughtsman import Draughtsman, copies
+from geometry.scatter import POINT
+from plans.checks.hand.bank import bank_by_hand
+from plans.checks.hand.quantity import SLIP
+from plans.checks.hand.rotor import rotor_by_hand
+from plans.model.rotor import Rotor
+from plans.rotor.study import RotorStudy
+from plans.scene.scene import read_scene
+from plans.study import Study
+from tests.plans.rotors import STATIC, masses
+
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+DRAWINGS = 2000
+
+
+@pytest.fixture(scope="module")
+def fan() -> RotorStudy:
+    rotor: RotorStudy = Study(read_scene(GALLERY / "fan.toml"))["rotor"]
+    return rotor
+
+
+def test_95_of_100_polygons_close_within_what_is_told(fan: RotorStudy) -> None:
+    """Both counterweights of a fan, its polygons drawn by chance."""
+    scales = {"couples": 0.0004, "unbalances": 0.002}
+    told, (first, last) = rotor_by_hand(fan, scales), (one.mark for one in fan.drawing.corrections)
+    rows = {plan: np.array([mu]) for plan, mu in scales.items()}
+    drawn = copies(Draughtsman(SLIP, rows, DRAWINGS), first, last)
+    for name, mark in (("m_ID_I", first), ("m_IID_II", last)):
+        off = np.abs(np.abs(np.ravel(drawn[mark])) - abs(complex(mark.point)))
+        assert np.quantile(off, 0.95) == pytest.approx(told[name, 0], rel=0.1)
+
+
+def test_each_slip_tried_by_itself_moves_a_polygon_as_its_rule_says(fan: RotorStudy) -> None:
+    scales = {"couples": 0.0004, "unbalances": 0.002}
+    ruled, tried = (rotor_by_hand(fan, scales, *by) for by in ((), (draughtsman.slopes,)))
+    assert ruled.keys() == tried.keys() == {("ΣmDh", 0), ("ΣmD", 0), ("m_ID_I", 0), ("m_IID_II", 0)}
+    assert all(error == pytest.approx(tried[key], rel=1e-5) for key, error in ruled.items())
+
+
+def test_a_row_of_vectors_is_out_by_the_root_of_their_number() -> None:
+    """Sixteen laid end to end, each by up to 0.2 mm in x and in y: along the sum the deviation is 0.2 sqrt(16/3) mm."""
+    rotor = RotorStudy(Rotor(masses([("1", "1", 0, "0")] * 16), STATIC))
+    told = rotor_by_hand(rotor, {"unbalances": 0.1})
+    assert told["ΣmD", 0] == pytest.approx(0.1 * POINT * 0.2 * np.sqrt(16 / 3), rel=0.02)  # a cloud of 1000 ends
+
+
+def test_what_no_figure_shows_has_no_error(fan: RotorStudy) -> None:
+    assert rotor_by_hand(fan, {"across": 1.0}) == {}
+    assert rotor_by_hand(fan, {"couples": 1.0}).keys() == {("ΣmDh", 0), ("m_ID_I", 0)}
+
+
+def test_a_polygon_of_a_bank_is_out_by_its_members_and_its_mass_by_the_square_of_the_speed() -> None:
+    """Four equal vectors of order 2 in line: along the sum the deviation is 0.2 sqrt(4/3) mm."""
+    bank = Study(read_scene(GALLERY / "four-cylinder-bank.toml"))["bank"]
+    told = bank_by_hand(bank, {"order_forces-2": 10.0})
+    assert told["F_II", 0] == pytest.approx(10.0 * POINT * 0.2 * np.sqrt(4 / 3), rel=0.03)
+    assert told["F_-II", 0] == pytest.approx(told["F_II", 0])  # the mirror image
+    assert told["mr_II", 0] == pytest.approx(told["F_II", 0] / (2 * bank.task.speed) ** 2)
+    assert told.keys() == {("F_II", 0), ("F_-II", 0), ("mr_II", 0), ("mr_-II", 0)}
