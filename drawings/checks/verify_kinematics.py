@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from drawings.checks import reading
 from drawings.checks.diagrams import verify_diagrams
+from drawings.checks.documents import title_block
 from drawings.checks.linkage import (
     bars,
     centre_images,
@@ -40,6 +41,8 @@ from plans.model.order import ORDERS, POSITIONS
 from plans.study import Study
 from plans.words.words import Message, message
 
+KIND = "kinematics"  # the kind of sheet that shows more than the plan of positions
+
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
@@ -58,8 +61,17 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
     yield from reading.marked_scales(leaf)
+    yield from _page(measured, leaf, linkage)
     if "scales" in leaf.metadata:
         yield from value_rows.faults(measured, leaf, linkage, comparison)
+
+
+def _page(measured: Measured, leaf: Leaf, study: LinkageStudy) -> Iterator[Wrong]:
+    """Hold the paper and the title block; its scale is that of the plan of positions."""
+    at, kind = ground(measured), leaf.metadata["sheet"]
+    subtitle = drafting_of(study.scene).word("sheet title" if kind == KIND else POSITIONS.plan)
+    scale = "" if at is None else plan_headings.ratio(at.scale, study.language)
+    yield from title_block.faults(leaf, study.scene, kind, subtitle, scale)
 
 
 def set_faults(sheets: Sequence[tuple[Measured, Leaf]], study: Study) -> Iterator[Wrong]:

@@ -45,6 +45,12 @@ def _scale(letter: str, mu: float, unit: str, by: Drafting) -> str:
     true = f"({true})" if "/" in true else true
     if by.notation == "K":
         return f"K{letter} = {number(1 / mu, by.language)} {mm}/{true}"
+    return f"μ{letter} = {number(mu, by.language)} {true}/{mm}" + (
+        f" ({ratio(mu, by.language)})" if letter == "l" else ""
+    )
+
+
+def ratio(mu: float, language: str) -> str:
+    """Write a scale of lengths m/mm as the ratio that it is."""
     times = MM * mu
-    ratio = f"1:{number(times, by.language)}" if times >= 1 else f"{number(1 / times, by.language)}:1"
-    return f"μ{letter} = {number(mu, by.language)} {true}/{mm}" + (f" ({ratio})" if letter == "l" else "")
+    return f"1:{number(times, language)}" if times >= 1 else f"{number(1 / times, language)}:1"
