@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -15,8 +16,14 @@ from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
 from drawings.checks.forces.details import Details, Sheets
+from drawings.checks.forces.headings import Headings
 from drawings.checks.forces.lever_equation import LeverCheck
+from drawings.checks.forces.lever_forces import LeverForces
 from drawings.checks.forces.load_points import loads
+from drawings.checks.forces.polygon_chain import PolygonChain
+from drawings.checks.forces.scheme_forces import Floor
+from drawings.checks.forces.schemes import LoadingSchemes
+from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
@@ -32,6 +39,7 @@ from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import plain_name
 from geometry import draughtsman, hand_error
 from plans.checks.comparison import Finding
+from plans.checks.force_bill import ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.checks.hand.forces import FIGURES, forces_by_hand
@@ -59,6 +67,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.loads()
     yield from check.lever()
     yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
+    yield from check.figures()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     named = table_names(comparison, statics)
     yield from reading.tables(leaf, named)
@@ -139,10 +148,17 @@ class _Check:
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
-        velocities = study.drafts().velocities
-        letters = {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
+            yield from self._chain(name)
         speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
-        yield from lever_marks(self.measured, expected, letters, 2 * speed)
+        yield from lever_marks(self.measured, expected, self._images, 2 * speed)
+
+    def _chain(self, label: str) -> Iterator[Wrong]:
+        """Hold the polygon of a cut on paper."""
+        group = figure(self.leaf, f"forces-{label}-{self.position}")
+        vectors = [one for one in self.measured.vectors if one.plan == f"forces-{label}"]
+        bill = self.bills[tuple(int(link) for link in label.split("-"))]
+        if group is not None:
+            yield from PolygonChain(group, bill, vectors, (), self.slack).faults()
 
     def details(self, sheets: Sheets, label: str) -> Details:
         """Give the details of one force plan of the sheet, on the sheets of its position."""
@@ -166,6 +182,38 @@ class _Check:
                 along, force = shaft.end - shaft.start, known[name]
                 if abs(force) > self.slack and not abs(along / abs(along) - force / abs(force)) <= ASKEW:
                     yield on("direction", group.name, name=name)
+
+    @cached_property
+    def bills(self) -> dict[tuple[int, ...], ForceBill]:
+        """What acts on each group, and on the primary link, by their links."""
+        groups = self.statics.study.groups
+        bills = (ForceBill(self.expected(), groups, one) for one in (*groups, None))
+        return {bill.links: bill for bill in bills}
+
+    def figures(self) -> Iterator[Wrong]:
+        """Hold the loading schemes, the lever, and the headings of all figures."""
+        study, position = self.statics.study, self.position
+        yield from LoadingSchemes(self.leaf, self.bills, self.floor).faults()
+        lever = figure(self.leaf, f"lever-{position}")
+        points = [one for one in self.measured.points if one.plan == "lever"]
+        if lever is not None and points:
+            bills = tuple(self.bills.values())
+            yield from LeverForces(lever, points, bills, self._images, self.floor).faults()
+        notation = study.scene.sheet.notation
+        yield from Headings(self.leaf, position, study.mechanism.drive, self.floor, notation).faults()
+
+    @property
+    def _images(self) -> dict[str, str]:
+        velocities = self.statics.study.drafts().velocities
+        return {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
+
+    @cached_property
+    def floor(self) -> Floor:
+        """What is none on this sheet, and how it is lettered."""
+        found, study = self.comparison.analysis, self.statics.study
+        force, moment = found.nothing
+        none = self.slack + force, self.slack * found.size + moment
+        return Floor(*none, study.language, self.statics.form.sheet.reactions)
 
     def _labels(self) -> list[str]:
         return [cut.label for cut in self.statics.drafts().plans.plan.cuts]
