@@ -11,6 +11,7 @@ from drawings.checks.documents import title_block
 from drawings.checks.linkage import (
     bars,
     centre_images,
+    linkage_notes,
     part_letters,
     plan_headings,
     position_marks,
@@ -61,6 +62,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
     yield from reading.marked_scales(leaf)
+    yield from linkage_notes.faults(leaf, linkage, comparison)
     yield from _page(measured, leaf, linkage)
     if "scales" in leaf.metadata:
         yield from value_rows.faults(measured, leaf, linkage, comparison)

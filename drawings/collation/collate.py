@@ -14,6 +14,7 @@ from drawings.collation.figures import STILL, Figures
 from drawings.collation.items import BEARERS, Item, items
 from drawings.collation.matching import lies, match
 from drawings.collation.pairing import Pairing
+from drawings.collation.patch import covered
 from drawings.collation.spots import brought
 from drawings.measure.transform import STAY, Affine, placing
 from drawings.paper.limits import QUANTUM
@@ -69,7 +70,7 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     gone = {id(item) for item, _ in unseen}
     pairing = Pairing([item for item in found.missing if id(item) not in gone], found.added, figures, rounding)
     copies = (edit.lone("copied", item, figures) for item in found.copies)
-    others = (edit.unseen(one.item, one.reason, figures) for one in left)
+    others = (edit.unseen(one.item, one.reason, figures, covered(one.item.stroke, ours)) for one in left)
     marks = (edit.restated(ours, theirs, figures) for ours, theirs in found.same if _restated(ours, theirs))
     edits = (*(told for _, told in unseen), *marks, *pairing.edits(_counts(ours, figures)), *copies, *others)
     return Collation(edits, *_shares(ours, found.missing), (*_paper(right, there), *whole, *_told(right, there)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from drawings.collation.figures import Figures, Scale
@@ -45,8 +46,11 @@ def lone(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
-def unseen(item: Item, reason: str, figures: Figures) -> Edit:
-    """Tell of what is in the file beside what must be there, and is not seen or cannot be read."""
+def unseen(item: Item, reason: str, figures: Figures, under: Sequence[Item] = ()) -> Edit:
+    """Tell of what is in the file beside what must be there, and is not seen or cannot be read, or hides others."""
+    if under:
+        parts = {"count": len(under), "first": _thing(under[0], figures)}
+        return lone("patch", item, figures, **parts)._replace(strokes=len(under))
     if reason == UNREAD:
         return _edit(UNREAD, item, figures, None, message("edit.unread", name=item.home.figure))
     return lone("unseen", item, figures, reason=reason)

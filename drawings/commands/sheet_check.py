@@ -25,7 +25,7 @@ from plans.words.words import Message, message
 # What the self-check of a sheet may meet where the sheet is not laid out as it expects.
 UNFOLLOWED = (LookupError, ValueError, TypeError, AttributeError, ArithmeticError, DraftError)
 LONGEST = 40  # letters of a version
-NEVER = ("hidden", "unseen", "unread", "copied")  # how no sheet is drawn
+NEVER = ("hidden", "unseen", "unread", "copied", "patch")  # how no sheet is drawn
 WHOLE, PARTLY, EDITED, UNREADABLE = 0, 4, 5, 7
 
 

@@ -166,6 +166,16 @@ def test_what_is_hidden_is_told_with_the_reason() -> None:
     ]
 
 
+def test_a_patch_is_told_with_what_it_hides() -> None:
+    white = LineStyle(0.25, (), "#ffffff", "#ffffff")
+    patch = Polyline((140 + 140j, 161 + 140j, 161 + 161j, 140 + 161j), True, white)
+    own = items(LEAF)[0]._replace(stroke=patch)
+    (said,) = told(LEAF, Hidden(own, "pale"))
+    assert said.startswith(
+        "a patch in the colour of paper over what is drawn, 3 in all, the first of it circle at (150.00"
+    )
+
+
 def test_a_drawing_that_was_moved_as_a_whole_is_laid_back() -> None:
     turned = cmath.rect(1.01, 0.02)
     moved = replace(LEAF, groups=tuple(brought(one, Affine(turned, 0j, 3 + 2j)) for one in LEAF.groups))

@@ -259,7 +259,7 @@ def covered(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
         True,
         LineStyle(0.25, (), "#ffffff", "#ffffff"),
     )
-    return replace(leaf, groups=(*leaf.groups, Group((patch,)))), Told(("hidden",), found.name, Figures(leaf).of(found))
+    return replace(leaf, groups=(*leaf.groups, Group((patch,)))), Told(("patch",))
 
 
 def title_cell(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
