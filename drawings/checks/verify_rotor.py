@@ -7,19 +7,24 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks import reading, rotor_tables, rotor_told
+from drawings.checks.linkage import accord, by_hand
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import MOST
 from drawings.figures.rotor.rotor_polygon import sum_letters
+from drawings.figures.rotor.rotor_table import RESULTS
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from geometry import draughtsman, hand_error
 from plans.analytic.rotor import moment
 from plans.checks.comparison import Comparison
+from plans.checks.hand.rotor import rotor_by_hand
 from plans.model.rotor import Balance, Rotor
-from plans.rotor.balancing import COUPLES
+from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.letters import moment_letters, unbalance_letters
+from plans.rotor.study import RotorStudy
 from plans.study import Study
 
 FAR = 1e-9  # of a place: both roads take it from one radius and one angle
@@ -27,11 +32,14 @@ FAR = 1e-9  # of a place: both roads take it from one radius and one angle
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a rotor shows against the analysis (row of the table of sheets)."""
-    return check(measured, leaf, study["rotor"].rotor, study.comparison("rotor"), drafting_of(study.scene))
+    return check(measured, leaf, study["rotor"], study.comparison("rotor"), drafting_of(study.scene))
 
 
-def check(measured: Measured, leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[Wrong]:
+def check(
+    measured: Measured, leaf: Leaf, study: RotorStudy, comparison: Comparison, drafting: Drafting
+) -> Iterator[Wrong]:
     """Hold what a sheet shows against the analysis: the figures that its data name, tables, scales."""
+    rotor = study.rotor
     expected = Expected(rotor, comparison.analysis)
     for plan in leaf.metadata["figures"]:
         if plan in (along.NAME, across.NAME):
@@ -40,8 +48,20 @@ def check(measured: Measured, leaf: Leaf, rotor: Rotor, comparison: Comparison, 
             yield from _vectors(measured, plan, expected)
     yield from reading.marked_scales(leaf)
     yield from rotor_tables.results(leaf, comparison, drafting)
+    yield from _by_hand(measured, leaf, study, comparison, drafting)
     yield from rotor_tables.masses(leaf, rotor, comparison, drafting)
     yield from rotor_told.notes(leaf, rotor, comparison, drafting)
+
+
+def _by_hand(
+    measured: Measured, leaf: Leaf, study: RotorStudy, comparison: Comparison, drafting: Drafting
+) -> Iterator[Wrong]:
+    """Hold what a hand may be out in the polygons, and the scales that this is reckoned with."""
+    due = {name: one for name, one in rotor_tables.named(comparison, drafting.language).items() if one.largest > 0}
+    both = (rotor_by_hand(study, leaf.metadata["scales"], slopes) for slopes in (hand_error.slopes, draughtsman.slopes))
+    yield from by_hand.wrong_results(leaf, RESULTS, due, by_hand.Told(*both), drafting.language)
+    yield from by_hand.wrong_scales(measured, leaf, (COUPLES, UNBALANCES))
+    yield from accord.apart(leaf, list(due.values()), drafting.language)
 
 
 @dataclass(frozen=True)

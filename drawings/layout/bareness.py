@@ -39,8 +39,7 @@ def _cells(low: float, high: float, cell: float, most: int) -> Cells:
 def _largest(rows: Sequence[Cells], columns: Sequence[Cells]) -> int:
     """Count the cells of the largest bare rectangle of a grid, of which boxes behind the first, the field, are taken.
 
-    Heights of bare columns grow from one edge of a box to the next: between them one row is as the other. A rectangle
-    ends where a box begins, or with the field.
+    Heights of bare columns grow from one edge of a box to the next: between them one row is as the other.
     """
     ys, xs = (sorted({edge for cells in own for edge in cells}) for own in (rows, columns))
     places = [({edge: k for k, edge in enumerate(own)}) for own in (ys, xs)]
@@ -48,11 +47,10 @@ def _largest(rows: Sequence[Cells], columns: Sequence[Cells]) -> int:
     taken = np.zeros((len(ys) - 1, len(xs) - 1), dtype=bool)
     for (low, high), (left, right) in zip(rows[1:], columns[1:], strict=True):
         taken[places[0][low] : places[0][high], places[1][left] : places[1][right]] = True
-    ends = np.ones(len(taken), dtype=bool)
-    ends[:-1] = (taken[1:] & ~taken[:-1]).any(-1)
-    for row, (below, above), ending in zip(taken.tolist(), pairwise(ys), ends.tolist(), strict=True):
+    closing = np.append((taken[1:] > taken[:-1]).any(-1), True)  # what is bare below another bare row goes on in it
+    for row, closes, (below, above) in zip(taken.tolist(), closing.tolist(), pairwise(ys), strict=True):
         heights = [0 if full else high + above - below for full, high in zip(row, heights, strict=True)]
-        if ending:
+        if closes:
             best = max(best, _under(heights, xs))
     return best
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from typing import Any
 
@@ -15,14 +15,20 @@ from drawings.figures.bank.turn_graph import FORCE, LEFT, TurnCurve, TurnGraph
 from drawings.figures.bank.turn_graph import MOMENT as MOMENTS
 from drawings.figures.graphs import hodograph
 from drawings.figures.graphs.hodograph import Hodograph
+from drawings.layout import value_table
 from drawings.layout.contents import Panel
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.report.agreement import agreed
 from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
 from drawings.sheets.leaves import EQUATION, Draft, Exhibit, lay_out
 from plans.bank.letters import FORCE as F
 from plans.bank.letters import MOMENT as M
+from plans.bank.study import BankStudy
 from plans.checks.comparison import Comparison
+from plans.checks.hand.bank import bank_by_hand
 from plans.model.motion import Complexes
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -37,7 +43,7 @@ def admit(scene: Scene) -> None:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's bank (row of the table of sheets)."""
-    return sheets(study.scene, view_of(study), study.comparison("bank"))
+    return sheets(study.scene, study["bank"], view_of(study), study.comparison("bank"))
 
 
 def view_of(study: Study) -> BankView:
@@ -47,17 +53,28 @@ def view_of(study: Study) -> BankView:
     return BankView(bank.balance, {F: drawing.forces, M: drawing.moments}, crank_of(study))
 
 
-def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, bank: BankStudy, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
-    shows = (*_views(shown, drafting), *_polygons(shown, drafting), *_courses(shown, drafting))
+    polygons = tuple(_polygons(shown, drafting))
+    shows = (*_views(shown, drafting), *polygons, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
     told = bank_table.orders, bank_table.compensators
-    tables = [*(write(shown.balance, drafting) for write in told), bank_table.results(comparison, drafting)]
-    notes = BankNotes(shown.balance, drafting).all
+    tables = [
+        *(write(shown.balance, drafting) for write in told),
+        bank_table.results(comparison, bool(polygons), drafting),
+    ]
+    notes = *BankNotes(shown.balance, drafting).all, *agreed(bank_table.compared(comparison), drafting, bool(polygons))
     title = drafting.word("bank sheet title")
     there = tuple(one for one in tables if one is not None)
-    return lay_out(scene, [Draft("bank", title, shows, there, notes, _facts, narrow=EQUATION)])
+    later = partial(_later, bank, drafting)
+    return lay_out(scene, [Draft("bank", title, shows, there, notes, _facts, narrow=EQUATION, later=later)])
+
+
+def _later(bank: BankStudy, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+    """Write what a hand may be out in the polygons, at their scales."""
+    scales = {name: spot.scale.mu for name, spot in spots.items()}
+    return value_table.by_hand(bank_by_hand(bank, scales), drafting.language)
 
 
 def _facts(names: Collection[str]) -> dict[str, Any]:

@@ -38,12 +38,14 @@ class Exhibit(NamedTuple):
 class Caption(NamedTuple):
     """Lettering that stands with figures: what it wants of its place, and how it is written in its box.
 
-    One `of` a figure is written by the spot of that figure too, where both stand on one sheet: lengths as drawn.
+    One `of` a figure is written by the spot of that figure too, where both stand on one sheet: lengths as drawn. One
+    that `waits` is written by what writes the cells of the tables that wait for the scales of the figures.
     """
 
     panel: Panel
     write: Callable[..., Group]  # of a field, and of a spot
     of: str = ""
+    waits: bool = False
 
 
 @dataclass(frozen=True)
@@ -194,8 +196,14 @@ class _Leaves:
             yield write(self.draft.notes, composed.notes, page.hand.text, page.field.right)
         for one in self.draft.shows:
             if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
-                spots = [composed.spots[one.of]] if one.of in composed.spots else []
-                yield one.write(composed.blocks[one.panel.item.name], *spots)
+                yield one.write(composed.blocks[one.panel.item.name], *self._awaited(one, composed))
+
+    def _awaited(self, one: Caption, composed: Composition) -> Iterator[Any]:
+        """Give what lettering is written by beside its box."""
+        if one.of in composed.spots:
+            yield composed.spots[one.of]
+        if one.waits and self.draft.later is not None:
+            yield self.draft.later(self.spots)
 
     def _figures(self, composed: Composition) -> Iterator[Figure]:
         for one in self.draft.shows:

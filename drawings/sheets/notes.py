@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from drawings.lettering.words import fixed, number, runs, span, word
+from drawings.report.agreement import share
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
 from plans.checks.hand.quantity import SLIP
@@ -20,7 +20,6 @@ from plans.model.rates import Rates
 from plans.model.structure import formula, mechanism_class
 from plans.words.words import said as worded
 
-NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
 ALIKE = 1 - 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
@@ -53,11 +52,9 @@ def accord(findings: Sequence[Finding], kappa: Floats, language: str) -> list[st
     known = np.flatnonzero(np.isfinite(kappa))
     if not len(known):
         return []
-    shares = [float(np.nanmax(one.difference, initial=0.0)) / one.largest for one in findings if one.largest > 0]
-    power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
     worst = next(int(k) for k in known if kappa[k] >= ALIKE * np.max(kappa[known]))
     told = number(float(kappa[worst]), language, 2)
-    return [word(language, "accord", share=f"10^{{−{-power}}}" if power else "1", position=worst, kappa=told)]
+    return [word(language, "accord", share=share(findings), position=worst, kappa=told)]
 
 
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from drawings.figures.rotor import across, along, rotor_polygon, rotor_table
 from drawings.figures.rotor.rotor_view import RotorView, rotor_view
+from drawings.layout import value_table
 from drawings.layout.contents import Panel
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.page.page import Field
+from drawings.paper.strokes import Group, Leaf
+from drawings.report.agreement import agreed
 from drawings.report.rotor_notes import RotorNotes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.checks.comparison import Comparison
+from plans.checks.hand.rotor import rotor_by_hand
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -39,9 +45,9 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
         *_views(rotor, drafting),
     )
     tables = (rotor_table.masses(rotor.rotor, rotor.balance, drafting),)
-    said = RotorNotes(rotor.rotor, rotor.balance, drafting).all
+    said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(rotor_table.compared(comparison), drafting)
     title = drafting.word("rotor sheet title")
-    return lay_out(scene, [Draft("rotor", title, shows, tables, said, _facts)])
+    return lay_out(scene, [Draft("rotor", title, shows, tables, said, _facts, later=partial(_later, rotor, drafting))])
 
 
 def _facts(names: Collection[str]) -> dict[str, Any]:
@@ -76,4 +82,15 @@ def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
 def _results(comparison: Comparison, drafting: Drafting) -> Caption:
     """Tell what both roads found under the polygon that ends the construction."""
     table = rotor_table.results(comparison, drafting)
-    return Caption(Panel(table.block(table.name), together=TOGETHER), partial(table.write, drafting=drafting))
+    panel = Panel(table.block(table.name), together=TOGETHER)
+    return Caption(panel, partial(_written, table, drafting), waits=True)
+
+
+def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:
+    return table.filled(write).write(box, drafting)
+
+
+def _later(rotor: RotorStudy, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+    """Write what a hand may be out in the polygons, at their scales."""
+    scales = {name: spot.scale.mu for name, spot in spots.items()}
+    return value_table.by_hand(rotor_by_hand(rotor, scales), drafting.language)

@@ -8,18 +8,24 @@ from collections.abc import Iterator, Mapping
 
 from drawings.checks import reading
 from drawings.checks.balance.bank_expected import Body, Expected
+from drawings.checks.linkage import accord
+from drawings.checks.linkage import by_hand as hand
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
 from drawings.figures.bank.bank_table import COMPENSATOR_HEADS, COMPENSATORS, ORDER_HEADS, ORDERS, RESULTS
-from drawings.layout.value_table import COLUMNS
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import groups
+from geometry import draughtsman, hand_error
 from plans.bank.harmonics import HARMONICS
 from plans.bank.letters import FORCE, MOMENT, SINGLE, letters
+from plans.bank.study import BankStudy
 from plans.checks.comparison import Finding
+from plans.checks.hand.bank import FIGURES, bank_by_hand
 from plans.model.balance.bank import Compensator, Harmonic
+
+CELLS = 2, 3  # of a row of results beside its name, without and with the column of the hand
 
 
 def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
@@ -32,6 +38,22 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
     yield from _results(leaf, expected)
 
 
+def by_hand(leaf: Leaf, bank: BankStudy, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold what a hand may be out in the polygons, and what the notes say of both roads."""
+    told = [one for one in expected.comparison.findings if _compared(one)]
+    due = {Text(0j, lowered(one.name)).plain: one._replace(largest=_largest(one)) for one in told}
+    scales = leaf.metadata["scales"]
+    polygons = any(name.startswith(tuple(FIGURES.values())) for name in scales)
+    both = (bank_by_hand(bank, scales, slopes) for slopes in (hand_error.slopes, draughtsman.slopes))
+    yield from hand.wrong_results(leaf, RESULTS, due, hand.Told(*both) if polygons else None, drafting.language)
+    yield from accord.apart(leaf, told, drafting.language, polygons)
+
+
+def _largest(one: Finding) -> float:
+    """Give what the digits of a row are counted from: its own value, or what rounding leaves no digits of."""
+    return max(float(abs(one.analysis[0])), float(one.allowed[0]) * 10.0 ** (hand.PLACES - 1))
+
+
 def _results(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Read the table of what both roads found back: every vector and every mass that is more than rounding."""
     due = {Text(0j, lowered(one.name)).plain: one for one in expected.comparison.findings if _compared(one)}
@@ -42,8 +64,7 @@ def _results(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
             yield within("cell", RESULTS, name=name, text=text)
         for name, *cells in ([text.plain for text in row] for row in reading.rows(group)):
             seen[name.rsplit(", ", 1)[0]] = len(cells)
-    heads = len(COLUMNS)
-    yield from (within("row", RESULTS, name=name) for name, count in seen.items() if name in due and count != heads)
+    yield from (within("row", RESULTS, name=name) for name, count in seen.items() if name in due and count not in CELLS)
     if own or leaf.metadata["of"] == 1:
         yield from (within("missing_from", RESULTS, name=one.name) for name, one in due.items() if name not in seen)
 

@@ -16,6 +16,7 @@ from drawings.checks.balance import (
 )
 from drawings.checks.balance.bank_expected import Expected
 from drawings.checks.balance.bank_titles import GRAPHS
+from drawings.checks.linkage.by_hand import wrong_scales
 from drawings.checks.wrong import Wrong
 from drawings.figures.bank import shaft, star
 from drawings.figures.bank.bank_polygon import plan_of
@@ -25,6 +26,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from drawings.report.balance.bank_notes import crank_of
+from plans.checks.hand.bank import FIGURES
 from plans.study import Study
 from plans.words.words import message
 
@@ -33,7 +35,10 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a bank shows against the analysis (row of the table of sheets)."""
     bank = study["bank"]
     expected = Expected(bank.task, study.comparison("bank"), crank_of(study))
-    yield from check(measured, leaf, expected, drafting_of(study.scene))
+    drafting = drafting_of(study.scene)
+    yield from check(measured, leaf, expected, drafting)
+    yield from bank_tables.by_hand(leaf, bank, expected, drafting)
+    yield from wrong_scales(measured, leaf, tuple(FIGURES.values()))
 
 
 def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:

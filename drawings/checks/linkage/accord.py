@@ -10,14 +10,16 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.wrong import Wrong
-from drawings.lettering.words import word
-from drawings.paper.strokes import Leaf
+from drawings.lettering.words import number, word
+from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
 from plans.checks.comparison import Finding
+from plans.checks.hand.quantity import SLIP
 from plans.model.motion import Floats
 from plans.words.words import message
 
 NOISE = 1e-11  # of the largest: what is less is told as this
+LEAST, FARTHEST = 11, 3  # powers of ten between which both roads are said to agree
 DIGITS = 2  # of kappa
 ALIKE = 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
@@ -25,8 +27,7 @@ HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
 
 def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str) -> Iterator[Wrong]:
     """Hold the sentence about both roads against their differences; of a longer set one sheet bears it."""
-    lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]
-    told = re.search(_pattern(language), " ".join(lines).replace("\N{NO-BREAK SPACE}", " "))
+    told = re.search(_pattern(language), _notes(leaf))
     if told is not None:
         power, position, condition = told.groups()
         close = _is_close(math.pow(10.0, -int(power or 0)), findings)
@@ -34,6 +35,34 @@ def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str
             yield message("wrong.told", text=told[0])
     elif leaf.metadata["of"] == 1 and np.isfinite(kappa).any():
         yield message("wrong.notes")
+
+
+def apart(leaf: Leaf, findings: Sequence[Finding], language: str, by_hand: bool = True) -> Iterator[Wrong]:
+    """Hold what the notes of a sheet without positions say of both roads and of its column of the hand."""
+    notes = _notes(leaf)
+    lost = [one for one in due(findings, language, by_hand) if Text(0j, one).plain not in notes]
+    if leaf.metadata["notes"] and lost:
+        yield message("wrong.notes")
+
+
+def due(findings: Sequence[Finding], language: str, by_hand: bool) -> Iterator[str]:
+    """Give what a sheet without positions must say: how near both roads are, and what its column of the hand tells."""
+    if not findings:
+        return
+    power = max(p for p in range(-FARTHEST, LEAST + 1) if p == -FARTHEST or _is_within(math.pow(10.0, -p), findings))
+    yield word(language, "accord of roads", share=f"10^{{−{power}}}" if power else "1")
+    if by_hand:
+        yield word(language, "polygon hand note", slip=number(SLIP, language))
+
+
+def _is_within(bound: float, findings: Sequence[Finding]) -> bool:
+    return all(_share(one) <= bound for one in findings if one.largest > 0)
+
+
+def _notes(leaf: Leaf) -> str:
+    """Read the notes of a sheet, its lines as one."""
+    lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]
+    return " ".join(lines).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def _is_close(bound: float, findings: Sequence[Finding]) -> bool:
@@ -56,7 +85,7 @@ def _is_worst(position: int, told: str, kappa: Floats) -> bool:
 
 def _pattern(language: str) -> str:
     """Give the sentence with its numbers to be read."""
-    found = re.escape(word(language, "accord", **{key: f"<{key}>" for key in HELD}))
-    for key, number in HELD.items():
-        found = found.replace(re.escape(f"<{key}>"), f"(?:{number})")
+    found = re.escape(word(language, "accord", **{part: f"<{part}>" for part in HELD}))
+    for part, told in HELD.items():
+        found = found.replace(re.escape(f"<{part}>"), f"(?:{told})")
     return found

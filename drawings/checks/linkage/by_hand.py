@@ -11,15 +11,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.checks import reading
-from drawings.checks.wrong import Wrong
+from drawings.checks.wrong import Wrong, within
+from drawings.lettering.words import word
 from drawings.measure.measure import Measured
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.walk import groups
 from plans.checks.comparison import Finding
 from plans.words.words import message
 
 Errors = Mapping[tuple[str, int], float]  # by the name and the position of a finding
 
 DIGITS = 2  # of what is told
+PLACES = 5  # digits of the largest value of a row, which tell how many decimals its cells have
+HEADS = ("quantity", "by plan", "by analysis", "by hand")
 TRIED = 1e-4  # of an error: what trying a slip, instead of its slope, leaves out
 
 
@@ -40,9 +44,30 @@ class Told(NamedTuple):
 def wrong_cells(leaf: Leaf, named: Mapping[str, Finding], told: Told) -> Iterator[Wrong]:
     """Give the cells of the tables of a sheet that tell another error than a hand makes at its scales."""
     for group in reading.value_tables(leaf):
-        for row in reading.cells(group, named, reading.positions_of(group)):
-            if not _holds(row, told.of(row.finding, row.position)):
-                yield message("wrong.value", text=row.third, name=row.finding.name, position=row.position)
+        for row in _wrong(group, named, told, reading.positions_of(group)):
+            yield message("wrong.value", text=row.third, name=row.finding.name, position=row.position)
+
+
+def wrong_results(
+    leaf: Leaf, table: str, named: Mapping[str, Finding], told: Told | None, language: str
+) -> Iterator[Wrong]:
+    """Give the same of a table of no position, by its name, and each of its parts that has other headings.
+
+    Where nothing is `told` it has no column of the hand.
+    """
+    heads = [Text(0j, word(language, key)).plain for key in (HEADS if told is not None else HEADS[:-1])]
+    for group in (one for one in groups(leaf.groups) if one.name.removeprefix(f"{table}-").isdigit()):
+        if heads not in ([text.plain for text in row] for row in reading.rows(group)):
+            yield within("in", table, text=heads[-1])
+        for row in _wrong(group, named, told, (0,)) if told is not None else ():
+            yield within("cell", table, name=row.finding.name, text=row.third)
+
+
+def _wrong(
+    group: Group, named: Mapping[str, Finding], told: Told, positions: tuple[int, ...]
+) -> Iterator[reading.Cells]:
+    rows = reading.cells(group, named, positions)
+    return (row for row in rows if not holds(row.third, told.of(row.finding, row.position), row.finding.largest))
 
 
 def missing_rows(leaf: Leaf, due: Sequence[str]) -> Iterator[Wrong]:
@@ -75,12 +100,12 @@ def wrong_headings(leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
             yield from reading.scales(group, [scales[name]])
 
 
-def _holds(row: reading.Cells, error: float) -> bool:
-    """Tell whether a cell says an error to two digits, or to the last decimal of its row."""
+def holds(text: str, error: float, largest: float) -> bool:
+    """Tell whether a cell says an error to two digits, or to the last decimal of its row, whose largest value it is."""
     if math.isnan(error):
-        return row.third == "—"
-    if not row.third.startswith("±"):
+        return text == "—"
+    if not text.startswith("±"):
         return False
-    last = reading.last_place(row.plan)
+    last = math.pow(10.0, min(math.floor(math.log10(largest)) + 1 - PLACES, 0))
     digits = DIGITS if error >= (1 - TRIED) * 10 * last else 0
-    return reading.reads(row.third[1:], error, TRIED * error, digits)
+    return reading.reads(text[1:], error, TRIED * error, digits)

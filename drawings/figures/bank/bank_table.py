@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from drawings.figures.bank.compensator_layout import COUPLED, MASS
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.value_table import COLUMNS, row
+from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
@@ -45,24 +45,32 @@ def compensators(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
     return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS)
 
 
-def results(comparison: Comparison, drafting: Drafting) -> RuledTable | None:
-    """Tell what both roads found of every order and of the compensators, with the difference; None of nothing."""
-    lines = [_result(one, drafting) for one in comparison.findings if compared(one)]
-    heads = tuple(drafting.word(head) for head in COLUMNS)
+def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledTable | None:
+    """Tell what both roads found of every order and of the compensators, and what a hand may be out; None of nothing.
+
+    Without `by_hand` there is no polygon in which a hand might err.
+    """
+    heads = tuple(drafting.word(head) for head in (BY_HAND if by_hand else BY_HAND[:-1]))
+    lines = [_result(one, drafting) for one in compared(comparison)]
+    lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     if not lines:
         return None
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
 def _result(one: Finding, drafting: Drafting) -> TableRow:
-    """Give the row of a finding: values to their own digits, as orders differ by powers, shares of the largest."""
-    name, known = f"{lowered(one.name)}, {drafting.word(one.unit)}", float(one.allowed[0]) * 10 ** (FIGURES - 1)
+    """Give the row of a finding: values to their own digits, as orders differ by powers."""
+    known = float(one.allowed[0]) * 10 ** (FIGURES - 1)
     own = one._replace(largest=max(float(abs(one.analysis[0])), known))  # rounding has no digits
-    told, shared = (row(each, name, (0,), drafting.language) for each in (own, one))
-    return told._replace(cells=(*told.cells[:-1], shared.cells[-1]))
+    return row_by_hand(own, f"{lowered(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language)
 
 
-def compared(one: Finding) -> bool:
+def compared(comparison: Comparison) -> list[Finding]:
+    """List what the table of results tells."""
+    return [one for one in comparison.findings if _is_told(one)]
+
+
+def _is_told(one: Finding) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a mass, more than rounding."""
     kept = one.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and one.plan != EQUILIBRIUM
     return kept and abs(one.analysis[0]) > one.allowed[0]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.value_table import COLUMNS, row
+from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.drafting import Drafting
 from plans.checks.comparison import Comparison, Finding
@@ -49,17 +49,21 @@ def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
 
 
 def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
-    """Tell what both roads found, with the difference."""
-    findings = (one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0)
-    return _table(RESULTS, [_compared(one, drafting) for one in findings], "quantity", COLUMNS, drafting)
+    """Tell what both roads found, and what a hand may be out."""
+    return _table(RESULTS, [_line(one, drafting) for one in compared(comparison)], "quantity", BY_HAND, drafting)
 
 
-def _compared(finding: Finding, drafting: Drafting) -> TableRow:
+def compared(comparison: Comparison) -> list[Finding]:
+    """List what the table of results tells."""
+    return [one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0]
+
+
+def _line(finding: Finding, drafting: Drafting) -> TableRow:
     """Give the row of a finding; what vanishes is 0 by both roads."""
-    name = _name(finding, drafting)
+    line = row_by_hand(finding, _name(finding, drafting), (0,), drafting.language)
     if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
-        return TableRow(name, ("0", "0", NOTHING))
-    return row(finding, name, (0,), drafting.language)
+        return line._replace(cells=("0", "0", line.cells[-1]))
+    return line
 
 
 def _name(finding: Finding, drafting: Drafting) -> str:

@@ -15,6 +15,7 @@ from plans.linkage.plan import Reading
 from plans.model.motion import Floats
 
 SLIP = 0.2  # mm to either side: a fair hand's
+MOST_SIDES = 40  # of a polygon that is laid off side by side; of more a sheet draws the sum alone
 
 Told: TypeAlias = Span | Reading | Mark  # a vector between two marks, a rate, a force or a moment
 
