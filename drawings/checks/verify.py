@@ -31,47 +31,51 @@ def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[W
         measured = measure_file(path)
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    wrong: list[Wrong] = [on("on", miss.key.plan, name=miss.key.name) for miss in check(measured)]
-    wrong += [*faults(measured, leaf), *unlettered(leaf)]
-    if wrong:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+    if wrong := wrongs(measured, leaf, faults):
+        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
     return measured
+
+
+def wrongs(measured: Measured, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> list[Wrong]:
+    """List what is wrong with a measured sheet."""
+    wrong: list[Wrong] = [on("on", miss.key.plan, name=miss.key.name) for miss in check(measured)]
+    return [*wrong, *faults(measured, leaf), *unlettered(leaf)]
 
 
 def verify_enclosure(path: Path, enclosure: Enclosure) -> None:
     """See that a written file beside the sheets has no faults."""
     wrong = list(enclosure.faults(path.read_bytes()))
     if wrong:
-        raise SelfCheckFailed(message("check.enclosure", marks=_first(wrong)))
+        raise SelfCheckFailed(message("check.enclosure", marks=first(wrong)))
 
 
 def verify_set(wrong: Iterable[Wrong]) -> None:
     """See that measured sheets have no faults as a set."""
     told = list(wrong)
     if told:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(told)))
+        raise SelfCheckFailed(message("check.sheet", marks=first(told)))
 
 
 def verify_report(wrong: Iterable[Wrong]) -> None:
     """See that a report has no faults."""
     told = list(wrong)
     if told:
-        raise SelfCheckFailed(message("check.report", marks=_first(told)))
+        raise SelfCheckFailed(message("check.report", marks=first(told)))
 
 
 def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> None:
     """See that measured sheets, each with the keys of its figures, have the scales that are stated, and common ones."""
     if wrong := [*dict.fromkeys(scales.faults(sheets, sheet))]:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
 
 
 def verify_documents(leaves: Mapping[str, Sequence[Leaf]], sheet: SheetTable) -> None:
     """See that the sheets of a set are numbered through each document, and bear its designation."""
     if wrong := [*numbering.faults(leaves, sheet)]:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
 
 
-def _first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:
+def first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:
     """Name the first of what is wrong, and how much more there is."""
     marks, more = tuple(wrong[:TOLD]), len(wrong) - TOLD
     return message("check.more", marks=marks, count=more) if more > 0 else marks

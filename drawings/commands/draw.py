@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import os
+import os.path
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from drawings.commands.edition import leaves_of, placed_sheets, sheet_path, stem_of
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
@@ -103,15 +104,15 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with trace.stage("imports"):
         from drawings.checks import verify as checks
         from drawings.pens.svg import svg
-        from drawings.sheets.documents import bind, cuts
+        from drawings.sheets.documents import cuts
 
-    scene, stem = study.scene, _stem(study.scene)
+    scene, stem = study.scene, stem_of(study.scene)
     with trace.stage("layout"):
-        leaves = bind({kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}, scene)
+        leaves = leaves_of(study)
         for fault in cuts(leaves, scene):
             tell(fault.worded(scene.sheet.language))
     with trace.stage("writing"):
-        sheets = dict(_placed(folder, stem, leaves))
+        sheets = dict(placed_sheets(folder, stem, leaves))
         text = report(study, leaves)
         contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, (_, leaf) in sheets.items()}
         contents[folder / f"{stem}-report.md"] = text.encode("utf-8")
@@ -150,25 +151,11 @@ def _enclosures(study: Study) -> Iterator[Enclosure]:
             yield from named(SHEETS[kind].enclosures)(study)
 
 
-def _placed(folder: Path, stem: str, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[tuple[Path, tuple[str, Leaf]]]:
-    """Give every leaf its file."""
-    for kind, own in leaves.items():
-        yield from ((_named(folder, stem, kind, k), (kind, leaf)) for k, leaf in enumerate(own))
-
-
 def _strangers(scene: Scene, folder: Path) -> Iterator[Message]:
     """Tell what the last run of a scene has written otherwise than it now is."""
-    last = read_manifest(folder / manifest_name(_stem(scene)))
+    last = read_manifest(folder / manifest_name(stem_of(scene)))
     for name in last.strangers(folder) if last is not None else ():
         yield placed(folder / name, message("file.changed"))
-
-
-def _named(folder: Path, stem: str, kind: str, number: int) -> Path:
-    return folder / (f"{stem}-{kind}-{number + 1}.svg" if number else f"{stem}-{kind}.svg")
-
-
-def _stem(scene: Scene) -> str:
-    return Path(os.fspath(scene.file)).stem
 
 
 def _say(scene: Scene, saying: Message) -> None:
@@ -177,8 +164,8 @@ def _say(scene: Scene, saying: Message) -> None:
 
 def _earlier(sheets: SheetSet, folder: Path) -> list[Path]:
     """Give following sheets that an earlier run left beside fewer new ones."""
-    stem, found = _stem(sheets.study.scene), []
+    stem, found = stem_of(sheets.study.scene), []
     for kind, own in sheets.leaves.items():
-        further = (_named(folder, stem, kind, k) for k in range(len(own), SHEETS_MOST))
+        further = (sheet_path(folder, stem, kind, k) for k in range(len(own), SHEETS_MOST))
         found += list(takewhile(os.path.lexists, further))
     return found

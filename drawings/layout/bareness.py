@@ -47,9 +47,11 @@ def _largest(rows: Sequence[Cells], columns: Sequence[Cells]) -> int:
     taken = np.zeros((len(ys) - 1, len(xs) - 1), dtype=bool)
     for (low, high), (left, right) in zip(rows[1:], columns[1:], strict=True):
         taken[places[0][low] : places[0][high], places[1][left] : places[1][right]] = True
-    for row, (below, above) in zip(taken.tolist(), pairwise(ys), strict=True):
+    closing = np.append((taken[1:] > taken[:-1]).any(-1), True)  # what is bare below another bare row goes on in it
+    for row, closes, (below, above) in zip(taken.tolist(), closing.tolist(), pairwise(ys), strict=True):
         heights = [0 if full else high + above - below for full, high in zip(row, heights, strict=True)]
-        best = max(best, _under(heights, xs))
+        if closes:
+            best = max(best, _under(heights, xs))
     return best
 
 

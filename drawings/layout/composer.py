@@ -8,8 +8,10 @@ of what fits so the composition is chosen whose figures are large and that leave
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
 
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
@@ -66,10 +68,14 @@ class _Cutting:
 
 @dataclass(frozen=True)
 class _Set:
-    """A composed set of sheets, and how good it is."""
+    """A composed set of sheets, and how good it is at most: what is bare of it, dear to find, counts against it."""
 
     sheets: tuple[Stood, ...]
-    score: float
+    most: float
+
+    @cached_property
+    def score(self) -> float:
+        return self.most - sum(sheet.fault for sheet in self.sheets)
 
 
 class _Composer:
@@ -107,7 +113,11 @@ class _Composer:
     def _found(self, count: int) -> _Set:
         """Find the best set of so many sheets."""
         sets = (one for state in self._states(self.asked.floors, count) for one in self._sets(state, count))
-        return max(sets, key=lambda one: one.score)
+        best = next(sets)
+        for one in sets:
+            if one.most > best.score and one.score > best.score:
+                best = one
+        return best
 
     def _cutting(self, order: Order, state: State) -> _Cutting:
         if (order, state) not in self.known:
@@ -162,7 +172,7 @@ class _Composer:
             grown = self._growth([tree]).grown(state, only=True)
             return Stood(self.asked.stock, self.page, tree, rungs_of(self.asked.steps, grown), last).fault
 
-        return min(cutting.trees(*run), key=fault)
+        return _least(cutting.trees(*run), fault)
 
     def _ends(self, last: bool) -> bool:
         """Tell whether no sheet follows the last one of these."""
@@ -180,4 +190,15 @@ class _Composer:
         )
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
-        return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets) - late)
+        return _Set(sheets, math.log(size) - late)
+
+
+def _least(trees: Iterator[Tree], fault: Callable[[Tree], float]) -> Tree:
+    """Give the first tree of the least fault; behind one without any none is looked at."""
+    best, least = next(trees), math.inf
+    for tree in chain([best], trees):
+        if (own := fault(tree)) < least:
+            best, least = tree, own
+        if not least:
+            break
+    return best

@@ -39,6 +39,7 @@ class Picture(NamedTuple):
     open: bool = True  # above it stands nothing but its heading in the middle
     exact: float = 0.0  # mu: it is drawn at this scale and no other, if there is one
     bands: tuple[Band, ...] = WHOLE  # what of the box of its lines may be inked
+    taller: float = 1.0  # times its height that its lines may be drawn, where there is room: a graph's own scale grows
 
     def size(self, scale: Scale) -> tuple[float, float]:
         """Give width and height on paper, mm, margins and heading included."""
@@ -76,6 +77,13 @@ class Picture(NamedTuple):
         wide, high = self.size(scale)
         if wide * SMALLER <= width and high * SMALLER <= height:
             yield Rung(scale, wide, high, self.extent(scale))
+
+    def filling(self, spot: Spot) -> Picture:
+        """Give a picture that may be taller as high as its box: its bottom stays."""
+        if self.taller == 1.0:
+            return self
+        high = (spot.box.height - self.margins.below - self.margins.above) * spot.scale.mu
+        return self._replace(high=high, middle=self.middle + 1j * (high - self.high) / 2)
 
     def place(self, box: Field, scale: Scale) -> Place:
         """Place the picture in a box of its size: its middle in the middle of what the margins leave."""

@@ -17,7 +17,8 @@ class Occupant(NamedTuple):
 
     size: Size
     figure: bool
-    grows: bool = False  # to the width of its cell, as notes do
+    wider: float = 0.0  # mm that it may be wider, where its cell is: notes and tables
+    taller: float = 0.0  # mm that it may be higher: graphs
 
 
 class Stand(NamedTuple):
@@ -91,8 +92,8 @@ class Standing:
         wide, high = natural(tree, self.sizes)
         unit = self.units[next(pieces(tree)).unit]
         sides = self._edges(cell)
-        if unit.grows:
-            wide = cell.width
+        if isinstance(tree, Piece):
+            wide, high = min(wide + unit.wider, cell.width), min(high + unit.taller, cell.height)
         if unit.figure:
             left = _share(cell.width - wide, sides[0], sides[2])
             up = _share(cell.height - high, sides[3], sides[1])

@@ -3,25 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from drawings.layout.arrangement import Arrangement
 from drawings.layout.bareness import bareness
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.picture import Picture, Rung, Spot
 from drawings.layout.room import ends_of, room_of
-from drawings.layout.slicing import Tree, pieces
+from drawings.layout.slicing import Size, Tree, pieces
 from drawings.layout.standing import Occupant, Standing
 from drawings.layout.table import RuledTable
-from drawings.layout.units import Stock
+from drawings.layout.units import Shown, Stock
 from drawings.page.page import Field, Page
 
 BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer
 LAST = 0.22
 COSTS = 6.0  # what a share more counts, against the logarithm of the figures' sizes
 HEAD = 16.0  # mm of a heading and the scale under it
+WIDER = 1.5  # times its width that a table may be set: wider cells are hard to read along
 LETTERED = 0.5  # share of the margins of a figure that its letters and symbols fill
 
 
@@ -44,9 +46,17 @@ class Stood:
             if piece.unit not in ends:
                 one = self.stock.shown[piece.unit]
                 size = self.stock.sizes(piece.unit, self.rungs)[piece.choice]
-                units[piece.unit] = Occupant(size, isinstance(one, Picture), isinstance(one, Notes))
+                units[piece.unit] = Occupant(size, isinstance(one, Picture), *self._more(one, size))
         boxes = Standing(units, room_of(self.page)).boxes(self.tree)
         return {k: box for k, box in boxes.items() if k not in ends}
+
+    def _more(self, one: Shown, size: Size) -> Size:
+        """Tell how much wider and higher than its size a thing may stand, mm."""
+        if isinstance(one, Picture):
+            return 0.0, (one.taller - 1) * one.high / self.rungs[one.name].scale.mu
+        if isinstance(one, RuledTable):
+            return (WIDER - 1) * size[0], 0.0
+        return (math.inf if isinstance(one, Notes) else 0.0), 0.0
 
     @cached_property
     def bare(self) -> float:
@@ -55,9 +65,26 @@ class Stood:
         return bareness([*inked, *self.page.taken], self.page.field)
 
     @property
+    def arranged(self) -> Mapping[int, Field]:
+        """The boxes, moved where too much of the sheet would stay bare."""
+        most = self._most
+        if self.bare <= most:
+            return self.boxes
+        return Arrangement(self.page, room_of(self.page), most, self._inked, self._sizes).arranged(self.boxes)
+
+    def _sizes(self, k: int) -> Sequence[Size]:
+        """Give the sizes that lettering may be broken to where it stands."""
+        one = self.stock.shown[k]
+        return self.stock.sizes(k, self.rungs) if isinstance(one, TextBlock | Notes) else ()
+
+    @property
+    def _most(self) -> float:
+        return LAST if self.last else BARE
+
+    @property
     def fault(self) -> float:
         """What its bareness counts."""
-        return COSTS * max(self.bare - (LAST if self.last else BARE), 0.0)
+        return COSTS * max(self.bare - self._most, 0.0)
 
     @property
     def notes(self) -> bool:
@@ -71,6 +98,7 @@ class Stood:
             yield box
             return
         scale, around = self.rungs[one.name].scale, one.margins
+        one = one.filling(Spot(box, scale))
         middle, wide, high = box.centre.real, one.wide / scale.mu, one.high / scale.mu
         left, low = middle - wide / 2, box.bottom + around.below
         side, below, above = LETTERED * around.side, LETTERED * around.below, box.top - HEAD - low - high
@@ -85,13 +113,15 @@ class Stood:
 
     def composition(self) -> Composition:
         """Give where everything stands, in the order of the contents."""
-        shown = [(self.stock.shown[k], box) for k, box in sorted(self.boxes.items())]
+        boxes = sorted(self.arranged.items())
+        shown = [(self.stock.shown[k], box) for k, box in boxes]
         choices = {piece.unit: piece.choice for piece in pieces(self.tree)}
         tables = []
-        for k, box in sorted(self.boxes.items()):
+        for k, box in boxes:
             one = self.stock.shown[k]
             if isinstance(one, RuledTable):
-                tables.append(TableSpot(one, complex(box.left, box.top), one.settings()[choices[k]]))
+                setting = one.settings()[choices[k]]
+                tables.append(TableSpot(one.widened(setting, box.width), complex(box.left, box.top), setting))
         return Composition(
             {one.name: Spot(box, self.rungs[one.name].scale) for one, box in shown if isinstance(one, Picture)},
             {one.name: box for one, box in shown if isinstance(one, TextBlock)},

@@ -112,6 +112,11 @@ class RuledTable(NamedTuple):
         width, rows = self.width(setting.across), math.ceil(len(self.lines) / setting.parts) + self.over
         return setting.parts * width + (setting.parts - 1) * APART, bands * rows * self.row + (bands - 1) * APART
 
+    def widened(self, setting: Setting, width: float) -> RuledTable:
+        """Give the table set as wide as a box, mm: its columns alike."""
+        more = (width - (setting.parts - 1) * APART) / (setting.parts * self.width(setting.across))
+        return self._replace(names=self.names * more, cell=self.cell * more)
+
     def settings(self) -> list[Setting]:
         """List the ways to set the table, in bands or in parts side by side, that no other beats both ways."""
         across = sorted({math.ceil(self.bands / bands) for bands in range(1, self.bands + 1)}, reverse=True)

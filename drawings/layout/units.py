@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 from drawings.layout.block import Notes, TextBlock
@@ -62,8 +63,14 @@ class Stock:
     def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
         """Give the sizes that one thing can have."""
         one = self.shown[k]
-        if isinstance(one, Picture):
-            return [(rungs[one.name].wide, rungs[one.name].high)]
+        return [(rungs[one.name].wide, rungs[one.name].high)] if isinstance(one, Picture) else self._lettered[k]
+
+    @cached_property
+    def _lettered(self) -> Mapping[int, Sequence[Size]]:
+        """The sizes of all lettering, by its numbers."""
+        return {k: self._written(one) for k, one in enumerate(self.shown) if not isinstance(one, Picture)}
+
+    def _written(self, one: TextBlock | RuledTable | Notes) -> Sequence[Size]:
         if isinstance(one, TextBlock):
             return one.sizes
         if isinstance(one, RuledTable):

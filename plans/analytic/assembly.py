@@ -17,7 +17,7 @@ from plans.analytic.closure import Flags, close, closed, inverses, reciprocal_co
 from plans.analytic.constraints import TURN, Constraints, Indices, X, Y
 from plans.analytic.guess import Guess
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Floats
+from plans.model.motion import Complexes, Floats
 
 QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
 COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours
@@ -53,15 +53,31 @@ class Shape(NamedTuple):
             owners = [k for k in links if point in self.mechanism.links[constraints.numbers[k]].points]
             for k in owners[:1]:
                 own = self.mechanism.links[constraints.numbers[k]].points[point]
-                x, y, turn = poses[:, k].T
-                place = x + 1j * y + own / constraints.size * np.exp(1j * turn)
-                total += np.abs(place - shown / constraints.size) ** 2
+                total += np.abs(_at(poses[:, k], own / constraints.size) - shown / constraints.size) ** 2
+        return total
+
+    def behind(self, poses: Floats, links: Sequence[int]) -> Floats:
+        """Count the stones of some links that lie behind the points of the links whose slots they are in, (N,)."""
+        own, total = self.mechanism.links, np.zeros(len(poses))
+        of = {self.constraints.numbers[k]: poses[:, k] for k in links}
+        for slide in self.mechanism.slides:
+            if slide.owner in of and slide.slider in of:
+                pin = next(iter(own[slide.owner].points.values()))
+                stone = _at(of[slide.slider], own[slide.slider].points[slide.point] / self.constraints.size)
+                way = slide.on_owner.direction * np.exp(1j * of[slide.owner][:, TURN])
+                total += ((stone - _at(of[slide.owner], pin / self.constraints.size)) * way.conj()).real < 0.0
         return total
 
     def whole_misfits(self, poses: Floats) -> Floats:
         """Sum up the misfits of all blocks but the crank's; a point that two blocks share counts in both."""
         own = [block.links.tolist() for block in self.blocks if self.constraints.crank not in block.links]
         return np.asarray(sum((self.misfits(poses, links) for links in own), np.zeros(len(poses))))
+
+
+def _at(poses: Floats, own: complex) -> Complexes:
+    """Place a point of a link by its poses (N, 3)."""
+    x, y, turn = poses.T
+    return np.asarray(x + 1j * y + own * np.exp(1j * turn))
 
 
 def home(shape: Shape, first: float | None, looks: Floats) -> Assembly | None:
@@ -106,12 +122,14 @@ def signs_of(blocks: Sequence[Block], jacobian: Floats) -> Floats:
 def _nearer(shape: Shape, block: Block, found: Floats, rough: Floats) -> Floats:
     """Take at each angle that of two assemblies of a block which is nearer to the sketch.
 
-    Where the sketch is silent, the one whose links are turned less from their rough poses.
+    Where the sketch is silent, the one whose slots run from their links' points through their stones, then the one
+    whose links are turned less from their rough poses.
     """
     misfits = np.array([shape.misfits(poses, block.links.tolist()) for poses in found])
     turned = 1.0 - np.cos(found[:, :, block.links, TURN] - rough[None, :, block.links, TURN])
+    behind = np.array([shape.behind(poses, block.links.tolist()) for poses in found])
     silent = np.abs(misfits[1] - misfits[0]) <= ALIKE * misfits[0]
-    grade = np.where(silent, turned.sum(axis=2), misfits)
+    grade = np.where(silent, np.where(behind[0] != behind[1], behind, turned.sum(axis=2)), misfits)
     grade[np.isnan(found).any(axis=(2, 3))] = np.inf
     return np.asarray(np.where((grade[1] < grade[0])[:, None, None], found[1], found[0]))
 

@@ -15,7 +15,7 @@ from plans.linkage.plan import Plan
 from plans.linkage.position import positions
 from plans.linkage.primary import PRIMARIES
 from plans.model.group import Group
-from plans.model.mechanism import Mechanism
+from plans.model.mechanism import Mechanism, Slide
 from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
@@ -101,6 +101,10 @@ def _choices(mechanism: Mechanism, groups: Sequence[Group], turn: CrankPositions
     plan, choices = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn), []
     for group in groups:
         kind, shown = KINDS[group.kind], _shown(mechanism, group)
+        if (side := untold(mechanism, group)) is not None:
+            kind.positions(plan, group, side)
+            choices.append(_given(plan, side, len(turn)))
+            continue
         trials = [plan.trial(), plan.trial()]
         for trial, side in zip(trials, (1.0, -1.0), strict=True):
             kind.positions(trial, group, side)
@@ -115,6 +119,25 @@ def _shown(mechanism: Mechanism, group: Group) -> list[str]:
     """Give the sketched points of a group's links."""
     points = {point for link in group.links for point in mechanism.links[link].points}
     return sorted(points & set(mechanism.sketch))
+
+
+def untold(mechanism: Mechanism, group: Group) -> float | None:
+    """Give the side of a group that has no point but its outer hinges, so that no sketch can tell its assembly.
+
+    A slot then runs from its link's own point through the stone: its angle tells which way it is directed.
+    """
+    hinges = [pair.joint for pair in group.outer_pairs if isinstance(pair.joint, str)]
+    points = {point for link in group.links for point in mechanism.links[link].points}
+    if KINDS[group.kind].assemblies < 2 or not points.issubset(hinges):
+        return None
+    slots = [pair.joint.owner for pair in group.inner_pairs if isinstance(pair.joint, Slide)]
+    return 1.0 if group.links[-1] in slots else -1.0
+
+
+def _given(plan: Plan, side: float, count: int) -> Choice:
+    """Take a side that is given: it is clear, and fits any sketch."""
+    places = _places(plan, [], count)[0]
+    return Choice(np.full(count, side), np.ones(count), np.where(np.isfinite(places), 0.0, np.nan))
 
 
 def _places(plan: Plan, shown: list[str], count: int) -> Complexes:

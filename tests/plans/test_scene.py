@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from geometry.errors import LimitError
 from plans.forces.reading.form import ForceForm
-from plans.linkage.reading.form import FrameLine, LinkageForm
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.line import LineTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.reading.shapes import triangle
 from plans.model.mechanism import Drive, Mechanism, Output, StructureError
@@ -120,7 +121,7 @@ def test_the_shaper() -> None:
     assert form.mechanism.lengths["CB"] == Decimal("0.7")
     assert form.drive.start == "extreme"
     assert form.drive.count == 12
-    assert form.mechanism.slides[1].along == FrameLine(through=(0, Decimal("0.3287856445")), angle=0)
+    assert form.mechanism.slides[1].along == LineTable(through=(0, Decimal("0.3287856445")), angle=0)
     mechanism = mechanism_of(scene)
     assert mechanism.links[3].points == {"C": 0, "B": 0.7}
     assert mechanism.links[0].points == {"C": -0.35j, "O": 0}

@@ -26,7 +26,7 @@ from plans.model.balance.linkage import Choice, Shares
 NAME, SYMBOL, UNIT = "shares", "F", "N"
 SHARE, ONE = "k", "1"  # the letter and the unit of the share
 FORCES, REACTIONS, TAKEN, BARE = "force", "reaction", "taken", "bare"  # curves, the share taken, no counterweights
-RATIO = 1.5  # it is drawn so many times as long as high
+RATIO = 1.5  # it is drawn so many times as long as high, where there is room up to as high as long
 MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many of its letters long
 DIVISIONS = 4  # of the whole share, with numbers
@@ -86,12 +86,14 @@ def measure(shown: ShareGraph, drafting: Drafting) -> Picture:
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
     title = text_width(Text(0j, drafting.word("share graph"), hand.title)) + 2 * LEAN * hand.title
-    return Picture(NAME, 1.0, high, complex(1.0, high) / 2, SHARE, ONE, margins, title, LETTERS * hand.letter)
+    return Picture(
+        NAME, 1.0, high, complex(1.0, high) / 2, SHARE, ONE, margins, title, LETTERS * hand.letter, taller=RATIO
+    )
 
 
 def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> ShareFigure:
     """Draw the graph in its spot: axes, both curves, their least places, the share that was taken dashed."""
-    hand = drafting.hand
+    room, hand = room.filling(spot), drafting.hand
     up = fitting(shown.high, room.high / spot.scale.mu, SYMBOL, UNIT, drafting.standard)
     spare = room.high / spot.scale.mu - shown.high / up.mu
     axes = Axes(room.place(*spot).on(0j) + 1j * spare / 2, spot.scale, up)

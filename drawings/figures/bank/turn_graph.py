@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.graphs.axes import BEYOND, Axes
-from drawings.figures.graphs.curve_graph import BELOW, LEAST, LETTERS, MARGINS, RATIO, TURN
+from drawings.figures.graphs.curve_graph import BELOW, LEAST, LETTERS, MARGINS, RATIO, TALLER, TURN
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
@@ -116,11 +116,12 @@ def measure(shown: TurnGraph, drafting: Drafting) -> Picture:
     margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
     title, high = text_width(Text(0j, shown.title, hand.title)), TURN / RATIO
     least = LETTERS * hand.letter
-    return Picture(shown.name, TURN, high, complex(TURN, high) / 2, "φ", "°", margins, title, least)
+    return Picture(shown.name, TURN, high, complex(TURN, high) / 2, "φ", "°", margins, title, least, taller=TALLER)
 
 
 def draw(shown: TurnGraph, room: Picture, spot: Spot, drafting: Drafting) -> TurnGraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
+    room = room.filling(spot)
     hand, (low, high), symbol = drafting.hand, shown.span, shown.letter.lstrip("Σz")
     scale = fitting(high - low, room.high / spot.scale.mu, symbol, shown.unit, drafting.standard)
     axes = _placed(shown, room, spot, scale)

@@ -18,6 +18,7 @@ from plans.model.cam import Cam
 NAME = "law"
 # Four coarser scales differ by ten times.
 PROPORTIONS = Proportions(high=0.78, left=8.6, right=1.8, pole=(2.8, 6.2), coarser=4, rises=True)
+TALLER = 1.6  # times the height that the rows may have where there is room
 LEVEL = 3.4  # sizes of a number from the lowest row to the dimensions of the phases
 BELOW = 2.0  # and from these to the end
 
@@ -65,7 +66,8 @@ class LawPlate(RowPlate[LawRow]):
         margins = Margins(self.beside, self.below, self.top)
         letter, unit = letters(self.cam)[1], "m" if self.cam.translates else "rad"
         middle, least = complex(self.length, high) / 2, LONG * self.hand.letter
-        return Picture(name_of(self.cam), self.length, high, middle, letter, unit, margins, heading, least, open=False)
+        room = Picture(name_of(self.cam), self.length, high, middle, letter, unit, margins, heading, least)
+        return room._replace(open=False, taller=TALLER)
 
 
 @dataclass(frozen=True)

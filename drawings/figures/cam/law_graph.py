@@ -13,7 +13,7 @@ from drawings.figures.cam.law_frame import LawPlate
 from drawings.figures.cam.law_rows import LawRow
 from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.part import Letter, Part
-from drawings.layout.thinning import every
+from drawings.lettering.thinning import every
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
 from drawings.report.cam_letters import letters
 from drawings.symbols.figure import Subject

@@ -27,6 +27,7 @@ from plans.model.motion import Floats
 
 NAME, LETTER, UNIT = "pressure", "α", "°"
 RATIO = 3.4  # it is drawn so many times as long as high
+TALLER = 2.0  # times as high as that, where there is room
 MARGINS = Margins(3.2, 5.2, 0.8)  # paper around it for letters and the row of phases, in sizes of a letter
 LETTERS = 24.0  # it is drawn at least so many letters long
 UNDER = 3.2  # letters from the graph to the row of phases
@@ -103,12 +104,14 @@ def measure(view: PressureView, drafting: Drafting) -> Picture:
     title = text_width(Text(0j, drafting.word("cam pressure graph"), hand.title))
     letter, unit = ("x", "m") if view.cam.translates else ("φ", "rad")
     middle = complex(view.cam.turn, high) / 2
-    return Picture(NAME, view.cam.turn, high, middle, letter, unit, margins, title, LETTERS * hand.letter)
+    return Picture(
+        NAME, view.cam.turn, high, middle, letter, unit, margins, title, LETTERS * hand.letter, taller=TALLER
+    )
 
 
 def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> PressureFigure:
     """Draw the graph in its spot: axes, limits dashed, phases under it, the curve, extremes over it."""
-    hand, (low, high) = drafting.hand, view.span
+    room, hand, (low, high) = room.filling(spot), drafting.hand, view.span
     up = fitting((high - low) or 1.0, room.high / spot.scale.mu, LETTER, UNIT, drafting.standard)
     axes = Axes(room.place(*spot).on(0j) + 1j * _lift(room, spot, up, low, high), spot.scale, up)
     scales = f"{drafting.scale(up)};  {drafting.scale(spot.scale)}"

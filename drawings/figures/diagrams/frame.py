@@ -19,6 +19,7 @@ PROPORTIONS = Proportions(high=0.9, left=10.4, right=1.8, pole=(2.8, 8.0), coars
 # Graphs of a part of a turn, all three as high as one another, want a pole half the axis away: what goes forth alone
 # has a course three times as long for its speed as what comes back too.
 FORTH = PROPORTIONS._replace(left=22.4, pole=(2.8, 20.0))
+TALLER = 2.2  # times the height that the rows may have where there is room
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         high = self.length * self.proportions.high
         margins = Margins(self.beside, 0.0, self.top)
         middle, least = complex(self.length, high) / 2, LONG * self.hand.letter
-        return Picture(NAME, self.length, high, middle, "φ", "rad", margins, heading, least)
+        return Picture(NAME, self.length, high, middle, "φ", "rad", margins, heading, least, taller=TALLER)
 
 
 @dataclass(frozen=True)

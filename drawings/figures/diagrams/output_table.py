@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.figures.diagrams.rows import SLIDING, TURNING
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.thinning import every
+from drawings.lettering.thinning import every
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
 from plans.diagrams.study import DiagramsStudy

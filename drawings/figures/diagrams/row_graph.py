@@ -11,8 +11,8 @@ from drawings.figures.diagrams.rows import DiagramRow
 from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part
-from drawings.layout.thinning import every
 from drawings.lettering.lettering import text_width
+from drawings.lettering.thinning import every
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK

@@ -16,8 +16,8 @@ from drawings.figures.dynamics.load_course import Branch, LoadCourse
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
+from drawings.lettering.thinning import numbered
 from drawings.lettering.words import letter as lettered
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
@@ -28,7 +28,7 @@ from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK, arrowhead
 
 NAME = "load_diagram"
-RATIO = 1.6  # it is drawn so many times as long as it is high
+RATIO = 1.6  # it is drawn so many times as long as it is high, where there is room up to as high as long
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around it for letters, in their sizes
 LETTERS, MOST = 12.0, 20.0  # it is drawn at least so many letters long, and at most
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
@@ -107,11 +107,13 @@ def measure(course: LoadCourse, drafting: Drafting) -> Picture:
         title,
         LETTERS * hand.letter,
         MOST * hand.letter,
+        taller=RATIO,
     )
 
 
 def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:
     """Draw the diagram in its spot: axes, both branches with their arrows, corners, the stroke and its overruns."""
+    room = room.filling(spot)
     hand, scale = drafting.hand, scale_of(course, room, spot, drafting.standard)
     axes, (low, high) = _axes(course, room, spot, scale), course.span
     said = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.layout.thinning import every
+from drawings.lettering.thinning import every
 from plans.model.dynamics import TURN, Cycle
 from plans.model.edge_names import edge_names
 from plans.model.motion import Floats

@@ -23,6 +23,7 @@ from plans.words.words import word
 
 NAME = "tachogram"
 RATIO = 2.2  # it is drawn so many times as long as it is high
+TALLER = 1.8  # times as high as that, where there is room
 MARGINS = Margins(4.0, 2.0, 2.4)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many letters long
 CLOSE = 0.1  # mm: rows that lie nearer are one point of the curve
@@ -57,12 +58,14 @@ def measure(run: Run, drafting: Drafting) -> Picture:
     title = text_width(Text(0j, drafting.word("tachogram"), hand.title))
     wide = max(title, *(text_width(Text(0j, line, hand.text)) for line in lines))
     high, margins = long / RATIO, Margins(side + BEYOND / 2, below, over)
-    return Picture(NAME, long, high, complex(long, high) / 2, "t", "s", margins, wide, LETTERS * hand.letter)
+    return Picture(
+        NAME, long, high, complex(long, high) / 2, "t", "s", margins, wide, LETTERS * hand.letter, taller=TALLER
+    )
 
 
 def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFigure:
     """Draw it in its spot: the speed over time, the ends of its stages measurable, the mean of the steady motion."""
-    hand, most = drafting.hand, float(run.omega.max())
+    room, hand, most = room.filling(spot), drafting.hand, float(run.omega.max())
     up = fitting(most, room.high / spot.scale.mu, "ω", "rad/s", drafting.standard)
     under = room.high / spot.scale.mu - most / up.mu  # what the scale leaves over lies below, not above
     axes = Axes(room.place(*spot).on(0j) + 1j * under, spot.scale, up)

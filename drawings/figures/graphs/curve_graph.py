@@ -12,8 +12,8 @@ import numpy as np
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.layout.thinning import every, numbered
 from drawings.lettering.lettering import text_width
+from drawings.lettering.thinning import every, numbered
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
@@ -25,6 +25,7 @@ from plans.model.motion import Floats
 
 TURN = 360.0  # degrees
 RATIO = 1.6  # a graph is drawn so many times as long as it is high
+TALLER = 1.6  # times as high as that, where there is room
 TALLEST = 2.0  # times the largest of the positions: towards a dead centre of a drive forces have no limit
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbers, in sizes of a letter
 LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
@@ -107,9 +108,8 @@ def measure(curve: GraphCurve, name: str, drafting: Drafting) -> Picture:
     margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
     high = curve.length / RATIO
     heading = text_width(Text(0j, curve.title, hand.title))
-    return Picture(
-        name, curve.length, high, complex(curve.length, high) / 2, *curve.axis, margins, heading, LETTERS * hand.letter
-    )
+    middle, least = complex(curve.length, high) / 2, LETTERS * hand.letter
+    return Picture(name, curve.length, high, middle, *curve.axis, margins, heading, least, taller=TALLER)
 
 
 def scale_of(curve: GraphCurve, room: Picture, spot: Spot, standard: str) -> Scale:
@@ -142,6 +142,7 @@ class GraphFigure:
 
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
+    room = room.filling(spot)
     hand, scale = drafting.hand, scale_of(curve, room, spot, drafting.standard)
     place = room.place(*spot)
     low, high = curve.span

@@ -13,8 +13,8 @@ from drawings.figures.graphs.curve_graph import DOTTED, SPARE, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
-from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
+from drawings.lettering.thinning import numbered
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text

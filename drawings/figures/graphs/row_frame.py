@@ -104,6 +104,11 @@ class RowPlate(ABC, Generic[Shown]):
         return 2 * self.hand.number
 
     @property
+    def below(self) -> float:
+        """Paper under the last row, mm."""
+        return 0.0
+
+    @property
     def top(self) -> float:
         """Paper over the rows and between them, mm."""
         return self.above + len(self.rows) * (self.over + self.under)
@@ -127,8 +132,8 @@ class RowFrame(Generic[Shown]):
 
     @property
     def _high(self) -> float:
-        """The height of all rows, mm."""
-        return self.plate.proportions.high * self.length
+        """The height of all rows, mm: what their box leaves."""
+        return self.spot.box.height - self.plate.top - self.plate.below
 
     @cached_property
     def fields(self) -> dict[str, Field]:

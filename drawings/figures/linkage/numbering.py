@@ -14,8 +14,8 @@ from drawings.figures.linkage.skeleton import Skeletons
 from drawings.figures.linkage.tracks import NumberedPlace, Track, crank_places, output_track, sliders
 from drawings.layout.labels import Labels
 from drawings.layout.place import Place
-from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
+from drawings.lettering.thinning import numbered
 from drawings.lettering.words import number
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Stroke, Text

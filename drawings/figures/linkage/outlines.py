@@ -51,10 +51,12 @@ def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
 
 
 def _outline(bones: Bones, link: int, reach: Reach) -> Outline:
-    bars, corners = _body(list(_spots(bones, link).values()))
+    spots = list(_spots(bones, link).values())
+    bars, corners = _body(spots)
     for slide, (low, high) in reach.items():
         if slide.owner == link:
-            bars = _slotted(bars, slide.on_owner, low, high)
+            bars, more = _slotted(bars, spots, slide.on_owner, low, high)
+            corners += more
     for slide in bones.mechanism.slides:
         foot = offset_foot(bones, slide)
         if slide.slider == link and foot is not None:
@@ -67,7 +69,7 @@ def _outline(bones: Bones, link: int, reach: Reach) -> Outline:
 def offset_foot(bones: Bones, slide: Slide) -> complex | None:
     """Give the foot of a slider's point on its line, in the slider's own frame; None where the point lies on it."""
     points, way = bones.mechanism.links[slide.slider].points, slide.on_slider
-    off = (points[slide.point] - way.through) * way.direction.conjugate()
+    off = along(way, points[slide.point])
     size = max(abs(off), bones.reach)
     return None if abs(off.imag) <= FLAT * size else points[slide.point] - 1j * off.imag * way.direction
 
@@ -99,20 +101,46 @@ def _corner(at: complex, first: complex, second: complex) -> Corner:
     return Corner(at, (first - at) / abs(first - at), (second - at) / abs(second - at))
 
 
-def _slotted(bars: list[Bar], way: Way, low: float, high: float) -> list[Bar]:
+def _slotted(
+    bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
+) -> tuple[list[Bar], list[Corner]]:
     """Lengthen the bar on a slot's line, or lay one along it, so that it reaches from `low` to `high` along it."""
-    rest: list[Bar] = []
-    on_line: list[float] = []
-    for bar in bars:
-        ends = [(end - way.through) * way.direction.conjugate() for end in bar]
-        flat = all(abs(end.imag) <= FLAT * max(abs(bar[1] - bar[0]), high - low) for end in ends)
-        if flat:
-            on_line += [end.real for end in ends]
-        else:
-            rest.append(bar)
+    on_line = [bar for bar in bars if _flat(bar, way, high - low)]
+    rest = [bar for bar in bars if bar not in on_line]
+    if not on_line:
+        return _crossing(bars, spots, way, low, high)
+    ends = [along(way, end).real for bar in on_line for end in bar]
     if not rest:
-        low, high = min([low, *on_line]), max([high, *on_line])
-        return [(way.through + low * way.direction, way.through + high * way.direction)]
-    pieces = [(low, min(on_line)), (max(on_line), high)] if on_line else [(low, high)]
-    more = [(way.through + a * way.direction, way.through + b * way.direction) for a, b in pieces if a < b]
-    return [*bars, *more]
+        return [_piece(way, min([low, *ends]), max([high, *ends]))], []
+    pieces = [(low, min(ends)), (max(ends), high)]
+    return [*bars, *(_piece(way, a, b) for a, b in pieces if a < b)], []
+
+
+def _crossing(
+    bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
+) -> tuple[list[Bar], list[Corner]]:
+    """Lay a bar along a slot's line on which no other lies: it hangs on the first of the points nearest to it."""
+    least, size = min(abs(along(way, spot).imag) for spot in spots), max(abs(along(way, spot)) for spot in spots)
+    point = next(spot for spot in spots if abs(along(way, spot).imag) <= least + FLAT * size)
+    step = along(way, point)
+    foot = way.through + step.real * way.direction
+    tied = abs(step.imag) > FLAT * max(abs(point - foot), high - low)
+    at, rest = (foot, [*bars, (point, foot)]) if tied else (point, bars)
+    arms = [side for side, goes in ((-way.direction, low < step.real), (way.direction, high > step.real)) if goes]
+    others = [(end - at) / abs(end - at) for bar in rest if at in bar for end in bar if end != at]
+    slot = _piece(way, min(low, step.real), max(high, step.real))
+    return [*rest, slot], [Corner(at, arm, other) for arm in arms for other in others]
+
+
+def along(way: Way, spot: complex) -> complex:
+    """Measure where a spot lies from a line's point: along the line, and to its left."""
+    return (spot - way.through) * way.direction.conjugate()
+
+
+def _flat(bar: Bar, way: Way, length: float) -> bool:
+    """Tell whether a bar lies on a line."""
+    return all(abs(along(way, end).imag) <= FLAT * max(abs(bar[1] - bar[0]), length) for end in bar)
+
+
+def _piece(way: Way, low: float, high: float) -> Bar:
+    return way.through + low * way.direction, way.through + high * way.direction

@@ -73,14 +73,15 @@ class VectorDiagram:
 
 
 def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:
-    """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out.
+    """Read a figure from a plan's record: what the named points and the links' rates rest on is drawn, no more.
 
     Of the mass centres of links, each by its letter with its link and place there, the images are drawn by similarity.
     """
     centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
     lettered = set(plan.letters.values())
     own = dict.fromkeys(mark for mark in centres.values() if mark not in lettered)  # in order: a set of marks has none
-    needed = [mark for mark in behind(*plan.letters.values(), *own) if mark.subject == plan.board.subject]
+    turning = (reading.turning for reading in plan.readings.values())
+    needed = [mark for mark in behind(*plan.letters.values(), *own, *turning) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
     arrows: dict[tuple[Mark, Mark], Arrow] = {}
     for mark in images:
@@ -116,7 +117,9 @@ def _sides(
     if image.arm is None or centre is image.origin or image.arm.step.inputs in drawn:
         return
     start, end = at(image.origin.point, column), at(centre.point, column)
-    yield from ((start, end), (end, start + at(image.arm.point, column)))
+    yield start, end
+    if image.arm.step.op == "join":  # of a link that a slot directs the arm is a unit, and ends at no image
+        yield end, start + at(image.arm.point, column)
 
 
 def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 
 import numpy as np
@@ -18,7 +18,7 @@ from plans.model.group import Pair
 from plans.model.kinetostatics import pairs
 from plans.model.mechanism import FRAME, Ram, Slide
 from plans.model.structure import formula, mechanism_class
-from plans.words.words import message, word
+from plans.words.words import Message, message, word
 
 MM = 1000.0  # mm in a metre
 
@@ -84,22 +84,34 @@ def _places(study: LinkageStudy, letters: Formula) -> Iterator[str]:
 
 
 def _place(name: str, place: tuple[object, object], letters: Formula) -> str:
-    x, y = (letters.number(MM * float(str(part))) for part in place)
-    return rf"${letters.line(name)} ({x}; {y})\text{{ {letters.drafting.word('mm')}}}$"
+    return f"${letters.line(name)} {_spot([float(str(part)) for part in place], letters)}$"
+
+
+def _spot(place: Iterable[float], letters: Formula) -> str:
+    x, y = (letters.number(MM * part) for part in place)
+    return rf"({x}; {y})\text{{ {letters.drafting.word('mm')}}}"
 
 
 def _slide(study: LinkageStudy, slide: Slide, letters: Formula) -> str:
-    """Say on what a link slides: on a line of two points, or on a line of the frame through a place at an angle."""
+    """Say on what a link slides: on a line of two points, or on a line through a place at an angle."""
     if slide.label:
         line = message("report.line_of", owner=slide.owner, line=f"${letters.line(slide.label)}$")
     else:
-        way, datum = slide.on_owner, study.mechanism.datum
-        x, y = (
-            MM * (part + float(base)) for part, base in zip((way.through.real, way.through.imag), datum, strict=True)
-        )
-        angle = number(math.degrees(cmath.phase(way.direction)), study.language)
-        line = message("report.line_through", x=number(x, study.language), y=number(y, study.language), angle=angle)
+        line = _line_at_angle(study, slide, letters)
     return word(study.language, "report.slide", link=slide.slider, line=line, point=f"${letters.line(slide.point)}$")
+
+
+def _line_at_angle(study: LinkageStudy, slide: Slide, letters: Formula) -> Message:
+    way, datum, language = slide.on_owner, study.mechanism.datum, study.language
+    angle = number(math.degrees(cmath.phase(way.direction)), language)
+    if slide.owner != FRAME:
+        points = study.mechanism.links[slide.owner].points
+        named = next((name for name, spot in points.items() if spot == way.through), None)
+        place = letters.line(named) if named else _spot(_parts(way.through), letters)
+        return message("report.line_of_link", owner=slide.owner, place=f"${place}$", angle=angle)
+    through = way.through + complex(float(datum[0]), float(datum[1]))
+    x, y = (number(MM * part, language) for part in _parts(through))
+    return message("report.line_through", x=x, y=y, angle=angle)
 
 
 def _parts(place: complex) -> tuple[float, float]:

@@ -96,8 +96,10 @@ class VectorEquations:
             square = rf"{letter(f'v_{{{leg.relative}}}')} \perp {self.formula.line(leg.arm)}"
             return rf"${square}$, ${letter(f'a^n_{{{leg.relative}}}')} \parallel {self.formula.line(leg.arm)}$"
         moving = f"v_{{{leg.point}}}" if leg.guided else f"v_{{{leg.relative}}}"
-        if leg.guided or not leg.slot:
+        if leg.guided:
             return word(self.language, "report.along", vector=f"${letter(moving)}$")
+        if not leg.slot:  # a line that its link has by an angle
+            return word(self.language, "report.along_link", vector=f"${letter(moving)}$", link=leg.link)
         return rf"${letter(moving)} \parallel {self.formula.line(leg.slot)}$"
 
     def _turning(self, leg: VectorSum) -> Iterator[str]:

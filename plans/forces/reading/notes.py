@@ -20,6 +20,7 @@ from plans.scene.scene import Scene
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
 HIGH, LOW = Decimal("1e8"), Decimal(1000)  # Pa: presses have up to 70 MPa, and a fan gives a few kilopascals
 UNEVEN = 10_000  # times the least pressure of a load: compressors raise it a hundredfold, MPa for Pa is a million
+SLOT = 2.0  # times the longest length of the mechanism: a slot reaches at most across the circle of its pin
 ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
 
 
@@ -47,7 +48,9 @@ def _masses(scene: Scene, form: ForceForm) -> Iterator[Fault]:
     longest = max(map(_length, mechanism.links.values()))
     for number, mass in form.masses.items():
         link, path = mechanism.links[number], ("masses", str(number))
-        yield from _centre(scene, (*path, "centre"), mass, link, _length(link) or longest)
+        slotted = any(slide.owner == number for slide in mechanism.slides)
+        room = _length(link) or (SLOT if slotted else 1.0) * longest
+        yield from _centre(scene, (*path, "centre"), mass, link, room)
         most = float(mass.mass) * _length(link) ** 2
         # A crank has its gear or flywheel in its inertia, and a block no length.
         if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:

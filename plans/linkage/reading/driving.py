@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from decimal import Decimal
 from math import ceil, log2
 
 from plans.linkage.reading.cylinder import BETWEEN, by_ram
-from plans.linkage.reading.form import FrameLine, SlideTable
+from plans.linkage.reading.form import SlideTable
+from plans.linkage.reading.line import LineTable
 from plans.linkage.reading.shapes import Spot
 from plans.linkage.reading.stroke import StrokeTable
 from plans.linkage.reading.survey import Survey
@@ -82,9 +83,13 @@ def _check_turnless(survey: Survey) -> None:
 
 def _pushed(survey: Survey) -> SlideTable | None:
     """Give the slide on the frame of the drive's link."""
-    frame, link = set(survey.points_of[FRAME]), survey.form.drive.link
+    frame, link = survey.points_of[FRAME], survey.form.drive.link
     own = (table for table in survey.form.mechanism.slides if table.link == link)
-    return next((one for one in own if isinstance(one.along, FrameLine) or frame.issuperset(one.along)), None)
+    return next((one for one in own if _on_frame(one.along, frame)), None)
+
+
+def _on_frame(along: tuple[str, ...] | LineTable, frame: Collection[str]) -> bool:
+    return along.link == FRAME if isinstance(along, LineTable) else all(name in frame for name in along)
 
 
 def datum_of(survey: Survey, ends: tuple[str, str] | None) -> Spot:
@@ -95,7 +100,9 @@ def datum_of(survey: Survey, ends: tuple[str, str] | None) -> Spot:
     table = _pushed(survey) if ends[0] == ends[1] else None
     if table is None:
         return frame.get(ends[0], ORIGIN)
-    return table.along.through if isinstance(table.along, FrameLine) else frame[table.along[0]]
+    if isinstance(table.along, LineTable):
+        return table.along.place(frame) or ORIGIN
+    return frame[table.along[0]]
 
 
 def drive_of(

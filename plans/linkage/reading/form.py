@@ -8,6 +8,7 @@ from typing import Any
 
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.capacity import LINK_POSITIONS_LIMIT, check_capacity
+from plans.linkage.reading.line import LineTable, Place
 from plans.linkage.reading.stroke import StrokeTable
 from plans.model.mechanism import SLOWER, THROUGH
 from plans.model.working import PARTINGS, STROKES
@@ -18,25 +19,14 @@ from plans.scene.readers import either, many, named
 from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
-Place = tuple[Decimal, Decimal]
-
-
-class FrameLine(Table):
-    """A line of the frame by a point and its angle from +x, degrees."""
-
-    through: Place = key(
-        f.PLACE, meaning="A point of the line.", missing=Missing("point of the line", "through = [0, 0]")
-    )
-    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the line from +x.")
-
 
 class SlideTable(Table):
     """A sliding pair (поступательная пара): a link and the line it slides along."""
 
     link: int = key(g.MOVING_LINK, meaning="The sliding link.", missing=Missing("number of a moving link", "link = 2"))
-    along: tuple[str, ...] | FrameLine = key(
-        either(dict, table(FrameLine), g.LINE),
-        meaning='The line it slides along: two letters of another link, "CB", or a line of the frame.',
+    along: tuple[str, ...] | LineTable = key(
+        either(dict, table(LineTable), g.LINE),
+        meaning='The line it slides along: two letters of another link, "CB", or a line by a point and its angle.',
         missing=Missing("line", 'along = "CB", or along = { through = [0, 0], angle = 0 }'),
     )
     point: str | None = key(f.POINT, None, meaning="Point of the link on that line; default: its first.")

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from decimal import Decimal
 from math import pi
 
-from plans.linkage.reading.form import FrameLine, SlideTable
+from plans.linkage.reading.form import SlideTable
+from plans.linkage.reading.line import LineTable
 from plans.linkage.reading.shapes import Spot, as_complex, line_name
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide, Way
@@ -71,11 +72,9 @@ class Guides:
 
     def _line(self, path: Path, table: SlideTable) -> tuple[int, Way, str] | None:
         along = table.along
-        if isinstance(along, FrameLine):
-            course = direction(along.angle)
-            through = as_complex(from_datum(along.through, self.datum))
-            # The point nearest to the datum: a guide may be named by one that is far away.
-            return FRAME, Way(1j * course * (course.conjugate() * through).imag, course), ""
+        if isinstance(along, LineTable):
+            way = self._by_angle(path, along, table.link)
+            return None if way is None else (along.link, way, "")
         if not self.survey.know(path, along):
             return None
         owner = self._owner(path, along, table.link)
@@ -89,6 +88,38 @@ class Guides:
             return None
         run = as_complex(from_datum(spots[1], spots[0]))
         return owner, Way(as_complex(spots[0]), run / abs(run)), line_name(*along)
+
+    def _by_angle(self, path: Path, line: LineTable, slider: int) -> Way | None:
+        """Give a line of the frame or of a link by its point and its angle."""
+        if line.link == slider:
+            self.survey.report((*path, "link"), "not_itself")
+        elif self._known(path, line):
+            spot = line.place(self.shapes[line.link])
+            return None if spot is None else self._through(line, spot)  # without one its shape is at fault already
+        return None
+
+    def _through(self, line: LineTable, spot: Spot) -> Way:
+        course = direction(line.angle)
+        if line.link != FRAME:
+            return Way(as_complex(spot), course)
+        through = as_complex(from_datum(spot, self.datum) if isinstance(line.through, tuple) else spot)
+        # The point nearest to the datum: a guide may be named by one that is far away.
+        return Way(1j * course * (course.conjugate() * through).imag, course)
+
+    def _known(self, path: Path, line: LineTable) -> bool:
+        """See that the link of a line exists, and that the letter it goes through is of that link."""
+        name, survey = line.letter, self.survey
+        if line.link != FRAME and not survey.know_link((*path, "link"), line.link):
+            return False
+        if name is None:
+            return True
+        if not survey.know((*path, "through"), (name,)):
+            return False
+        owners = survey.owners((name,))
+        if "link" not in line.given and owners and FRAME not in owners:
+            survey.report((*path, "through"), "line_of_link", name=name, link=owners[0])
+            return False
+        return survey.on_link((*path, "through"), line.link, name)
 
     def _owner(self, path: Path, along: tuple[str, ...], slider: int) -> int | None:
         owners = self.survey.owners(along)

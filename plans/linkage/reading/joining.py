@@ -8,7 +8,7 @@ from itertools import combinations
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
 from plans.scene.faults import Path
-from plans.words.words import message
+from plans.words.words import Message, message
 
 
 def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:
@@ -51,10 +51,12 @@ def _islands(survey: Survey, slides: tuple[Slide, ...]) -> set[int]:
     return waiting
 
 
-def _doubled(survey: Survey, slides: tuple[Slide, ...]) -> Iterator[tuple[int, int, str]]:
+def _doubled(survey: Survey, slides: tuple[Slide, ...]) -> Iterator[tuple[int, int, str | Message]]:
     """Give moving links that two pairs hold in one place: two hinges, or a hinge and a slide."""
     for first, second in combinations(survey.form.mechanism.links, 2):
         common = [name for name in survey.points_of[first] if name in survey.points_of[second]]
-        lines = [slide.label for slide in slides if {slide.slider, slide.owner} == {first, second}]
-        if len(common) > 1 or (common and lines):
-            yield first, second, ", ".join([*common, *lines][:2])
+        lines = [slide for slide in slides if {slide.slider, slide.owner} == {first, second}]
+        if len(common) > 1 or (common and lines and lines[0].label):
+            yield first, second, ", ".join([*common, *(slide.label for slide in lines)][:2])
+        elif common and lines:
+            yield first, second, message("place.point_and_line", name=common[0], link=lines[0].owner)

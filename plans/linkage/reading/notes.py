@@ -8,7 +8,8 @@ from decimal import Decimal
 from math import pi
 
 from plans.linkage.reading.fields import split_line
-from plans.linkage.reading.form import FrameLine, LinkageForm
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.line import LineTable
 from plans.linkage.reading.survey import spread
 from plans.scene.faults import TWINS, Fault, Path
 from plans.scene.lengths import odd_lengths
@@ -67,7 +68,7 @@ def _single(form: LinkageForm) -> Iterator[tuple[Path, Decimal]]:
     for index, slide in enumerate(form.mechanism.slides):
         path: Path = ("mechanism", "slides", index)
         yield (*path, "angle"), slide.angle
-        if isinstance(slide.along, FrameLine):
+        if isinstance(slide.along, LineTable):
             yield (*path, "along", "angle"), slide.along.angle
 
 
@@ -92,7 +93,7 @@ def _placed(form: LinkageForm) -> Iterator[tuple[str, Iterable[str]]]:
 def _spare_points(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
     used = {name for points in form.mechanism.links.values() for name in points}
     for slide in form.mechanism.slides:
-        used.update(() if isinstance(slide.along, FrameLine) else slide.along)
+        used.update(filter(None, [slide.along.letter]) if isinstance(slide.along, LineTable) else slide.along)
     for key in form.mechanism.lengths:
         used.update(split_line(key))
     used.update((form.drive.stroke and form.drive.stroke.between) or ())  # the foot of a cylinder

@@ -1,0 +1,164 @@
+"""A mechanism in many positions as it must lie on its sheet, by the analysis (положения механизма на листе)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+from itertools import combinations, pairwise
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from drawings.checks.linkage.laid import Ground
+from drawings.figures.linkage.masses import is_centre
+from plans.analytic.balance.mass_centre import placed
+from plans.model.mechanism import FRAME, Mechanism, Slide
+from plans.model.motion import Complexes, Floats, Motion
+
+STRAIGHT = 1e-9  # share of a link's length: points of a link that are so near to one line lie on it
+
+
+Flags: TypeAlias = npt.NDArray[np.bool_]
+
+
+class Segments(NamedTuple):
+    """Straight pieces on paper, mm: their starts and ends, (n,) each; NaN at gaps."""
+
+    starts: Complexes
+    ends: Complexes
+
+    @classmethod
+    def of(cls, pairs: Iterator[tuple[complex, complex]]) -> Segments:
+        """Gather pieces."""
+        found = np.array([*pairs], dtype=np.complex128).reshape(-1, 2)
+        return cls(found[:, 0], found[:, 1])
+
+    @classmethod
+    def joined(cls, parts: Sequence[Segments]) -> Segments:
+        """Gather the pieces of many."""
+        none = np.zeros(0, dtype=np.complex128)
+        return cls(
+            np.concatenate([none, *(one[0] for one in parts)]), np.concatenate([none, *(one[1] for one in parts)])
+        )
+
+    def apart(self, spots: Complexes) -> Floats:
+        """Give how far spots (m,) are from each piece, (m, n) mm."""
+        runs, off = self.ends - self.starts, spots[:, None] - self.starts
+        with np.errstate(invalid="ignore", divide="ignore"):
+            shares = np.nan_to_num((off * runs.conj()).real / np.abs(runs) ** 2)
+        return np.asarray(np.abs(off - np.clip(shares, 0.0, 1.0) * runs))
+
+    def nearest(self, spots: Complexes) -> Floats:
+        """Give how far spots (m,) are from the nearest piece, mm; infinity where there is none."""
+        if not len(self.starts) or not len(spots):
+            return np.full(len(spots), np.inf)
+        return np.asarray(np.nan_to_num(self.apart(spots), nan=np.inf).min(axis=1))
+
+    def holds(self, other: Segments, near: float) -> Flags:
+        """Tell of each of other pieces (m,) whether it lies along one of these."""
+        if not len(self.starts):
+            return np.zeros(len(other.starts), dtype=bool)
+        off = np.fmax(self.apart(other.starts), self.apart(other.ends))
+        return np.asarray(np.nan_to_num(off, nan=np.inf).min(axis=1, initial=np.inf) <= near)
+
+    def known(self) -> Segments:
+        """Give those that have a place and a length."""
+        there = np.isfinite(self.starts) & np.isfinite(self.ends) & (self.starts != self.ends)
+        return Segments(self.starts[there], self.ends[there])
+
+    def at(self, shares: Floats) -> Complexes:
+        """Give the places at some shares of each piece, (n, shares)."""
+        return np.asarray(self.starts[:, None] + shares * (self.ends - self.starts)[:, None])
+
+
+class LaidPoses(NamedTuple):
+    """A mechanism over the positions of a motion, on paper."""
+
+    mechanism: Mechanism
+    motion: Motion
+    ground: Ground
+
+    def on(self, link: int, own: complex) -> Complexes:
+        """Place a spot of a link, (N,) mm."""
+        count = len(self.motion.phi)
+        true = np.full(count, own) if link == FRAME else placed(self.mechanism, self.motion, link, own)
+        return np.asarray(self.ground.origin + true / self.ground.scale)
+
+    def point(self, name: str) -> Complexes:
+        """Place a named point, (N,) mm."""
+        link = self.mechanism.link_of(name)
+        return self.on(link, self.mechanism.links[link].points[name])
+
+    def way(self, slide: Slide) -> Complexes:
+        """Direct a slide's line, (N,) unit vectors."""
+        through, ahead = (slide.on_owner.through + k * slide.on_owner.direction for k in (0.0, 1.0))
+        run = self.on(slide.owner, ahead) - self.on(slide.owner, through)
+        return np.asarray(run * self.ground.scale)
+
+    def block(self, slide: Slide) -> Complexes:
+        """Place a slide's block, (N,) mm: the foot of its point on the line."""
+        return np.asarray(self.on(slide.owner, slide.on_owner.through) + self.along(slide) * self.way(slide))
+
+    def along(self, slide: Slide) -> Floats:
+        """Give how far the block is along its line from the point that the line goes through, (N,) mm."""
+        off = self.point(slide.point) - self.on(slide.owner, slide.on_owner.through)
+        return np.asarray((off * self.way(slide).conj()).real)
+
+    def bars(self, link: int) -> list[Segments]:
+        """Give what a link is drawn of: its bars, slots as far as their stones, a rod to a block off its point."""
+        own = [Segments(self.on(link, start), self.on(link, end)) for start, end in bars(self.mechanism, link)]
+        for slide in self.mechanism.slides:
+            if slide.owner == link:
+                own += self._slot(slide)
+            if slide.slider == link:
+                own.append(Segments(self.point(slide.point), self.block(slide)))
+        return own
+
+    def _slot(self, slide: Slide) -> list[Segments]:
+        """Give a slot from both ends of the bar that lies along it; without one it hangs on a point of its link."""
+        link, block = slide.owner, self.block(slide)
+        lying = [ends for ends in bars(self.mechanism, link) if flat(slide, ends)]
+        if lying:
+            return [Segments(self.on(link, end), block) for ends in lying for end in ends]
+        point, foot = hanging(slide, jointed(self.mechanism, link))
+        return [Segments(self.on(link, point), self.on(link, foot)), Segments(self.on(link, foot), block)]
+
+
+def bars(mechanism: Mechanism, link: int) -> list[tuple[complex, complex]]:
+    """Give the bars of a link in its own frame: one through points on a line, else the sides about its points."""
+    spots = jointed(mechanism, link)
+    if len(spots) < 2:
+        return []
+    first, last = max(combinations(spots, 2), key=lambda pair: abs(pair[1] - pair[0]))
+    if all(_off(spot, first, last) <= STRAIGHT * abs(last - first) for spot in spots):
+        return [(first, last)]
+    middle = sum(spots) / len(spots)
+    around = sorted(spots, key=lambda spot: cmath.phase((spot - middle) / (last - first)))
+    return list(pairwise([*around, around[0]]))
+
+
+def jointed(mechanism: Mechanism, link: int) -> list[complex]:
+    """Give the points that the bars of a link run through, in its own frame; a mass centre is a mark beside them."""
+    points = mechanism.links[link].points
+    joints = [spot for name, spot in points.items() if not is_centre(name) or name in mechanism.hinges]
+    return list(dict.fromkeys(joints if len(joints) > 1 else points.values()))
+
+
+def flat(slide: Slide, ends: tuple[complex, complex]) -> bool:
+    """Tell whether a bar of the owner lies on its slide's line."""
+    way = slide.on_owner
+    return all(_off(end, way.through, way.through + way.direction) <= STRAIGHT * abs(ends[1] - ends[0]) for end in ends)
+
+
+def hanging(slide: Slide, spots: Sequence[complex]) -> tuple[complex, complex]:
+    """Give the first of a link's points that are nearest to a slot's line, and its foot on the line."""
+    way = slide.on_owner
+    off = [abs(((spot - way.through) / way.direction).imag) for spot in spots]
+    size = max(abs(spot - way.through) for spot in spots)
+    point = next(spot for spot, away in zip(spots, off, strict=True) if away <= min(off) + STRAIGHT * size)
+    return point, way.through + ((point - way.through) / way.direction).real * way.direction
+
+
+def _off(spot: complex, start: complex, end: complex) -> float:
+    return abs(((spot - start) * (end - start).conjugate()).imag) / abs(end - start)

@@ -1,0 +1,95 @@
+"""Items: every line, area and lettering of a sheet, with the figure that it is of and what it is there (вхождения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+from typing import NamedTuple, TypeAlias
+
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
+
+Ink: TypeAlias = Line | Polyline | Arc | Circle | Fill | Curve | Text
+
+TRIANGLE = 3  # corners of an arrowhead
+# What a stroke is by its kind, where nothing around it says more.
+_KINDS: dict[type, str] = {
+    Line: "line", Polyline: "line", Arc: "arc", Circle: "circle", Fill: "area", Curve: "curve", Text: "letter",
+}  # fmt: skip
+# What the first stroke of a marked group is, by the group's kind.
+BEARERS = {
+    "vector": "vector", "point": "point", "pole": "pole", "corner": "corner", "profile": "profile",
+    "force": "arrow", "couple": "couple",
+}  # fmt: skip
+
+
+class Home(NamedTuple):
+    """Where an item stands in the tree of a sheet: its top group, and the mark that it is a part of."""
+
+    top: int  # number of its group among those of the leaf
+    figure: str = ""  # that group's name
+    lettering: str = "letter"  # what lettering there is
+    mark: Mapping[str, str] = MappingProxyType({})  # data of the marked group around it
+
+
+class Item(NamedTuple):
+    """A stroke of a sheet: what it is, the mark that it is a part of, and the number of its top group."""
+
+    stroke: Ink
+    what: str
+    home: Home
+
+    @property
+    def name(self) -> str:
+        """What it is called: a mark by its name, lettering by itself."""
+        return self.stroke.plain if isinstance(self.stroke, Text) else self.home.mark.get("name", "")
+
+
+def items(leaf: Leaf) -> list[Item]:
+    """List what inks a sheet, from back to front."""
+    tables = leaf.metadata.get("rows", {})
+    return [
+        item
+        for top, group in enumerate(leaf.groups)
+        for item in _within(group, Home(top, group.name, _lettering(group, tables)))
+    ]
+
+
+def inside(stroke: Stroke, figure: str) -> list[Item]:
+    """List what inks of a stroke by itself, or of a group, which is of a figure."""
+    return list(_within(stroke if isinstance(stroke, Group) else Group((stroke,)), Home(0, figure)))
+
+
+def _lettering(group: Group, tables: object) -> str:
+    """Tell what the lettering of a group at the top is, by the group's name."""
+    stem = group.name.rpartition("-")[0]
+    if isinstance(tables, Mapping) and stem in tables:
+        return "cell"
+    if group.name.startswith("equations-"):
+        return "equation"
+    return {"title-block": "title_cell", "notes": "note", "frame": "title_cell"}.get(group.name, "letter")
+
+
+def _within(group: Group, home: Home) -> Iterator[Item]:
+    kind = group.data.get("kind", "")
+    own = home._replace(mark=group.data) if kind in BEARERS else home
+    headed = home.lettering == "letter" and not group.data
+    for place, stroke in enumerate(group.strokes):
+        if isinstance(stroke, Group):
+            heading = headed and place == 0 and is_heading(stroke)
+            yield from _within(stroke, own._replace(lettering="heading") if heading else own)
+        else:
+            bears = place == 0 and kind in BEARERS
+            yield Item(stroke, BEARERS[kind] if bears else _what(stroke, own), own)
+
+
+def is_heading(group: Group) -> bool:
+    """Tell whether a group is lettering alone, as a heading with its scale is."""
+    return bool(group.strokes) and not group.name and all(isinstance(one, Text) for one in group.strokes)
+
+
+def _what(stroke: Stroke, home: Home) -> str:
+    if isinstance(stroke, Text):
+        return home.lettering
+    if isinstance(stroke, Fill) and len(stroke.points) == TRIANGLE:
+        return "arrowhead"
+    return _KINDS[type(stroke)]
