@@ -13,6 +13,7 @@ from drawings.paper.walk import groups, texts
 from plans.checks.comparison import Finding
 from plans.words.words import Message, message
 
+NOTES = "notes"  # the name of their group
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 _SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
 
@@ -29,6 +30,12 @@ def plain(name: str) -> str:
 def value_tables(leaf: Leaf) -> Iterator[Group]:
     """Give the tables of values of a sheet, and their parts."""
     return (group for group in leaf.groups if group.name.startswith("values"))
+
+
+def notes(leaf: Leaf) -> str:
+    """Read the notes of a sheet, their lines as one."""
+    lines = [text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,))]
+    return " ".join(lines).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def positions_of(group: Group) -> tuple[int, ...]:

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import math
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-
-import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
-from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.cut_equations import CutEquationsCheck
 from drawings.checks.forces.details import Details, Sheets
 from drawings.checks.forces.headings import Headings
 from drawings.checks.forces.lever_equation import LeverCheck
@@ -23,19 +19,19 @@ from drawings.checks.forces.load_points import loads
 from drawings.checks.forces.polygon_chain import PolygonChain
 from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.forces.schemes import LoadingSchemes
+from drawings.checks.forces.sheet_curves import SheetCurves
+from drawings.checks.forces.written_equations import WrittenEquations
 from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.linkage import accord, by_hand
-from drawings.checks.reading import plain, reads, scales
+from drawings.checks.reading import plain, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.forces.force_equations import DIGITS
 from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
-from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
-from drawings.paper.walk import groups, texts
+from drawings.paper.walk import groups
 from drawings.symbols.force_arrow import plain_name
 from geometry import draughtsman, hand_error
 from plans.checks.comparison import Finding
@@ -43,16 +39,13 @@ from plans.checks.force_bill import ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.checks.hand.forces import FIGURES, forces_by_hand
-from plans.forces.cut import indices
-from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.model.order import VELOCITIES
 from plans.study import Study
-from plans.words.words import Message, message
+from plans.words.words import Message
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
 ASKEW = 1e-3
-_TOLD = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+)(?: (?P<unit>\S+?))?,?")
 
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
@@ -90,11 +83,6 @@ def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Find
         written = label(finding, language, letter)
         found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
     return found
-
-
-def _half(size: float) -> float:
-    """Give the half of the last digit of a number that has more digits before its point than the equations write."""
-    return 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - DIGITS) if size >= 10.0**DIGITS else 0.0
 
 
 @dataclass(frozen=True)
@@ -157,8 +145,9 @@ class _Check:
         group = figure(self.leaf, f"forces-{label}-{self.position}")
         vectors = [one for one in self.measured.vectors if one.plan == f"forces-{label}"]
         bill = self.bills[tuple(int(link) for link in label.split("-"))]
+        order = self._passages[label].order if label in self._passages else ()
         if group is not None:
-            yield from PolygonChain(group, bill, vectors, (), self.slack).faults()
+            yield from PolygonChain(group, bill, vectors, order, self.slack).faults()
 
     def details(self, sheets: Sheets, label: str) -> Details:
         """Give the details of one force plan of the sheet, on the sheets of its position."""
@@ -218,24 +207,20 @@ class _Check:
     def _labels(self) -> list[str]:
         return [cut.label for cut in self.statics.drafts().plans.plan.cuts]
 
-    def told(self) -> Iterator[Message]:
-        """Read the sizes of forces that the equations state."""
-        for group in self.leaf.groups:
-            label = group.name.removeprefix("equations-")
-            if label == group.name or label not in self._labels():
-                continue
-            known = {plain(name): value for name, value in self.forces(label).items()}
-            for text in texts((group,)):
-                found = _TOLD.fullmatch(text.plain)
-                if found is None or found["name"] not in known or found["unit"] not in self._newton:
-                    continue
-                size = abs(known[found["name"]])
-                if not reads(found["value"].rstrip(","), size, self.slack + _half(size)):
-                    yield message("wrong.equation", text=text.plain, cut=label)
+    def told(self) -> Iterator[Wrong]:
+        """Hold the equations of each cut on the sheet."""
+        for check in self._passages.values():
+            yield from check.faults()
 
-    @property
-    def _newton(self) -> tuple[str, ...]:
-        return (word(self.statics.study.scene.sheet.language, "N"),)
+    @cached_property
+    def _passages(self) -> dict[str, CutEquationsCheck]:
+        found = {}
+        for links, bill in self.bills.items():
+            label = "-".join(map(str, links))
+            group = next((one for one in self.leaf.groups if one.name == f"equations-{label}"), None)
+            if group is not None:
+                found[label] = CutEquationsCheck(label, WrittenEquations(group), bill, self.floor)
+        return found
 
     def scales(self) -> Iterator[Message]:
         """Read the written scale of each figure whose vectors are to one scale."""
@@ -244,24 +229,9 @@ class _Check:
             if len(stated) == 1 and group.name != BALANCING:
                 yield from scales(group, stated)
 
-    def curves(self) -> Iterator[Message]:
-        """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
-        told = self.comparison.analysis
-        name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
-        strokes = self.statics.over(self.comparison.motion.road.extremes)
-        sizes = self.statics.given(told, self.comparison.motion.analysis, strokes)
-        moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
-        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
-        slack = 2 * float(largest) + share * told.nothing[1]
-        yield from self._held(BALANCING, moments, slack)
-        yield from ordinates(self.measured, self.leaf, sizes, slack)
-        language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
-        for key in sheet.hodographs:
-            one = told.reactions[key]
-            ends = {str(k): complex(value) for k, value in enumerate(one.force)}
-            shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
-            ends[plain_name(shown)] = complex(one.force[self.position])
-            yield from self._held(f"hodograph-{key}", ends, self.slack)
+    def curves(self) -> Iterator[Wrong]:
+        """Hold the graph of the balancing moment, and the hodographs."""
+        yield from SheetCurves(self.measured, self.leaf, self.comparison, self.statics, self.slack).faults()
 
     def loads(self) -> Iterator[Wrong]:
         """Hold the load diagrams, by the strokes of the analysis."""
@@ -281,11 +251,3 @@ class _Check:
         language = self.statics.study.scene.sheet.language
         leaves = [leaf for _, leaf in sheets]
         yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).unequalled(leaves)
-
-    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
-        told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]
-        told += [(one.plan, one.name, one.value, one.scale) for one in self.measured.points]
-        for own, name, value, scale in told:
-            allowed = slack + 2 * self.measured.quantum * scale
-            if own == plan and name in expected and not abs(value - expected[name]) <= allowed:
-                yield on("differs_on", plan, name=name)

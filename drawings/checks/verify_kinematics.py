@@ -7,19 +7,28 @@ from collections.abc import Collection, Iterator, Sequence
 
 from drawings.checks import reading
 from drawings.checks.diagrams import verify_diagrams
+from drawings.checks.documents import title_block
 from drawings.checks.linkage import (
     bars,
     centre_images,
+    drive_arrows,
+    guides,
+    linkage_notes,
     part_letters,
+    paths,
+    plan_headings,
     position_marks,
+    position_numbers,
     stroke_dimensions,
     stroke_marks,
     strokes,
     ticks,
     value_rows,
+    vector_plans,
 )
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
+from drawings.checks.linkage.laid_vectors import LaidVectorPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
@@ -37,6 +46,8 @@ from plans.model.order import ORDERS, POSITIONS
 from plans.study import Study
 from plans.words.words import Message, message
 
+KIND = "kinematics"  # the kind of sheet that shows more than the plan of positions
+
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
@@ -47,14 +58,26 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from _plans(measured, linkage, comparison, k, {plan for plan, own in shown if own == k})
         yield from _centres(measured, leaf, linkage, comparison, k)
         yield from _parts(measured, leaf, linkage, comparison, k)
+        for plan in [plan for plan, own in shown if own == k]:
+            yield from vector_plans.faults(_laid_plan(measured, leaf, linkage, comparison, (plan, k)))
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
     yield from reading.marked_scales(leaf)
+    yield from linkage_notes.faults(leaf, linkage, comparison)
+    yield from _page(measured, leaf, linkage)
     if "scales" in leaf.metadata:
         yield from value_rows.faults(measured, leaf, linkage, comparison)
+
+
+def _page(measured: Measured, leaf: Leaf, study: LinkageStudy) -> Iterator[Wrong]:
+    """Hold the paper and the title block; its scale is that of the plan of positions."""
+    at, kind = ground(measured), leaf.metadata["sheet"]
+    subtitle = drafting_of(study.scene).word("sheet title" if kind == KIND else POSITIONS.plan)
+    scale = "" if at is None else plan_headings.ratio(at.scale, study.language)
+    yield from title_block.faults(leaf, study.scene, kind, subtitle, scale)
 
 
 def set_faults(sheets: Sequence[tuple[Measured, Leaf]], study: Study) -> Iterator[Wrong]:
@@ -77,7 +100,7 @@ def _plans(
     scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
     for (plan, start, end), value in arrows.items():
         found = seen.get((plan, start, end))
-        must = plan in shown and start in ("p", "π") and end in letters
+        must = plan in shown and (end in letters or start not in POLES.values())
         if found is not None:
             if not abs(found.value - value) <= _allowed(comparison, found, measured):
                 yield on("differs_at", plan, name=f"{start} {end}", position=k)
@@ -93,6 +116,19 @@ def _centres(
     allowed = {v.plan: _allowed(comparison, v, measured) / v.scale for v in measured.vectors if v.position == k}
     if allowed:
         yield from centre_images.faults(measured, leaf, expected, mass_centres(study), max(allowed.values()))
+
+
+def _laid_plan(
+    measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison, which: tuple[str, int]
+) -> LaidVectorPlan:
+    """Give the plan of one position with all that the analysis has of it."""
+    plan, k = which
+    expected = Expected(study.mechanism, comparison.analysis, k, study.drafts().velocities.written)
+    vectors = tuple(one for one in measured.vectors if (one.plan, one.position) == which)
+    allowed = max((_allowed(comparison, one, measured) / one.scale for one in vectors), default=0.0)
+    return LaidVectorPlan(
+        leaf, plan, expected, study.groups, vectors, allowed, mass_centres(study), drafting_of(study.scene)
+    )
 
 
 def _parts(
@@ -133,7 +169,11 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
             yield message("wrong.point_differs", name=name)
     plan = LaidPlan(leaf, laid, comparison.road, allowed / at.scale)
+    yield from plan_headings.of_positions(leaf, at.scale, drafting_of(study.scene))
     yield from bars.faults(plan)
+    yield from position_numbers.faults(plan)
+    yield from guides.faults(plan)
+    yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)
     if study.travel is not None:
@@ -141,6 +181,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         yield from stroke_dimensions.faults(leaf, laid, comparison.road)
     if study.mechanism.drive.pushed:
         yield from stroke_marks.faults(leaf, laid)
+    else:
+        yield from drive_arrows.faults(plan)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from drawings.collation.figures import Figures, Scale
@@ -11,6 +12,7 @@ from drawings.collation.spots import middle
 from drawings.paper.strokes import LineStyle, Text
 from plans.words.words import Message, message
 
+UNREAD = "unread"  # what an element draws cannot be told
 LETTERS = 60  # of a text are told in a message; the rest is in the sheet
 
 
@@ -42,6 +44,24 @@ class Edit(NamedTuple):
 def lone(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
     """Tell of a stroke that stands alone: missing, hidden, added, or there twice."""
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
+
+
+def unseen(item: Item, reason: str, figures: Figures, under: Sequence[Item] = ()) -> Edit:
+    """Tell of what is in the file beside what must be there, and is not seen or cannot be read, or hides others."""
+    if under:
+        parts = {"count": len(under), "first": _thing(under[0], figures)}
+        return lone("patch", item, figures, **parts)._replace(strokes=len(under))
+    if reason == UNREAD:
+        return _edit(UNREAD, item, figures, None, message("edit.unread", name=item.home.figure))
+    return lone("unseen", item, figures, reason=reason)
+
+
+def restated(item: Item, there: Item, figures: Figures) -> Edit:
+    """Tell of a mark that is drawn as it must be and states something else, by the first thing that differs."""
+    ours, theirs = item.home.mark, there.home.mark
+    key = next(key for key in (*ours, *theirs) if ours.get(key) != theirs.get(key))
+    said = {"key": key, "is_": theirs.get(key, "—")[:LETTERS], "must": ours.get(key, "—")[:LETTERS]}
+    return lone("restated", item, figures, **said)
 
 
 def retouched(how: str, item: Item, figures: Figures, **parts: object) -> Edit:

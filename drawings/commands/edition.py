@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from drawings import VERSION
-from drawings.files.manifest import digest
+from drawings.measure.seal import digest
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import Scene
 from plans.study import Study

@@ -13,7 +13,8 @@ from drawings.measure.transform import Affine
 from drawings.paper.strokes import LineStyle
 
 # Letters as a plain pen writes them: where each begins, and from there by steps.
-_LETTERS = re.compile(r"M(-?[\d.]+) (-?[\d.]+)([lcm][^M]*)")
+_NUMBER = r"(-?[0-9]{1,7}(?:\.[0-9]{1,12})?)"
+_LETTERS = re.compile(rf"M{_NUMBER} {_NUMBER}([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
 
 

@@ -161,9 +161,19 @@ def test_an_edit_is_told(name: str) -> None:
 def test_what_is_hidden_is_told_with_the_reason() -> None:
     arrow = next(item for item in items(LEAF) if item.name == "p a")
     gone = edited(lambda one: None if one is arrow.stroke else one)
-    assert told(gone, Hidden(arrow, "white")) == [
-        f"in the file, but not seen (white): vector p a at (55.00, 60.00) mm, {IN_PLAN}"
+    assert told(gone, Hidden(arrow, "pale")) == [
+        f"in the file, but not seen (in the colour of paper): vector p a at (55.00, 60.00) mm, {IN_PLAN}"
     ]
+
+
+def test_a_patch_is_told_with_what_it_hides() -> None:
+    white = LineStyle(0.25, (), "#ffffff", "#ffffff")
+    patch = Polyline((140 + 140j, 161 + 140j, 161 + 161j, 140 + 161j), True, white)
+    own = items(LEAF)[0]._replace(stroke=patch)
+    (said,) = told(LEAF, Hidden(own, "pale"))
+    assert said.startswith(
+        "a patch in the colour of paper over what is drawn, 3 in all, the first of it circle at (150.00"
+    )
 
 
 def test_a_drawing_that_was_moved_as_a_whole_is_laid_back() -> None:

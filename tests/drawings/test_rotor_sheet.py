@@ -180,7 +180,7 @@ def test_many_masses(many: tuple[int, int], tmp_path: Path) -> None:
     assert {str(k + 1) for k in range(count)} <= rows
 
 
-@pytest.mark.parametrize("apart", ["1e-6", "1e6"])
+@pytest.mark.parametrize("apart", some(["1e-6", "1e6"], 2))
 @pytest.mark.parametrize("heavy", ["1e-9", "1e9"])
 def test_stiff_rotors_are_drawn(apart: str, heavy: str, tmp_path: Path) -> None:
     rows = [(heavy, "0.12", 20, "0.10"), ("1.1", "0.09", 130, "0.25"), ("0.6", "0.15", 250, "0.42")]

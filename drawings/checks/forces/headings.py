@@ -86,7 +86,7 @@ class Headings(NamedTuple):
             told = RATIO.search(text)
             if told is None and letter == "l" and self.notation != "K":
                 yield on("scale_missing", name, text="1:")
-            elif told is not None and not _ratio(*told.groups(), mu):
+            elif told is not None and not _ratio(told[1], told[2], mu):
                 yield on("scale_missing", name, text=text)
 
     @property

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import permutations
 from typing import NamedTuple
 
 from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
 from drawings.checks.forces.scheme_forces import ASKEW, Floor
-from drawings.checks.graphs.figure_strokes import FigureStrokes
+from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredPoint
-from plans.checks.force_bill import ActingForce, ForceBill
+from plans.checks.force_bill import ActingCouple, ActingForce, ForceBill
 from plans.checks.force_expected import ExpectedForces
+from plans.forces.primary import BALANCING, DRIVING
 from plans.model.mechanism import FRAME
 
 PLAN = "lever"
+LEGS = 2  # of the stand of the pole
+SHORT = 0.5  # mm: a shorter line is not drawn
 FAR = 4 * 26.0  # mm: a force stands at its image, or further on along its line where others stand: four lengths at most
 
 
@@ -46,8 +50,7 @@ class LeverForces(NamedTuple):
                     yield on("letter", PLAN, name=force.name)
             elif abs(force.value) > self.floor.force and abs(image) > 0:
                 yield on("missing_on", PLAN, name=force.name)
-        if len(arrows) > 2 * sum(len(bill.couples) for bill in self.bills) + 1:
-            yield on("stranger_on", PLAN, name="→")
+        yield from (on("stranger_on", PLAN, name="→") for _ in arrows)
 
     @property
     def _expected(self) -> ExpectedForces:
@@ -64,6 +67,41 @@ class LeverForces(NamedTuple):
             for force in bill.known:
                 if not force.name.startswith("R_"):
                     yield force, -1j * bill.speed(force.link, force.at)
+            for couple in (one for one in bill.couples if not _paired(one.name)):
+                yield from self._halves(couple, bill)
+            if bill.group is None and self._expected.mechanism.drive.ram is None:
+                driving = bill.driving or self._by_moment(bill)
+                yield driving, -1j * bill.speed(driving.link, driving.at)
+
+    def _by_moment(self, bill: ForceBill) -> ActingForce:
+        """Give the force at the crank's end that has the balancing moment."""
+        drive, k = self._expected.mechanism.drive, self._expected.k
+        crank = bill.place(drive.end) - bill.place(drive.pivot)
+        value = 1j * float(self._expected.found.balancing.moment[k]) / crank.conjugate()
+        return ActingForce(DRIVING, drive.link, bill.place(drive.end), value)
+
+    def _halves(self, couple: ActingCouple, bill: ForceBill) -> Iterator[tuple[ActingForce, complex]]:
+        """Give both forces of a couple, at the points that its letter names; where it has none, at any two."""
+        head = self.floor.letter(couple.name)
+        start, end = next((line for line in self._lines(couple.link) if self._lettered(head, line)), ("", ""))
+        turning = abs(float(self._expected.motion.links[couple.link].omega[self._expected.k])) > 0
+        if not start and turning and abs(couple.moment) > self.floor.moment:
+            yield ActingForce(couple.name, couple.link, 0j, self.floor.force * 2 + abs(couple.moment)), 1 + 0j
+        if start:
+            arm = bill.place(end) - bill.place(start)
+            for name, value in (
+                (end, 1j * couple.moment / arm.conjugate()),
+                (start, -1j * couple.moment / arm.conjugate()),
+            ):
+                place, written = bill.place(name), f"{couple.name}/{start}{end}"
+                yield ActingForce(written, couple.link, place, value), -1j * bill.speed(couple.link, place)
+
+    def _lettered(self, head: str, line: tuple[str, str]) -> bool:
+        return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))
+
+    def _lines(self, link: int) -> Iterator[tuple[str, str]]:
+        """Give the pairs of points that a couple of a link may stand at: any two, for a block carries no line."""
+        yield from permutations(self._expected.motion.points, 2)
 
     def _arrow(self, force: ActingForce, spot: complex, arrows: Sequence[Arrow]) -> Arrow | None:
         if not abs(force.value) > 0:
@@ -80,13 +118,19 @@ class LeverForces(NamedTuple):
         return min(fit, key=lambda one: self.strokes.far(letter, one.ends(spot)[1:]), default=None)
 
     def _rods(self, laid: LaidScheme) -> Iterator[Wrong]:
-        """Hold that a line ends at each image, and that legs run from the pole to a stand."""
+        """Hold that a line joins each image with the pole or with another one, and that legs run from the pole."""
         pole = laid.on(0j)
+        spots = [pole, *(one.at for one in self.points)]
         for one in self.points:
-            own = (line for line in self.strokes.lines if min(abs(line.start - one.at), abs(line.end - one.at)) <= FINE)
-            if abs(one.at - pole) > NEAREST and not any(abs(line.end - line.start) > FINE for line in own):
+            others = (spot for spot in spots if abs(spot - one.at) > FINE)
+            if abs(one.at - pole) > SHORT and not any(self.strokes.joins(one.at, spot, FINE) for spot in others):
                 yield on("line", PLAN)
         radius = max((one.radius for one in self.strokes.circles if abs(one.centre - pole) <= FINE), default=0.0)
         ends = [end for line in self.strokes.lines for end in (line.start, line.end)]
-        if sum(abs(abs(end - pole) - radius) <= FINE for end in ends) < 2:
+        if sum(abs(abs(end - pole) - radius) <= FINE for end in ends) < LEGS:
             yield on("missing_on", PLAN, name="p")
+
+
+def _paired(name: str) -> bool:
+    """Tell whether a couple is the moment of a pair, or of the drive: neither hangs on the lever."""
+    return name == BALANCING or name[2:].replace(",", "").isdigit()

@@ -1,0 +1,111 @@
+"""The self-check of the lines of a plan of velocities or accelerations: vectors, known directions (линии плана)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+
+import numpy as np
+
+from drawings.checks.linkage.laid_poses import Flags, Segments
+from drawings.checks.linkage.laid_vectors import LaidVectorPlan
+from drawings.checks.linkage.position_marks import EXACT
+from drawings.checks.wrong import on
+from drawings.paper.strokes import Fill, Group, Line
+from drawings.paper.walk import groups
+from plans.model.dyad import Dyad
+from plans.model.order import ORDERS, VELOCITIES
+from plans.words.words import Message
+
+PAST = 20.0  # mm
+HEADED = 0.2  # mm: a shorter vector is a point, and has no head
+POINTED = 1e-3  # rad by which a head may lean from its vector: its corners are rounded
+
+
+def faults(laid: LaidVectorPlan) -> Iterator[Message]:
+    """Hold the heads and the beginnings of all vectors, and the lines of known direction."""
+    if laid.figure is None or laid.pole is None or not laid.vectors:
+        return
+    yield from _heads(laid)
+    yield from _starts(laid)
+    yield from _directions(laid)
+
+
+def _heads(laid: LaidVectorPlan) -> Iterator[Message]:
+    """See that each vector has its head at its end, along it."""
+    assert laid.figure is not None
+    for one in groups((laid.figure,)):
+        if one.data.get("kind") == "vector" and isinstance(one.strokes[0], Line) and not _headed(one.strokes[0], one):
+            yield on("head", laid.plan, name=one.data["name"], position=laid.position)
+
+
+def _headed(line: Line, group: Group) -> bool:
+    length = abs(line.end - line.start)
+    heads = [one for one in group.strokes if isinstance(one, Fill)]
+    if length < HEADED:
+        return len(heads) <= 1
+    return len(heads) == 1 and _points(heads[0], line, length)
+
+
+def _points(head: Fill, line: Line, length: float) -> bool:
+    """Tell whether a head is a triangle whose sharp corner is the end of a line, and which lies along it."""
+    if len(head.points) != 3:
+        return False
+    tip = min(head.points, key=lambda spot: abs(spot - line.end))
+    back = sum(spot for spot in head.points if spot != tip) / 2
+    along = (tip - back) * (line.end - line.start).conjugate()
+    return abs(tip - line.end) <= EXACT and abs(back - tip) <= length and abs(cmath.phase(along)) <= POINTED
+
+
+def _starts(laid: LaidVectorPlan) -> Iterator[Message]:
+    """See that each vector begins at the image of its first letter."""
+    for one in laid.vectors:
+        start = one.name.split(" ")[0]
+        if start in laid.images and not abs(one.start - laid.on(laid.images[start])) <= laid.near:
+            yield on("start", laid.plan, name=one.name)
+
+
+def _directions(laid: LaidVectorPlan) -> Iterator[Message]:
+    """See that each group's point is met by both lines on which the analysis has it, and that no other line stands."""
+    assert laid.figure is not None
+    drawn = Segments.of(iter(_lines(laid.figure)))
+    due = [(name, laid.on(start), laid.on(end)) for name, start, end in _due(laid)]
+    for name, start, end in due:
+        if abs(end - start) > 2 * HEADED and not drawn.holds(Segments.of(iter([(start, end)])), laid.near).any():
+            yield on("known_direction", laid.plan, name=name, position=laid.position)
+    known = Segments.of(_lengthened(start, end) for _, start, end in due if start != end)
+    stray = ~known.holds(drawn, laid.near) & ~_sides(laid, drawn)
+    if stray.any():
+        yield on("line", laid.plan)
+
+
+def _lengthened(start: complex, end: complex) -> tuple[complex, complex]:
+    """Give a line of known direction as far as it may be drawn: from before its start to past the meeting."""
+    more = PAST * (end - start) / abs(end - start)
+    return start - more, end + more
+
+
+def _sides(laid: LaidVectorPlan, drawn: Segments) -> Flags:
+    """Tell which lines end in the image of a mass centre: sides of the figure that is similar to its link."""
+    order = next(k for k, one in enumerate(ORDERS) if one.plan == laid.plan)
+    images = np.array([laid.on(laid.expected.centre(*mass, order)) for mass in laid.centres.values()], dtype=complex)
+    ends = (np.abs(one[:, None] - images) <= laid.near for one in drawn)
+    return np.asarray(np.logical_or(*(one.any(axis=1) for one in ends)))
+
+
+def _lines(figure: Group) -> Iterator[tuple[complex, complex]]:
+    """Give the straight lines of a plan that are no vectors, no leaders, and not of another figure beside it."""
+    for one in figure.strokes:
+        if isinstance(one, Group) and one.strokes and not one.data:
+            lines = [line for line in one.strokes if isinstance(line, Line)]
+            yield from ((line.start, line.end) for line in lines if len(lines) == len(one.strokes))
+
+
+def _due(laid: LaidVectorPlan) -> Iterator[tuple[str, complex, complex]]:
+    """Give the lines of known direction: what they lead to, from where, to where, true units."""
+    for group in laid.groups:
+        if isinstance(group, Dyad):
+            for one in laid.sums.of(group):
+                parts = one.velocity if laid.plan == VELOCITIES.plan else one.acceleration
+                start = sum(parts[:-1])
+                yield one.images[-1], start, start + parts[-1]
