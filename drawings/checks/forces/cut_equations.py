@@ -125,9 +125,11 @@ class CutEquationsCheck:
         if about is None:
             yield self._wrong(f"ΣM{one.about}")
             return
-        several = () if one.link is not None else (self.bill.links,)
-        links = [(link,) for link in self.bill.links if one.link in (None, link)] or [self.bill.links]
-        tries = [list(self._held(one, self.bill.place(about), own)) for own in (*several, *links)]
+        several: tuple[tuple[int, ...], ...] = () if one.link is not None else (self.bill.links,)
+        links: list[tuple[int, ...]] = [(link,) for link in self.bill.links if one.link in (None, link)]
+        tries = [
+            list(self._held(one, self.bill.place(about), own)) for own in (*several, *(links or [self.bill.links]))
+        ]
         yield from min(tries, key=len)
 
     def _held(self, one: WrittenMoments, about: complex, links: tuple[int, ...]) -> Iterator[Wrong]:

@@ -46,7 +46,7 @@ class SheetCurves:
         """The position of the sheet."""
         return int(self.leaf.metadata["position"])
 
-    def faults(self) -> Iterator[Message]:
+    def faults(self) -> Iterator[Wrong]:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
