@@ -28,8 +28,8 @@ from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.checks.wrong import Wrong
+    from drawings.eye.sheet import SeenSheet
     from drawings.files.enclosure import Enclosure
-    from drawings.measure.measure import Measured
     from drawings.paper.strokes import Leaf
 
 GAPS = 4
@@ -123,13 +123,14 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with staged(contents) as written:
         with trace.stage("measuring"):
             checks.verify_report(faults(text, study, leaves))
-            checks.verify_documents(leaves, scene.sheet)
-            measured = [
-                (kind, checks.verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)), leaf)
-                for path, (kind, leaf) in sheets.items()
-            ]
-            checks.verify_scales([(SHEETS[kind].scales, one) for kind, one, _ in measured], scene.sheet)
-            checks.verify_set(_of_sets(study, measured))
+            seen: dict[str, list[SeenSheet]] = {kind: [] for kind in leaves}
+            for path, (kind, leaf) in sheets.items():
+                held = partial(named(SHEETS[kind].faults), study=study)
+                seen[kind].append(checks.verify(written[path], leaf, held))
+            checks.verify_documents({kind: [one.leaf for one in own] for kind, own in seen.items()}, scene.sheet)
+            marked = [(SHEETS[kind].scales, one.measured) for kind, own in seen.items() for one in own]
+            checks.verify_scales(marked, scene.sheet)
+            checks.verify_set(_of_sets(study, seen))
             for path, enclosure in enclosures.items():
                 checks.verify_enclosure(written[path], enclosure)
         for path in publish(folder, manifest, written):
@@ -137,12 +138,11 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     return SheetSet(study, leaves, tuple(contents))
 
 
-def _of_sets(study: Study, measured: Sequence[tuple[str, Measured, Leaf]]) -> Iterator[Wrong]:
+def _of_sets(study: Study, seen: Mapping[str, Sequence[SeenSheet]]) -> Iterator[Wrong]:
     """Give what is wrong with all sheets of a kind as a set."""
     for kind in study.scene.sheets:
         if SHEETS[kind].together:
-            own = [(one, leaf) for other, one, leaf in measured if other == kind]
-            yield from named(SHEETS[kind].together)(own, study)
+            yield from named(SHEETS[kind].together)([(one.measured, one.leaf) for one in seen[kind]], study)
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:
