@@ -42,8 +42,10 @@ def ink(look: Look, scale: float) -> Ink:
     """Give the ink of a look that is drawn so many times as large."""
     colour = _blended(look.stroke, share(look.stroke_opacity) * look.shade)
     fill = _blended(look.fill, share(look.fill_opacity) * look.shade)
-    width = length(look.stroke_width) * scale if colour != _NONE else 0.0
+    width = length(look.stroke_width) * scale
     style = LineStyle(width, _dash(look.stroke_dasharray, scale), colour, fill, _cap(look.stroke_linecap))
+    if colour == _NONE:
+        style = LineStyle(0.0, (), colour, fill)
     if look.gone or look.visibility != "visible":
         return Ink(style, "hidden")
     if fill != _NONE and dark(fill):
