@@ -19,6 +19,7 @@ from plans.model.motion import Complexes
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+LINKS = "links"  # the group of the numbers of links, among the letters of the plan
 NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
 FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
 NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
