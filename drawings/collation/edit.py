@@ -89,12 +89,14 @@ def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Ed
     by = _size(shift.farthest, figures.scale(first) if mark or not whole else None)
     key, parts = _motion(shift)
     told = message(f"edit.{key}", thing=thing, by=by, **parts)
-    edit = _edit("moved", first, figures, shift.farthest, told)
+    edit = _edit(shift.how, first, figures, shift.farthest, told)
     return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(own))
 
 
 def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
     """Name a motion by what it does beside moving."""
+    if shift.how != "moved":
+        return shift.how, {}
     scaled, turned = abs(shift.scale - 1) > 1e-6, abs(shift.turn) > 1e-4  # finer than an editor writes
     parts: dict[str, object] = {}
     if scaled:

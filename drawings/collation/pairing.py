@@ -10,7 +10,7 @@ from drawings.collation.edit import Edit
 from drawings.collation.figures import Figures
 from drawings.collation.items import Item
 from drawings.collation.matching import alike_in_style, lies, reversed_lies
-from drawings.collation.similarity import looks_alike, shift_of
+from drawings.collation.similarity import looks_alike, shift_of, stretch_of
 from drawings.collation.spots import middle, spots
 from drawings.paper.strokes import Circle, Line, Text
 
@@ -30,6 +30,7 @@ class Pairing:
         """Tell all edits: what was moved as one, then stroke by stroke; `counts` has the strokes of each figure."""
         yield from self._as_one(self.figures.of, counts)
         yield from self._as_one(_mark, {})
+        yield from self._stretched()
         yield from self._one_by_one()
         yield from (edit.lone("missing", item, self.figures) for item in self.missing)
         yield from (edit.lone("added", item, self.figures) for item in self.added)
@@ -45,6 +46,22 @@ class Pairing:
             if shift is not None and looks_alike(own, others):
                 self._done(own, others)
                 yield edit.together(own, self.figures, shift, counts.get(str(name)) == len(own))
+
+    def _stretched(self) -> Iterator[Edit]:
+        """Tell lines of a figure that were stretched or mirrored as one, in whatever width."""
+        ours, theirs = (
+            _by(self.figures.of, [item for item in own if isinstance(item.stroke, Line)]) for own in self._left
+        )
+        for name, own in ours.items():
+            others = theirs.get(name, [])
+            shift = stretch_of(own, others, self.rounding)
+            if shift is not None and shift.how != "moved":
+                self._done(own, others)
+                yield edit.together(own, self.figures, shift, False)
+
+    @property
+    def _left(self) -> tuple[list[Item], list[Item]]:
+        return self.missing, self.added
 
     def _one_by_one(self) -> Iterator[Edit]:
         """Tell strokes that have their like, the nearest pairs first."""

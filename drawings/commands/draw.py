@@ -10,7 +10,6 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.commands.edition import leaves_of, placed_sheets, sheet_path, stem_of
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
@@ -18,6 +17,7 @@ from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
 from drawings.lettering.lettering import lettered
+from drawings.original.sheet_paths import placed_sheets, sheet_path, stem_of
 from drawings.report.report import faults, headlines, remarks, report, summary
 from drawings.sheets.admission import of_scales, of_title
 from drawings.sheets.table import SHEETS
@@ -103,6 +103,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
         from drawings.checks import verify as checks
+        from drawings.original.edition import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
 

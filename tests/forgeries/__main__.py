@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from drawings.commands.original import Originals
+from drawings.original.originals import Originals
 from tests.forgeries.sheets import GALLERY, SCENES, forgeries, judged, strangers
 
 

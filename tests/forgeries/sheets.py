@@ -7,9 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from random import Random
 
-from drawings.commands.original import Original, Originals
-from drawings.commands.sheet_check import Checked, check
 from drawings.measure.seal import sealed
+from drawings.original.originals import Original, Originals
+from drawings.original.sheet_check import Checked, check
 from drawings.pens.svg import svg
 from tests.forgeries.file_edits import FILE_EDITS
 from tests.forgeries.forgery import Forgery, Told
