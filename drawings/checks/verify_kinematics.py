@@ -11,10 +11,12 @@ from drawings.checks.documents import title_block
 from drawings.checks.linkage import (
     bars,
     centre_images,
+    drive_arrows,
     linkage_notes,
     part_letters,
     plan_headings,
     position_marks,
+    position_numbers,
     stroke_dimensions,
     stroke_marks,
     strokes,
@@ -167,6 +169,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     plan = LaidPlan(leaf, laid, comparison.road, allowed / at.scale)
     yield from plan_headings.of_positions(leaf, at.scale, drafting_of(study.scene))
     yield from bars.faults(plan)
+    yield from position_numbers.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)
     if study.travel is not None:
@@ -174,6 +177,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         yield from stroke_dimensions.faults(leaf, laid, comparison.road)
     if study.mechanism.drive.pushed:
         yield from stroke_marks.faults(leaf, laid)
+    else:
+        yield from drive_arrows.faults(plan)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:
