@@ -12,8 +12,10 @@ from drawings.checks.linkage import (
     bars,
     centre_images,
     drive_arrows,
+    guides,
     linkage_notes,
     part_letters,
+    paths,
     plan_headings,
     position_marks,
     position_numbers,
@@ -170,6 +172,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from plan_headings.of_positions(leaf, at.scale, drafting_of(study.scene))
     yield from bars.faults(plan)
     yield from position_numbers.faults(plan)
+    yield from guides.faults(plan)
+    yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)
     if study.travel is not None:

@@ -19,7 +19,7 @@ from plans.model.motion import Complexes
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
-NUMBER = re.compile(r"(\d+)('*)(?: \(.*°\))?")
+NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
 FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
 NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
 ROOMY = 12.0  # mm between positions on the crank's circle: none of their numbers crowds another
@@ -40,7 +40,9 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     at_crank, at_tracks = set[int](), 0
     for text, label in labels:
         found = NUMBER.fullmatch(text)
-        assert found is not None  # only numbers are listed
+        if found is None:
+            yield on("position_number", POSITIONS.plan, name=text)
+            continue
         number, middle = int(found[1]), _middle(label)
         own = [_own(one, number, bool(found[2]), middle) for one in (crank, *tracks)]
         best = int(np.argmin(own))
@@ -66,7 +68,7 @@ def _labels(plan: LaidPlan) -> Iterator[tuple[str, Label]]:
         if any(isinstance(one, Group) and one.name == LINKS for one in group.strokes):
             own = tuple(one for one in group.strokes if isinstance(one, Text) or not one.name)  # type: ignore[union-attr]
             for text, labels in labels_of(own).items():
-                yield from ((text, label) for label in labels if NUMBER.fullmatch(text))
+                yield from ((text, label) for label in labels if text[:1].isdigit())
 
 
 def _middle(label: Label) -> complex:
