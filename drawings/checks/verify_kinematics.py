@@ -14,6 +14,8 @@ from drawings.checks.linkage import (
     drive_arrows,
     guides,
     linkage_notes,
+    notches,
+    pair_symbols,
     part_letters,
     paths,
     plan_headings,
@@ -173,6 +175,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from bars.faults(plan)
     yield from position_numbers.faults(plan)
     yield from guides.faults(plan)
+    yield from pair_symbols.faults(plan)
+    yield from notches.faults(plan)
     yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)
