@@ -20,15 +20,19 @@ SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)  # of an arc: of one that a symbol cuts its
 def faults(plan: LaidPlan) -> Iterator[Message]:
     """See that each group's point is notched by what turns about its hinges, and that no other arc stands there."""
     arcs = [one for one in plan.strokes(NOTCHES) if isinstance(one, Arc)]
-    due = [
-        (name, *(complex(plan.poses.point(one)[plan.position]) for one in (start, name))) for start, name in _due(plan)
-    ]
-    known = [one for one in due if not math.isnan(one[2].real)]
+    known = [one for one in _laid(plan) if not math.isnan(one[2].real)]
     for name, centre, spot in known:
         if not any(_notched(arc, centre, spot, plan) for arc in arcs):
             yield on("notch", POSITIONS.plan, name=name)
     if known and not all(any(_about(arc, centre, spot, plan) for _, centre, spot in known) for arc in arcs):
         yield on("notch", POSITIONS.plan, name=NOTCHES)
+
+
+def _laid(plan: LaidPlan) -> Iterator[tuple[str, complex, complex]]:
+    """Give each notch by its tip's letter, with its centre and its meeting on paper."""
+    for start, name in _due(plan):
+        centre, spot = (complex(plan.poses.point(one)[plan.position]) for one in (start, name))
+        yield name, centre, spot
 
 
 def _due(plan: LaidPlan) -> Iterator[tuple[str, str]]:

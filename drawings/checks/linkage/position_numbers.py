@@ -10,7 +10,6 @@ import numpy as np
 
 from drawings.checks.labelled import Label, labels_of
 from drawings.checks.linkage.laid_plan import LaidPlan
-from drawings.checks.linkage.position_marks import LINKS
 from drawings.checks.wrong import on
 from drawings.paper.strokes import Group, Text
 from plans.linkage.travel import frame_slide
@@ -19,6 +18,7 @@ from plans.model.motion import Complexes
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+LINKS = "links"  # the group of the numbers of links, among the letters of the plan
 NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
 FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
 NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
