@@ -20,7 +20,8 @@ ROUNDS = 3
 FAR = 3e-4  # share of the sheet that must become less bare for a move by a millimetre
 Boxes: TypeAlias = Mapping[int, Field]
 Shifts: TypeAlias = Sequence[tuple[int, int]]
-SHIFTS: Shifts = tuple(product(range(-REACH, REACH + 1, STEP), repeat=2))
+_STEPS = range(-REACH, REACH + 1, STEP)
+SHIFTS: Shifts = tuple((right, up) for right in _STEPS for up in _STEPS)
 SIDEWAYS: Shifts = tuple((right, up) for right, up in SHIFTS if not up)
 
 
