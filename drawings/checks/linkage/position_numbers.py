@@ -11,7 +11,6 @@ import numpy as np
 from drawings.checks.labelled import Label, labels_of
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.wrong import on
-from drawings.figures.linkage.position_letters import LINKS
 from drawings.paper.strokes import Group, Text
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Output
