@@ -27,8 +27,8 @@ class Column(NamedTuple):
     """A column of a table over the positions: how its head begins, its values and what these may be out."""
 
     head: str
-    values: np.ndarray  # type: ignore[type-arg]
-    slack: np.ndarray  # type: ignore[type-arg]
+    values: np.ndarray
+    slack: np.ndarray
 
 
 class ForceTables(NamedTuple):
