@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
 
-from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong
 from drawings.collation.collate import collate
 from drawings.eye.letters import NEAR
@@ -26,10 +24,9 @@ TYPESET = 0.1
 _BETWEEN = 8  # of an arc: no two of its points are more than an eighth of a turn apart
 
 
-def differences(drawn: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
-    """Tell where a sheet that was seen is not as it was laid out."""
+def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
+    """Tell where a sheet that was seen is not as it was laid out, of which all strokes are the plainest."""
     there = seen.written
-    laid = plain(replace(drawn, lettering=there.lettering))
     if _same_paper(laid, there) and same(laid, there):
         return
     told = collate(laid, there)
