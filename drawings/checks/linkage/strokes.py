@@ -83,7 +83,7 @@ def _must(name: str, laid: LaidMechanism, extremes: Extremes, sectors: list[Sect
     if name == "swing":
         arm = max(abs(laid.on(study.output.link, own) - sectors[0].centre) for own in _tips(laid))
         return ROOMY * arm * abs(sectors[0].sweep) >= HEADS * HEAD[0]
-    asked = study.scene.has(("output", "working")) or any(form.counts_stroke for form in study.scene.forms)
+    asked = study.scene.has(("output", "working"))
     both = study.travel is not None and len(study.travel.rests) == 2
     return asked or (both and extremes.overlap > ALIKE)
 
