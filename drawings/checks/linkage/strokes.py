@@ -22,7 +22,6 @@ from plans.model.order import POSITIONS
 from plans.words.words import Message, word
 
 ROOMY, HEADS = 0.45, 5.0  # share of a rocker's arm, and heads along the arc there, at which a swing has room
-ALIKE = 1e-6  # rad: strokes whose crank angles differ by less are alike
 INDICES = ("index.work", "index.idle")  # of the crank's angle over either stroke
 
 
@@ -41,7 +40,11 @@ class Sector(NamedTuple):
 
     def text(self, language: str) -> str:
         """Write it with its size, as lettering is read."""
-        return Text(0j, f"{self.letter} = {fixed(math.degrees(abs(self.sweep)), language)}°").plain
+        return Text(0j, f"{self.letter} = {self.size(language)}").plain
+
+    def size(self, language: str) -> str:
+        """Write its size alone."""
+        return f"{fixed(math.degrees(abs(self.sweep)), language)}°"
 
 
 class Arrow(NamedTuple):
@@ -85,7 +88,7 @@ def _must(name: str, laid: LaidMechanism, extremes: Extremes, sectors: list[Sect
         return ROOMY * arm * abs(sectors[0].sweep) >= HEADS * HEAD[0]
     asked = study.scene.has(("output", "working"))
     both = study.travel is not None and len(study.travel.rests) == 2
-    return asked or (both and extremes.overlap > ALIKE)
+    return asked or (both and len({one.size(study.language) for one in sectors}) > 1)
 
 
 def _tips(laid: LaidMechanism) -> list[complex]:
