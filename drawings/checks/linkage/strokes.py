@@ -70,7 +70,7 @@ def faults(leaf: Leaf, laid: LaidMechanism, extremes: Extremes | None) -> Iterat
     for name, sectors, halves in (("phases", _phases(laid, extremes), 1), ("swing", _swing(laid, extremes), 2)):
         arrows = list(_arrows(leaf, name))
         shown = [(one, _radius(one, arrows, halves)) for one in sectors]
-        due = bool(sectors) and not arrows and _must(name, laid, extremes, sectors)
+        due = bool(sectors) and not arrows and _must(name, laid, sectors)
         if due or len(arrows) != halves * sum(radius is not None for _, radius in shown):
             yield on("arc", POSITIONS.plan, name=name)
         for one, radius in shown:
@@ -80,7 +80,7 @@ def faults(leaf: Leaf, laid: LaidMechanism, extremes: Extremes | None) -> Iterat
                 yield on("arc", POSITIONS.plan, name=text)
 
 
-def _must(name: str, laid: LaidMechanism, extremes: Extremes, sectors: list[Sector]) -> bool:
+def _must(name: str, laid: LaidMechanism, sectors: list[Sector]) -> bool:
     """Tell whether arcs must be there: phases where the strokes differ or count, a swing that has room for them."""
     study = laid.study
     if name == "swing":
