@@ -28,6 +28,17 @@ FORBIDDEN = {
     "plans/cam/": ("plans.analytic",),
     "plans/cyclogram/": ("plans.analytic",),
     "plans/diagrams/": ("plans.analytic",),
+    # Of what is drawn the eye knows what stands on paper, and the data of the alphabet.
+    "drawings/eye/": (
+        "drawings.layout",
+        "drawings.lettering",
+        "drawings.page",
+        "drawings.pens",
+        "drawings.symbols",
+        "drawings.figures",
+        "drawings.sheets",
+        "plans",
+    ),
     # Loads are put on either road's motion.
     "plans/forces/loading.py": EITHER,
     "plans/forces/stroke.py": EITHER,
@@ -142,6 +153,9 @@ def test_all_three_layers_are_examined() -> None:
         ("plans/forces/loading.py", "from plans.linkage.study import LinkageStudy"),
         ("plans/rotor/reading.py", "def f():\n    from plans.analytic.rotor import balance"),
         ("drawings/page/page.py", "import svgwrite"),
+        ("drawings/eye/letters.py", "from drawings.lettering.curves import curves"),
+        ("drawings/eye/observer.py", "def f():\n    from drawings.pens.letters import HUNDREDTH"),
+        ("drawings/eye/sheet.py", "from plans.words import words"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),
         ("plans/checks/compare.py", "def f():\n    import mpmath"),
@@ -196,6 +210,7 @@ ROOMS = (
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),
     ("drawings.lettering", "drawings.measure"),
+    ("drawings.eye",),
     ("drawings.page", "drawings.files", "drawings.pens", "drawings.collation"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
@@ -204,6 +219,7 @@ ROOMS = (
     ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
     ("drawings.note",),
     ("drawings.checks", "drawings.sheets"),
+    ("drawings.original",),
     ("drawings.bench", "drawings.gallery"),
     ("drawings.commands",),
 )

@@ -7,9 +7,12 @@ from pathlib import Path
 
 from drawings.checks.documents import numbering, scales
 from drawings.checks.labelled import unlettered
+from drawings.checks.seen.differences import differences
+from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong, on
+from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
-from drawings.measure.measure import Measured, check, measure_file
+from drawings.measure.measure import Measured, check
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from geometry.errors import DraftError
@@ -25,53 +28,61 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> Measured:
-    """Measure a written sheet: it states what it shows, its marks have letters, and it has no faults of its kind."""
+def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> SeenSheet:
+    """See and measure a written sheet: it is as it was laid out, it states what it shows, it has no faults of its kind.
+
+    What is drawn on it is held to what was laid out, stroke by stroke, and that to the analysis with all its digits.
+    """
     try:
-        measured = measure_file(path)
+        seen = see(path.read_bytes())
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
+    laid = plain(leaf, seen.leaf.lettering)
+    if wrong := [*wrongs(seen.measured, laid, faults), *differences(laid, seen)]:
+        raise SelfCheckFailed(message("check.sheet", marks=first(list(dict.fromkeys(wrong)))))
+    return seen
+
+
+def wrongs(measured: Measured, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> list[Wrong]:
+    """List what is wrong with a measured sheet."""
     wrong: list[Wrong] = [on("on", miss.key.plan, name=miss.key.name) for miss in check(measured)]
-    wrong += [*faults(measured, leaf), *unlettered(leaf)]
-    if wrong:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
-    return measured
+    return [*wrong, *faults(measured, leaf), *unlettered(leaf)]
 
 
 def verify_enclosure(path: Path, enclosure: Enclosure) -> None:
     """See that a written file beside the sheets has no faults."""
     wrong = list(enclosure.faults(path.read_bytes()))
     if wrong:
-        raise SelfCheckFailed(message("check.enclosure", marks=_first(wrong)))
+        raise SelfCheckFailed(message("check.enclosure", marks=first(wrong)))
 
 
 def verify_set(wrong: Iterable[Wrong]) -> None:
     """See that measured sheets have no faults as a set."""
     told = list(wrong)
     if told:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(told)))
+        raise SelfCheckFailed(message("check.sheet", marks=first(told)))
 
 
 def verify_report(wrong: Iterable[Wrong]) -> None:
     """See that a report has no faults."""
     told = list(wrong)
     if told:
-        raise SelfCheckFailed(message("check.report", marks=_first(told)))
+        raise SelfCheckFailed(message("check.report", marks=first(told)))
 
 
 def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> None:
     """See that measured sheets, each with the keys of its figures, have the scales that are stated, and common ones."""
     if wrong := [*dict.fromkeys(scales.faults(sheets, sheet))]:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
 
 
 def verify_documents(leaves: Mapping[str, Sequence[Leaf]], sheet: SheetTable) -> None:
     """See that the sheets of a set are numbered through each document, and bear its designation."""
     if wrong := [*numbering.faults(leaves, sheet)]:
-        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
 
 
-def _first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:
+def first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:
     """Name the first of what is wrong, and how much more there is."""
     marks, more = tuple(wrong[:TOLD]), len(wrong) - TOLD
     return message("check.more", marks=marks, count=more) if more > 0 else marks

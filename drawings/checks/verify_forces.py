@@ -2,49 +2,51 @@
 
 from __future__ import annotations
 
-import math
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-
-import numpy as np
+from functools import cached_property
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
-from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.cut_equations import CutEquationsCheck
 from drawings.checks.forces.details import Details, Sheets
+from drawings.checks.forces.force_rows import row_names, title
+from drawings.checks.forces.force_set import ForceSet
+from drawings.checks.forces.headings import Headings
 from drawings.checks.forces.lever_equation import LeverCheck
+from drawings.checks.forces.lever_forces import LeverForces
 from drawings.checks.forces.load_points import loads
+from drawings.checks.forces.polygon_chain import PolygonChain
+from drawings.checks.forces.scheme_forces import Floor
+from drawings.checks.forces.schemes import LoadingSchemes
+from drawings.checks.forces.sheet_curves import SheetCurves
+from drawings.checks.forces.written_equations import WrittenEquations
+from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.linkage import accord, by_hand
-from drawings.checks.reading import plain, reads, scales
+from drawings.checks.reading import plain, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.forces.force_equations import DIGITS
 from drawings.figures.forces.force_letters import force_letter
-from drawings.figures.forces.force_table import label
-from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
-from drawings.paper.walk import groups, texts
+from drawings.paper.walk import groups
 from drawings.symbols.force_arrow import plain_name
 from geometry import draughtsman, hand_error
 from plans.checks.comparison import Finding
+from plans.checks.force_bill import ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.checks.hand.forces import FIGURES, forces_by_hand
-from plans.forces.cut import indices
-from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.model.order import VELOCITIES
 from plans.study import Study
-from plans.words.words import Message, message
+from plans.words.words import Message
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
 ASKEW = 1e-3
-_TOLD = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+)(?: (?P<unit>\S+?))?,?")
 
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
@@ -59,8 +61,10 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.loads()
     yield from check.lever()
     yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
+    yield from check.figures()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
-    named = table_names(comparison, statics)
+    named = row_names(comparison, check.floor)
+    yield from title(leaf, statics)
     yield from reading.tables(leaf, named)
     yield from check.by_hand(named)
 
@@ -68,24 +72,14 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
 def set_faults(sheets: Sheets, study: Study) -> Iterator[Wrong]:
     """Hold what belongs to a figure of a force sheet, and may have gone on to the next sheet of its position."""
     comparison, statics = study.comparison("forces"), study["forces"]
+    told = set[int]()
     for measured, leaf in sheets:
         check = _Check(measured, leaf, comparison, statics)
-        yield from check.set_faults([one for one in sheets if int(one[1].metadata["position"]) == check.position])
-
-
-def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
-    """Name the findings as the table of a force sheet does."""
-    language, letter = statics.study.scene.sheet.language, statics.form.sheet.reactions
-    found = {}
-    for finding in comparison.of("forces"):
-        written = label(finding, language, letter)
-        found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
-    return found
-
-
-def _half(size: float) -> float:
-    """Give the half of the last digit of a number that has more digits before its point than the equations write."""
-    return 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - DIGITS) if size >= 10.0**DIGITS else 0.0
+        own = [one for one in sheets if int(one[1].metadata["position"]) == check.position]
+        yield from check.set_faults(own)
+        if check.position not in told:
+            yield from check.complete.faults([one for _, one in own], not told)
+        told.add(check.position)
 
 
 @dataclass(frozen=True)
@@ -139,10 +133,18 @@ class _Check:
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
-        velocities = study.drafts().velocities
-        letters = {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
+            yield from self._chain(name)
         speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
-        yield from lever_marks(self.measured, expected, letters, 2 * speed)
+        yield from lever_marks(self.measured, expected, self._images, 2 * speed)
+
+    def _chain(self, label: str) -> Iterator[Wrong]:
+        """Hold the polygon of a cut on paper."""
+        group = figure(self.leaf, f"forces-{label}-{self.position}")
+        vectors = [one for one in self.measured.vectors if one.plan == f"forces-{label}"]
+        bill = self.bills[tuple(int(link) for link in label.split("-"))]
+        order = self._passages[label].order if label in self._passages else ()
+        if group is not None:
+            yield from PolygonChain(group, bill, vectors, order, self.slack).faults()
 
     def details(self, sheets: Sheets, label: str) -> Details:
         """Give the details of one force plan of the sheet, on the sheets of its position."""
@@ -167,27 +169,55 @@ class _Check:
                 if abs(force) > self.slack and not abs(along / abs(along) - force / abs(force)) <= ASKEW:
                     yield on("direction", group.name, name=name)
 
+    @cached_property
+    def bills(self) -> dict[tuple[int, ...], ForceBill]:
+        """What acts on each group, and on the primary link, by their links."""
+        groups = self.statics.study.groups
+        bills = (ForceBill(self.expected(), groups, one) for one in (*groups, None))
+        return {bill.links: bill for bill in bills}
+
+    def figures(self) -> Iterator[Wrong]:
+        """Hold the loading schemes, the lever, and the headings of all figures."""
+        study, position = self.statics.study, self.position
+        yield from LoadingSchemes(self.leaf, self.bills, self.floor).faults()
+        lever = figure(self.leaf, f"lever-{position}")
+        points = [one for one in self.measured.points if one.plan == "lever"]
+        if lever is not None and points:
+            bills = tuple(self.bills.values())
+            yield from LeverForces(lever, points, bills, self._images, self.floor).faults()
+        notation = study.scene.sheet.notation
+        yield from Headings(self.leaf, position, study.mechanism.drive, self.floor, notation).faults()
+
+    @property
+    def _images(self) -> dict[str, str]:
+        velocities = self.statics.study.drafts().velocities
+        return {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
+
+    @cached_property
+    def floor(self) -> Floor:
+        """What is none on this sheet, and how it is lettered."""
+        found, study = self.comparison.analysis, self.statics.study
+        force, moment = found.nothing
+        none = self.slack + force, self.slack * found.size + moment
+        return Floor(*none, study.language, self.statics.form.sheet.reactions)
+
     def _labels(self) -> list[str]:
         return [cut.label for cut in self.statics.drafts().plans.plan.cuts]
 
-    def told(self) -> Iterator[Message]:
-        """Read the sizes of forces that the equations state."""
-        for group in self.leaf.groups:
-            label = group.name.removeprefix("equations-")
-            if label == group.name or label not in self._labels():
-                continue
-            known = {plain(name): value for name, value in self.forces(label).items()}
-            for text in texts((group,)):
-                found = _TOLD.fullmatch(text.plain)
-                if found is None or found["name"] not in known or found["unit"] not in self._newton:
-                    continue
-                size = abs(known[found["name"]])
-                if not reads(found["value"].rstrip(","), size, self.slack + _half(size)):
-                    yield message("wrong.equation", text=text.plain, cut=label)
+    def told(self) -> Iterator[Wrong]:
+        """Hold the equations of each cut on the sheet."""
+        for check in self._passages.values():
+            yield from check.faults()
 
-    @property
-    def _newton(self) -> tuple[str, ...]:
-        return (word(self.statics.study.scene.sheet.language, "N"),)
+    @cached_property
+    def _passages(self) -> dict[str, CutEquationsCheck]:
+        found = {}
+        for links, bill in self.bills.items():
+            label = "-".join(map(str, links))
+            group = next((one for one in self.leaf.groups if one.name == f"equations-{label}"), None)
+            if group is not None:
+                found[label] = CutEquationsCheck(label, WrittenEquations(group), bill, self.floor)
+        return found
 
     def scales(self) -> Iterator[Message]:
         """Read the written scale of each figure whose vectors are to one scale."""
@@ -196,24 +226,9 @@ class _Check:
             if len(stated) == 1 and group.name != BALANCING:
                 yield from scales(group, stated)
 
-    def curves(self) -> Iterator[Message]:
-        """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
-        told = self.comparison.analysis
-        name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
-        strokes = self.statics.over(self.comparison.motion.road.extremes)
-        sizes = self.statics.given(told, self.comparison.motion.analysis, strokes)
-        moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
-        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
-        slack = 2 * float(largest) + share * told.nothing[1]
-        yield from self._held(BALANCING, moments, slack)
-        yield from ordinates(self.measured, self.leaf, sizes, slack)
-        language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
-        for key in sheet.hodographs:
-            one = told.reactions[key]
-            ends = {str(k): complex(value) for k, value in enumerate(one.force)}
-            shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
-            ends[plain_name(shown)] = complex(one.force[self.position])
-            yield from self._held(f"hodograph-{key}", ends, self.slack)
+    def curves(self) -> Iterator[Wrong]:
+        """Hold the graph of the balancing moment, and the hodographs."""
+        yield from SheetCurves(self.measured, self.leaf, self.comparison, self.statics, self.slack).faults()
 
     def loads(self) -> Iterator[Wrong]:
         """Hold the load diagrams, by the strokes of the analysis."""
@@ -226,6 +241,11 @@ class _Check:
         language = self.statics.study.scene.sheet.language
         yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).faults()
 
+    @property
+    def complete(self) -> ForceSet:
+        """What the sheets of its position must have together."""
+        return ForceSet(self.statics, self.comparison, self.bills, self.floor, self.position)
+
     def set_faults(self, sheets: Sheets) -> Iterator[Wrong]:
         """Hold what a figure of the sheet has on any sheet of its position: enlarged details, the lever's equation."""
         for name in self.leaf.metadata["groups"]:
@@ -233,11 +253,3 @@ class _Check:
         language = self.statics.study.scene.sheet.language
         leaves = [leaf for _, leaf in sheets]
         yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).unequalled(leaves)
-
-    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
-        told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]
-        told += [(one.plan, one.name, one.value, one.scale) for one in self.measured.points]
-        for own, name, value, scale in told:
-            allowed = slack + 2 * self.measured.quantum * scale
-            if own == plan and name in expected and not abs(value - expected[name]) <= allowed:
-                yield on("differs_on", plan, name=name)

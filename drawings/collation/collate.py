@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from drawings.collation import edit
 from drawings.collation.edit import Edit
 from drawings.collation.figures import STILL, Figures
-from drawings.collation.items import Item, items
+from drawings.collation.items import BEARERS, Item, items
 from drawings.collation.matching import lies, match
 from drawings.collation.pairing import Pairing
+from drawings.collation.patch import covered
 from drawings.collation.spots import brought
 from drawings.measure.transform import STAY, Affine, placing
 from drawings.paper.limits import QUANTUM
@@ -21,6 +23,7 @@ from drawings.paper.walk import groups
 from plans.words.words import Message, message
 
 CORNERS = 3
+SIGNED = ("scene", "plandraft", "format")  # who drew a sheet and from what, which is looked at by itself
 STRANGE = 0.5  # a sheet of which less is as it must be is another sheet
 MILLIMETRE = 1e-3  # mm: what paper sizes are held to
 
@@ -29,7 +32,7 @@ class Hidden(NamedTuple):
     """A stroke that is in the file and is not seen, with the reason."""
 
     item: Item
-    reason: object
+    reason: str  # by its key among words
 
 
 class Collation(NamedTuple):
@@ -51,20 +54,26 @@ class Collation(NamedTuple):
         return self.same < STRANGE * self.most
 
 
-def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = ()) -> Collation:
-    """Hold a sheet against what it must be; one that was moved as a whole is laid back first."""
+def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequence[Hidden] = ()) -> Collation:
+    """Hold a sheet against what it must be; one that was moved as a whole is laid back first.
+
+    What is `hidden` in it is told, but for what is hidden in every sheet like it, as it is `usual`.
+    """
     back, whole = _laid_back(right, there)
     rounding = QUANTUM if back == STAY else 4 * QUANTUM * max(1.0, abs(back.p))
     laid = there if back == STAY else replace(there, groups=tuple(_brought(group, back) for group in there.groups))
     figures = Figures(right)
     ours = items(right)
     found = match(ours, items(laid), rounding)
-    unseen = list(_hidden(found.missing, hidden, figures, rounding))
+    left = _unusual(hidden, usual, rounding)
+    unseen = list(_hidden(found.missing, left, figures, rounding))
     gone = {id(item) for item, _ in unseen}
     pairing = Pairing([item for item in found.missing if id(item) not in gone], found.added, figures, rounding)
     copies = (edit.lone("copied", item, figures) for item in found.copies)
-    edits = (*(told for _, told in unseen), *pairing.edits(_counts(ours, figures)), *copies)
-    return Collation(edits, *_shares(ours, found.missing), (*_paper(right, there), *whole))
+    others = (edit.unseen(one.item, one.reason, figures, covered(one.item.stroke, ours)) for one in left)
+    marks = (edit.restated(ours, theirs, figures) for ours, theirs in found.same if _restated(ours, theirs))
+    edits = (*(told for _, told in unseen), *marks, *pairing.edits(_counts(ours, figures)), *copies, *others)
+    return Collation(edits, *_shares(ours, found.missing), (*_paper(right, there), *whole, *_told(right, there)))
 
 
 def _shares(ours: Sequence[Item], missing: Sequence[Item]) -> tuple[int, int]:
@@ -78,14 +87,30 @@ def _counts(ours: Sequence[Item], figures: Figures) -> dict[str, int]:
 
 
 def _hidden(
-    missing: Sequence[Item], hidden: Sequence[Hidden], figures: Figures, rounding: float
+    missing: Sequence[Item], left: list[Hidden], figures: Figures, rounding: float
 ) -> Iterator[tuple[Item, Edit]]:
-    """Tell what is in its place in the file and cannot be seen."""
-    left = list(hidden)
+    """Tell what is in its place in the file and cannot be seen; that is taken from what is left of the hidden."""
     for item in missing:
         place = next((k for k, one in enumerate(left) if _one_place(item, one.item, rounding)), None)
         if place is not None:
             yield item, edit.lone("hidden", item, figures, reason=left.pop(place).reason)
+
+
+def _restated(ours: Item, theirs: Item) -> bool:
+    """Tell whether a mark is drawn as it must be, and states something else of itself."""
+    return ours.what in BEARERS.values() and ours.home.mark != theirs.home.mark
+
+
+def _unusual(hidden: Sequence[Hidden], usual: Sequence[Hidden], rounding: float) -> list[Hidden]:
+    left = list(usual)
+    found = []
+    for one in hidden:
+        place = next((k for k, other in enumerate(left) if _one_place(one.item, other.item, rounding)), None)
+        if place is None:
+            found.append(one)
+        else:
+            left.pop(place)
+    return found
 
 
 def _one_place(item: Item, other: Item, rounding: float) -> bool:
@@ -98,6 +123,21 @@ def _paper(right: Leaf, there: Leaf) -> Iterator[Message]:
         sizes = ((f"{leaf.width:.6g}", f"{leaf.height:.6g}") for leaf in (there, right))
         (width, height), (must_width, must_height) = sizes
         yield message("edit.paper", width=width, height=height, must_width=must_width, must_height=must_height)
+
+
+def _told(right: Leaf, there: Leaf) -> Iterator[Message]:
+    """Tell what a file says of itself otherwise than it must, beside who drew it and from what."""
+    if (right.title, right.description) != (there.title, there.description):
+        yield message("edit.title")
+    keys = sorted({*right.metadata, *there.metadata} - set(SIGNED))
+    for key in keys:
+        if _json(right.metadata.get(key)) != _json(there.metadata.get(key)):
+            yield message("edit.metadata", key=key)
+
+
+def _json(value: Any) -> str:
+    """Write data as a file has them, in which lists are no tuples."""
+    return json.dumps(value, sort_keys=True, default=str)
 
 
 def _laid_back(right: Leaf, there: Leaf) -> tuple[Affine, tuple[Message, ...]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from drawings.collation.figures import Figures, Scale
@@ -11,6 +12,7 @@ from drawings.collation.spots import middle
 from drawings.paper.strokes import LineStyle, Text
 from plans.words.words import Message, message
 
+UNREAD = "unread"  # what an element draws cannot be told
 LETTERS = 60  # of a text are told in a message; the rest is in the sheet
 
 
@@ -44,6 +46,24 @@ def lone(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
 
 
+def unseen(item: Item, reason: str, figures: Figures, under: Sequence[Item] = ()) -> Edit:
+    """Tell of what is in the file beside what must be there, and is not seen or cannot be read, or hides others."""
+    if under:
+        parts = {"count": len(under), "first": _thing(under[0], figures)}
+        return lone("patch", item, figures, **parts)._replace(strokes=len(under))
+    if reason == UNREAD:
+        return _edit(UNREAD, item, figures, None, message("edit.unread", name=item.home.figure))
+    return lone("unseen", item, figures, reason=reason)
+
+
+def restated(item: Item, there: Item, figures: Figures) -> Edit:
+    """Tell of a mark that is drawn as it must be and states something else, by the first thing that differs."""
+    ours, theirs = item.home.mark, there.home.mark
+    key = next(key for key in (*ours, *theirs) if ours.get(key) != theirs.get(key))
+    said = {"key": key, "is_": theirs.get(key, "—")[:LETTERS], "must": ours.get(key, "—")[:LETTERS]}
+    return lone("restated", item, figures, **said)
+
+
 def retouched(how: str, item: Item, figures: Figures, **parts: object) -> Edit:
     """Tell of a stroke that lies where it must, and is written or drawn otherwise."""
     return _edit(how, item, figures, None, message(f"edit.{how}", thing=_thing(item, figures), **parts))
@@ -53,6 +73,15 @@ def moved(how: str, item: Item, figures: Figures, by: float) -> Edit:
     """Tell of a stroke that lies elsewhere, by so many mm."""
     told = message(f"edit.{how}", thing=_thing(item, figures), by=_size(by, figures.scale(item)))
     return _edit(how, item, figures, by, told)
+
+
+def whole(how: str, own: Sequence[Item], figures: Figures) -> Edit:
+    """Tell of a figure as a whole."""
+    first = own[0]
+    figure = figures.called(figures.of(first))
+    thing = message("edit.figure", figure=figure, at=_place(middle(first.stroke)))
+    told = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
+    return told._replace(what="figure", name="", strokes=len(own))
 
 
 def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Edit:
@@ -69,12 +98,14 @@ def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Ed
     by = _size(shift.farthest, figures.scale(first) if mark or not whole else None)
     key, parts = _motion(shift)
     told = message(f"edit.{key}", thing=thing, by=by, **parts)
-    edit = _edit("moved", first, figures, shift.farthest, told)
+    edit = _edit(shift.how, first, figures, shift.farthest, told)
     return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(own))
 
 
 def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
     """Name a motion by what it does beside moving."""
+    if shift.how != "moved":
+        return shift.how, {}
     scaled, turned = abs(shift.scale - 1) > 1e-6, abs(shift.turn) > 1e-4  # finer than an editor writes
     parts: dict[str, object] = {}
     if scaled:

@@ -16,7 +16,7 @@ _KINDS: dict[type, str] = {
     Line: "line", Polyline: "line", Arc: "arc", Circle: "circle", Fill: "area", Curve: "curve", Text: "letter",
 }  # fmt: skip
 # What the first stroke of a marked group is, by the group's kind.
-_BEARERS = {
+BEARERS = {
     "vector": "vector", "point": "point", "pole": "pole", "corner": "corner", "profile": "profile",
     "force": "arrow", "couple": "couple",
 }  # fmt: skip
@@ -54,6 +54,11 @@ def items(leaf: Leaf) -> list[Item]:
     ]
 
 
+def inside(stroke: Stroke, figure: str) -> list[Item]:
+    """List what inks of a stroke by itself, or of a group, which is of a figure."""
+    return list(_within(stroke if isinstance(stroke, Group) else Group((stroke,)), Home(0, figure)))
+
+
 def _lettering(group: Group, tables: object) -> str:
     """Tell what the lettering of a group at the top is, by the group's name."""
     stem = group.name.rpartition("-")[0]
@@ -66,15 +71,15 @@ def _lettering(group: Group, tables: object) -> str:
 
 def _within(group: Group, home: Home) -> Iterator[Item]:
     kind = group.data.get("kind", "")
-    own = home._replace(mark=group.data) if kind in _BEARERS else home
+    own = home._replace(mark=group.data) if kind in BEARERS else home
     headed = home.lettering == "letter" and not group.data
     for place, stroke in enumerate(group.strokes):
         if isinstance(stroke, Group):
             heading = headed and place == 0 and is_heading(stroke)
             yield from _within(stroke, own._replace(lettering="heading") if heading else own)
         else:
-            bears = place == 0 and kind in _BEARERS
-            yield Item(stroke, _BEARERS[kind] if bears else _what(stroke, own), own)
+            bears = place == 0 and kind in BEARERS
+            yield Item(stroke, BEARERS[kind] if bears else _what(stroke, own), own)
 
 
 def is_heading(group: Group) -> bool:

@@ -15,9 +15,9 @@ WIDTH = 1e-3  # mm: far under the steps of the widths that a pen has, and over w
 
 
 class Matching(NamedTuple):
-    """What is there as it must be, by count; what is left of what must be there, and of what is there."""
+    """What is there as it must be, in pairs; what is left of what must be there, and of what is there."""
 
-    same: int
+    same: tuple[tuple[Item, Item], ...]
     missing: tuple[Item, ...]
     added: tuple[Item, ...]
     copies: tuple[Item, ...] = ()  # of what is there as it must be, once more
@@ -28,25 +28,22 @@ def match(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Matc
     cells: dict[Hashable, list[int]] = defaultdict(list)
     for place, item in enumerate(there):
         cells[_cell(item.stroke, rounding)].append(place)
-    taken: set[int] = set()
+    taken: dict[int, Item] = {}
     missing = []
     for item in right:
-        found = next(
-            (one for one in _near(item.stroke, cells, rounding) if _fits(item, there, one, taken, rounding)), None
-        )
-        if found is None:
-            missing.append(item)
+        near = [one for one in _near(item.stroke, cells, rounding) if one not in taken]
+        fitting = [one for one in near if same(item.stroke, there[one].stroke, rounding)]
+        if fitting:
+            taken[min(fitting, key=lambda one: there[one].home.mark != item.home.mark)] = item
         else:
-            taken.add(found)
-    return _sorted(right, tuple(missing), [item for place, item in enumerate(there) if place not in taken], rounding)
+            missing.append(item)
+    pairs = tuple((item, there[place]) for place, item in taken.items())
+    left = [item for place, item in enumerate(there) if place not in taken]
+    return Matching(pairs, tuple(missing), *_added(right, left, rounding))
 
 
-def _fits(item: Item, there: Sequence[Item], place: int, taken: set[int], rounding: float) -> bool:
-    return place not in taken and same(item.stroke, there[place].stroke, rounding)
-
-
-def _sorted(right: Sequence[Item], missing: tuple[Item, ...], left: Iterable[Item], rounding: float) -> Matching:
-    """Tell copies of what is there from what is added."""
+def _added(right: Sequence[Item], left: Iterable[Item], rounding: float) -> tuple[tuple[Item, ...], tuple[Item, ...]]:
+    """Tell what is added from copies of what must be there."""
     cells: dict[Hashable, list[int]] = defaultdict(list)
     for place, item in enumerate(right):
         cells[_cell(item.stroke, rounding)].append(place)
@@ -55,7 +52,7 @@ def _sorted(right: Sequence[Item], missing: tuple[Item, ...], left: Iterable[Ite
     for item in left:
         own = any(same(right[one].stroke, item.stroke, rounding) for one in _near(item.stroke, cells, rounding))
         (copies if own else added).append(item)
-    return Matching(len(right) - len(missing), missing, tuple(added), tuple(copies))
+    return tuple(added), tuple(copies)
 
 
 def _cell(stroke: Ink, rounding: float) -> tuple[str, int, int]:

@@ -24,7 +24,8 @@ EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
 4 drawn, but with gaps, marks too near a dead centre, a machine that stops, or a cam beyond its limit, undercut, not
 held by its spring, or with too short a face; 5 a self-check failed, sheet withheld;
-7 cannot read or write; 8 a named limit was exceeded.
+7 cannot read or write; 8 a named limit was exceeded. Of check: 0 whole; 4 whole as far as it could be checked;
+5 not as it was drawn.
 
 a scene is one TOML file: what is studied, a linkage or a rotor, and what is asked of it.
 start from a scene of the gallery (plandraft new) and change it; every mistake is told with its line and what to write.
@@ -71,11 +72,23 @@ def parser() -> argparse.ArgumentParser:
     explain.add_argument("--json", action="store_true", help="as JSON")
     measure = commands.add_parser("measure", help="read the vectors of an SVG sheet back in true units")
     measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
+    measure.add_argument(
+        "--scene", type=Path, metavar="SCENE", help="tell also what it has not, or must not, by its scene"
+    )
     measure.add_argument("--json", action="store_true", help="as JSON")
+    _check(commands)
     _bench(commands)
     schema = commands.add_parser("schema", help="print the JSON Schema of a scene, for editors")
     schema.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it into a file")
     return top
+
+
+def _check(commands: argparse._SubParsersAction[_Parser]) -> None:
+    check = commands.add_parser("check", help="tell whether written sheets are whole and as their scene has them")
+    check.add_argument("sheets", type=Path, nargs="+", metavar="SHEET.svg", help="a sheet that plandraft drew")
+    check.add_argument("--scene", type=Path, metavar="SCENE", help="its scene (default: looked for beside the sheet)")
+    check.add_argument("--language", type=_language, metavar="LANGUAGE", help="en or ru (default: the scene's)")
+    check.add_argument("--json", action="store_true", help="as JSON")
 
 
 def _solve(commands: argparse._SubParsersAction[_Parser]) -> None:
@@ -108,6 +121,14 @@ def _bench(commands: argparse._SubParsersAction[_Parser]) -> None:
         "--startup", action=argparse.BooleanOptionalAction, help="time a cold plandraft draw (default: unless --quick)"
     )
     bench.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _language(text: str) -> str:
+    from plans.words.words import languages  # only this option asks for them
+
+    if text not in languages():
+        raise argparse.ArgumentTypeError(f"{text} is none of {', '.join(languages())}")
+    return text
 
 
 def _count(text: str) -> int:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from drawings.commands.stderr import tell
 from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, check, measure_file
+from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
 from drawings.measure.measured_profile import MeasuredProfile
 from drawings.paper.limits import SheetRefused
 from geometry.curve import CubicPiece, Piece
@@ -30,9 +33,13 @@ def run(options: argparse.Namespace) -> int:
     _tell_strangers(options.sheet)
     wrong = check(measured)
     off = {miss.key for miss in wrong}
+    astray = _astray(measured, options) if options.scene else {}
     if options.json:
         plain = {"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")}
-        print_json(plain | {"profiles": [_plain_profile(one) for one in measured.profiles]})
+        profiles = [_plain_profile(one) for one in measured.profiles]
+        print_json(
+            plain | {"profiles": profiles} | {how: [one._asdict() for one in own] for how, own in astray.items()}
+        )
     else:
         for mark in measured.marks:
             sign = "DIFFERS from the stated" if mark.key in off else ""
@@ -44,7 +51,36 @@ def run(options: argparse.Namespace) -> int:
             print(f"{one.plan:<14} {'':>4}  {one.name:<10} {told}{sign}")
         for note in measured.notes:
             print(f"left aside: {note}")
-    return FAILED if wrong else 0
+        for how, key in ((how, key) for how, own in astray.items() for key in own):
+            print(f"{how}: {' '.join(str(part) for part in key if part is not None)}")
+    return FAILED if wrong or any(astray.values()) else 0
+
+
+def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:
+    """Name the marks that the sheet must have by its scene and has not, that it has and must not, and that differ."""
+    from drawings.original.originals import Originals  # only a scene that is given has its sheets laid out
+
+    originals = Originals(options.scene)
+    must = [originals.seen(one).measured for one in originals.of(options.sheet.name, measured.metadata)]
+    own = {mark.key for mark in _all(measured)}
+    right = max(must, key=lambda one: len(own & {mark.key for mark in _all(one)}))
+    stated = {mark.key: mark.stated for mark in right.marks}
+    known = [replace(mark, stated=stated[mark.key]) for mark in measured.marks if mark.key in stated]
+    held = measured._replace(
+        vectors=tuple(mark for mark in known if isinstance(mark, MeasuredVector)),
+        points=tuple(mark for mark in known if isinstance(mark, MeasuredPoint)),
+        profiles=(),
+    )
+    there = {mark.key for mark in _all(right)}
+    return {
+        "missing": [mark.key for mark in _all(right) if mark.key not in own],
+        "added": [mark.key for mark in _all(measured) if mark.key not in there],
+        "differs": [miss.key for miss in check(held)],
+    }
+
+
+def _all(measured: Measured) -> Sequence[MeasuredVector | MeasuredPoint | MeasuredProfile]:
+    return (*measured.marks, *measured.profiles)
 
 
 def _tell_strangers(sheet: Path) -> None:

@@ -1,7 +1,4 @@
-"""The table of values: every drawn quantity by plan and by analysis, with the difference or what a hand may be out.
-
-The sheets of plans tell within what a drawing made by hand would be (таблица результатов).
-"""
+"""The table of values: drawn quantities by plan and by analysis, with what a hand may be out (таблица результатов)."""
 
 from __future__ import annotations
 
@@ -14,17 +11,14 @@ import numpy as np
 
 from drawings.layout.table import Cell, Later, RuledTable, TableRow
 from drawings.layout.table import table as measure
-from drawings.lettering.words import fixed, letter, number, word
+from drawings.lettering.words import fixed, letter, word
 from drawings.page.drafting import Drafting
 from plans.checks.comparison import Comparison, Finding
 from plans.model.order import ORDERS
 
-COLUMNS = ("by plan", "by analysis", "difference")
 BY_HAND = ("by plan", "by analysis", "by hand")
 NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
-PLAIN = 1e-3  # a smaller per cent is written by its power of ten
-NOISE = 9  # a difference below 10^-9 % is said to be below it: its own digits differ from machine to machine
 
 
 def rows(
@@ -65,11 +59,6 @@ def _new(parts: Sequence[Finding], points: Sequence[Finding]) -> list[Finding]:
     ]
 
 
-def row(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> TableRow:
-    """Give the row of a finding under a name: by plan, by analysis, the difference."""
-    return TableRow(name, tuple(cell for k in positions for cell in _cells(finding, k, language)))
-
-
 def row_by_hand(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> TableRow:
     """Give the row of a finding under a name: by plan, by analysis, what a hand may be out."""
     return TableRow(name, tuple(cell for k in positions for cell in _cells_by_hand(finding, k, language)))
@@ -98,16 +87,6 @@ def _places(finding: Finding) -> int:
     return max(DIGITS - 1 - int(np.floor(np.log10(finding.largest))), 0)
 
 
-def _cells(finding: Finding, position: int, language: str) -> tuple[str, str, str]:
-    pair = _pair(finding, position, language)
-    if pair is None:
-        return NOTHING, NOTHING, NOTHING
-    share = _per_cent(float(finding.difference[position]) / finding.largest * 100, language)
-    if max(abs(_told(one[position])) for one in (finding.construction, finding.analysis)) <= finding.allowed[position]:
-        share = NOTHING  # of what is nothing but for rounding there is no share
-    return *pair, share
-
-
 def _cells_by_hand(finding: Finding, position: int, language: str) -> tuple[Cell, Cell, Cell]:
     pair, places = _pair(finding, position, language), _places(finding)
     if pair is None:
@@ -134,16 +113,6 @@ def _two_digits(value: float, most: int, language: str) -> str:
         return fixed(value, language, most)
     rounded = float(f"{value:.1e}")
     return fixed(rounded, language, max(1 - math.floor(math.log10(rounded)), 0))
-
-
-def _per_cent(value: float, language: str) -> str:
-    """Write a difference in per cent; below what matters on any sheet its digits are rounding, not result."""
-    if value < 10.0**-NOISE:
-        return f"<10^{{−{NOISE}}}"
-    if value < PLAIN:
-        power = math.floor(math.log10(value))
-        return f"{number(value / 10.0**power, language, 2)}·10^{{−{-power}}}"
-    return number(value, language, 2)
 
 
 def table(lines: Sequence[TableRow], positions: tuple[int, ...], drafting: Drafting) -> RuledTable:

@@ -17,6 +17,7 @@ from drawings.measure.measured_profile import MeasuredProfile, profile
 from drawings.measure.pathdata import number, pair
 from drawings.measure.reader import read
 from drawings.measure.transform import STAY, Affine, placing
+from drawings.measure.witness import Witness
 from drawings.paper.limits import CURVE_QUANTUM, FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
 from geometry.regular_file import regular_bytes
 
@@ -60,9 +61,9 @@ def measure_file(path: Path) -> Measured:
     return measure(regular_bytes(path, SHEET_BYTES + 1))
 
 
-def measure(source: bytes) -> Measured:
+def measure(source: bytes, witness: Witness | None = None) -> Measured:
     """Measure a sheet; one that cannot be trusted to be read right is refused with the reason."""
-    sheet = read(source)
+    sheet = read(source, witness)
     told = sheet.metadata.get("format", FORMAT)
     if not isinstance(told, int) or told > FORMAT:
         raise SheetRefused(f"the sheet has format {told!r}; this version reads up to {FORMAT}")

@@ -7,14 +7,15 @@ import time
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 from xml.parsers import expat
 
 from drawings.measure.marks import LINES, SheetMark, called, drawn, marked
 from drawings.measure.pathdata import pair
-from drawings.measure.transform import Affine, about, transform
+from drawings.measure.transform import about, transform
 from drawings.measure.viewport import Viewport, viewport
 from drawings.measure.visibility import ANIMATIONS, UNDRAWN, Look, properties, telling, unfollowed
+from drawings.measure.witness import Frame, Witness
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
 
@@ -34,9 +35,9 @@ class ReadSheet:
     metadata: dict[str, Any] = field(default_factory=dict)
 
 
-def read(source: bytes) -> ReadSheet:
+def read(source: bytes, witness: Witness | None = None) -> ReadSheet:
     """Read a sheet (svg or svgz); what cannot be read within the limits is refused with the reason."""
-    return _Reader().read(_unpacked(source))
+    return _Reader(witness).read(_unpacked(source))
 
 
 def _unpacked(source: bytes) -> bytes:
@@ -56,19 +57,11 @@ def _unpacked(source: bytes) -> bytes:
     return source
 
 
-class _Frame(NamedTuple):
-    """What an open element hands to those inside: its map to paper, its look, and why a mark in it is refused."""
-
-    tag: str
-    to_paper: Affine
-    look: Look
-    refusal: str
-
-
 class _Reader:
-    def __init__(self) -> None:
+    def __init__(self, witness: Witness | None = None) -> None:
+        self.witness = witness
         self.sheet: ReadSheet | None = None
-        self.frames: list[_Frame] = []
+        self.frames: list[Frame] = []
         self.ids: set[str] = set()
         self.elements = self.entities = self.ampersands = self.path_length = 0
         self.heard: list[str] | None = None
@@ -139,6 +132,8 @@ class _Reader:
             self._open(space, tag, attributes)
         else:
             self._enter(space, tag, attributes, self.sheet)
+        if self.witness is not None:
+            self.witness.enter(self.frames[-1] if space == _SVG else self.frames[-1]._replace(tag=""), attributes)
 
     def _name(self, attributes: Mapping[str, str]) -> None:
         if (own := attributes.get("id")) is not None:
@@ -153,7 +148,7 @@ class _Reader:
             raise SheetRefused("the root has a transform")
         paper = viewport(attributes)
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
-        self.frames.append(_Frame(tag, paper.placing, Look().below(tag, properties(attributes)), ""))
+        self.frames.append(Frame(tag, paper.placing, Look().below(tag, properties(attributes)), ""))
 
     def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         outer = self.frames[-1]
@@ -172,7 +167,7 @@ class _Reader:
         if data := marked(attributes):
             self._mark(frame, data, attributes, sheet)
 
-    def _framed(self, outer: _Frame, tag: str, attributes: Mapping[str, str]) -> _Frame:
+    def _framed(self, outer: Frame, tag: str, attributes: Mapping[str, str]) -> Frame:
         own = properties(attributes)
         look = outer.look.below(tag, own) if own or tag in UNDRAWN else outer.look
         refusal = outer.refusal
@@ -181,15 +176,15 @@ class _Reader:
         elif moved := unfollowed(own):
             refusal = refusal or f"a style moves it by {moved!r}"
         if own.get("transform", "none") == "none":
-            return _Frame(tag, outer.to_paper, look, refusal)
+            return Frame(tag, outer.to_paper, look, refusal)
         moving = transform(own["transform"])
         if "transform-origin" in own:
             moving = about(pair(own["transform-origin"].replace("px", "")), moving)
         if moving.singular:
             look = look._replace(gone=look.gone or "scaled to nothing")
-        return _Frame(tag, outer.to_paper.after(moving), look, refusal)
+        return Frame(tag, outer.to_paper.after(moving), look, refusal)
 
-    def _mark(self, frame: _Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
+    def _mark(self, frame: Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
         kind, who = data["kind"], called(data)
         if hidden := frame.look.hidden(filled=kind not in LINES):
             sheet.notes.append(f"{who} is not counted: {hidden}")
@@ -217,6 +212,8 @@ class _Reader:
             self.heard, self.heard_length, self.heard_depth = [], 0, len(self.frames) + 1
 
     def _hear(self, text: str) -> None:
+        if self.witness is not None:
+            self.witness.hear(text)
         if self.heard is None or len(self.frames) != self.heard_depth:
             return
         self.heard_length += len(text)
@@ -227,6 +224,8 @@ class _Reader:
 
     def _end(self, _: str) -> None:
         frame = self.frames.pop()
+        if self.witness is not None:
+            self.witness.leave()
         if self.heard is None or self.sheet is None or len(self.frames) + 1 != self.heard_depth:
             return
         text, self.heard = "".join(self.heard), None

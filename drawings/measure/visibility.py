@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from drawings.measure.pathdata import NUMERAL, SPACE
 from drawings.paper.limits import NUMERAL_LENGTH, SheetRefused
@@ -17,6 +17,8 @@ ANIMATIONS = frozenset(("animate", "animateTransform", "animateMotion", "animate
 # Properties that decide what is seen and where; those of a style attribute are followed.
 _SEEN = "display visibility opacity stroke stroke-width stroke-opacity fill fill-opacity clip-path mask filter"
 _FOLLOWED = frozenset(f"{_SEEN} transform transform-origin".split())
+# Those that say how what is seen looks.
+_LOOKS = _FOLLOWED | frozenset(["stroke-dasharray", "stroke-linecap", "font-size", "font-style", "text-anchor"])
 # Properties by which a style could move what the attributes show.
 _SHAPES = "cx cy r rx ry x y x1 y1 x2 y2 d points"
 _MOVING = frozenset(f"{_SHAPES} translate rotate scale offset-path motion-path zoom transform-box".split())
@@ -24,7 +26,10 @@ _INVISIBLE = ("none", "transparent")
 
 
 class Look(NamedTuple):
-    """The inherited properties that decide whether an element is seen; `gone` says why nothing below it is."""
+    """The inherited properties of what is drawn; `gone` says why nothing below it is seen.
+
+    `shade` is the share of its ink that is left by the opacities of all that it stands in.
+    """
 
     gone: str = ""
     visibility: str = "visible"
@@ -33,6 +38,12 @@ class Look(NamedTuple):
     stroke_opacity: str = "1"
     fill: str = "black"
     fill_opacity: str = "1"
+    stroke_dasharray: str = "none"
+    stroke_linecap: str = "butt"
+    font_size: str = "16"
+    font_style: str = "normal"
+    text_anchor: str = "start"
+    shade: float = 1.0
 
     def below(self, tag: str, properties: Mapping[str, str]) -> Look:
         """Give the look of an element inside, from its own properties."""
@@ -50,22 +61,22 @@ class Look(NamedTuple):
         return "drawn with nothing"
 
 
-_INHERITED = tuple(name.replace("_", "-") for name in Look._fields[1:])
+_INHERITED = tuple(name.replace("_", "-") for name in Look._fields[1:-1])
 
 
 @lru_cache(maxsize=1024)  # a sheet has thousands of elements in a dozen looks
 def _below(outer: Look, tag: str, listed: tuple[tuple[str, str], ...]) -> Look:
     own = dict(listed)
-    inherited = (
-        outer[place] if own.get(name, "inherit") == "inherit" else own[name]
-        for place, name in enumerate(_INHERITED, start=1)
-    )
-    return Look(outer.gone or _goes(tag, own), *inherited)
+    changed: dict[str, Any] = {
+        name.replace("-", "_"): own[name] for name in _INHERITED if own.get(name, "inherit") != "inherit"
+    }
+    gone, shade = outer.gone or _goes(tag, own), outer.shade * share(own.get("opacity", "1"))
+    return outer._replace(gone=gone, shade=shade)._replace(**changed)
 
 
 def properties(attributes: Mapping[str, str]) -> dict[str, str]:
     """Give the presentation of an element: its attributes, overruled by its style."""
-    found = {name: text.strip(SPACE) for name, text in attributes.items() if name in _FOLLOWED}
+    found = {name: text.strip(SPACE) for name, text in attributes.items() if name in _LOOKS}
     return found | declarations(attributes["style"]) if "style" in attributes else found
 
 
@@ -112,6 +123,18 @@ def _goes(tag: str, own: Mapping[str, str]) -> str:
     if _vanishes(own.get("opacity", "1")):
         return "opacity 0"
     return next((f"under a {name}" for name in ("clip-path", "mask", "filter") if own.get(name, "none") != "none"), "")
+
+
+def share(opacity: str) -> float:
+    """Read an opacity, from 0 to 1; one that is not understood leaves nothing.
+
+    >>> share("0.5"), share("50%"), share("half")
+    (0.5, 0.5, 0.0)
+    """
+    match = NUMERAL.match(opacity.strip(SPACE)[:NUMERAL_LENGTH])
+    if match is None or opacity.strip(SPACE)[match.end() :] not in ("", "%"):
+        return 0.0
+    return min(max(float(match[0]) / (100 if opacity.strip(SPACE).endswith("%") else 1), 0.0), 1.0)
 
 
 def _paints(paint: str, opacity: str) -> bool:

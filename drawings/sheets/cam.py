@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -18,14 +18,20 @@ from drawings.figures.cam import (
 from drawings.figures.cam.pressure_graph import PressureView, pressure_view
 from drawings.figures.cam.profile_view import profile_view
 from drawings.figures.cam.size_view import SizeView
+from drawings.layout import value_table
 from drawings.layout.contents import EVEN, Panel
-from drawings.layout.table import RuledTable
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.report.agreement import agreed
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets import cam_charts, cam_column
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from plans.cam.study import CYCLOGRAM, CamDrawing
+from plans.checks.cam.comparison import of_cam
+from plans.checks.comparison import Finding
+from plans.checks.hand.cam import cam_by_hand, readings
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
 from plans.study import Study
@@ -38,8 +44,11 @@ JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axi
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, each on sheets of its own (row of the table of sheets)."""
     scene, cams = study.scene, study["cam"].drawings.values()
-    pairs = zip(cams, study.comparison("cam").analysis.cams, strict=True)
-    drafting = drafting_of(scene)
+    comparison, drafting = study.comparison("cam"), drafting_of(scene)
+    pairs = [
+        (one, exact, of_cam(comparison, one.cam.name))
+        for one, exact in zip(cams, comparison.analysis.cams, strict=True)
+    ]
     shared = [] if CYCLOGRAM in scene.sheets else cam_charts.drafts([one.cam for one in cams], drafting)
     return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
@@ -54,22 +63,23 @@ class _Contents(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> Draft:
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
-    contents = _contents(drawing, exact, drafting)
+    contents = _contents(drawing, exact, compared, drafting)
     first, *further = (_told(contents, drafting, way) for way in ways)
     return replace(first, instead=tuple(further))
 
 
-def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _Contents:
+def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> _Contents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
+    by_hand = any(readings(drawing))
     return _Contents(
         drawing,
         pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
         _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
-        _results(drawing, exact, drafting),
-        CamNotes(drawing.found, drafting).all,
+        _results(drawing, exact, by_hand, drafting),
+        (*CamNotes(drawing.found, drafting).all, *agreed(compared, drafting, by_hand)),
     )
 
 
@@ -77,7 +87,14 @@ def _told(contents: _Contents, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
     shows = (*_shows(contents, way, drafting), contents.profile)
     title = drafting.word("cam sheet title", name=cam.name)
-    return Draft("cam", title, shows, (contents.table,), contents.notes, partial(_facts, cam, way == JOINED))
+    facts, later = partial(_facts, cam, way == JOINED), partial(_later, contents.drawing, drafting)
+    return Draft("cam", title, shows, (contents.table,), contents.notes, facts, later=later)
+
+
+def _later(drawing: CamDrawing, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+    """Write what a hand may be out in the sizes, at the scale of their diagram."""
+    scales = {name: spot.scale.mu for name, spot in spots.items()}
+    return value_table.by_hand(cam_by_hand(drawing, scales), drafting.language)
 
 
 def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
@@ -110,6 +127,7 @@ def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVE
     return Exhibit(Panel(room, weight, "", scale), partial(figure.draw, shown, room, drafting=drafting))
 
 
-def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:
-    """Tell sizes, extremes and shocks by both roads."""
-    return sizes_table.sizes(sizes_table.quantities(drawing.found), sizes_table.quantities(exact), drafting)
+def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
+    """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
+    own, other = (sizes_table.quantities(one) for one in (drawing.found, exact))
+    return sizes_table.sizes(own, other, by_hand, drafting)

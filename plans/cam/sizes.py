@@ -56,7 +56,7 @@ def _translating(course: Course) -> Sizing:
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
     limits, turned = limits_of(cam), positions(cam)
     start, way, _ = axis(board)
-    tip, end = _laid(board, diagram, start, course.at(turned)[:2], "")
+    tip, end = laid_end(board, diagram, start, course.at(turned)[:2], "")
     bounds = tuple(pressure_bounds(diagram, limits))
     found = required(cam, limits, Place(0j, ()) if cam.sized else place(bounds, 0j, _choice(cam), cam.lift))
     laid = partial(_touching, board, diagram, (start, way))
@@ -66,7 +66,7 @@ def _translating(course: Course) -> Sizing:
     return Sizing(cam, limits, sizes, board, turned, start, start, tip, end, centre, bound_by(cam, lines), bounds)
 
 
-def _laid(
+def laid_end(
     board: Board, diagram: SlopeDiagram, start: Mark, motion: tuple[Floats, Floats], name: str
 ) -> tuple[Mark, Mark]:
     """Lay S off from A, and S' turned with the cam from there: K and D of some positions."""
@@ -82,7 +82,7 @@ def _touching(board: Board, diagram: SlopeDiagram, ends: tuple[Mark, Mark], one:
     """Lay off D where a ruler touches; the way of K is the same everywhere."""
     start, way = ends
     at = one.instant
-    return _laid(board, diagram, start, (at.s[0], at.slope[0]), name)[1], way
+    return laid_end(board, diagram, start, (at.s[0], at.slope[0]), name)[1], way
 
 
 def _choice(cam: Cam) -> Choice:

@@ -146,12 +146,19 @@ class ForceFindings:
         largest = self._largest_moment
         if ours.force is not None and self._told.name != DRIVING:
             yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
-        yield self._told_by("", (ours.moment, self._due), off, largest)
+        yield self._whole(self._told_by("", (ours.moment, self._due), off, largest))
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
             yield self._told_by("lever", (hung, theirs.moment), self.off(hung_on.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
         yield self._told_by("power", (ours.moment, powered), off, largest)
+
+    def _whole(self, told: Finding) -> Finding:
+        """Hold the force itself of what a slide is pushed with, beside its moment over the drive's unit."""
+        ours, theirs = self.ours.balancing.force, self.theirs.balancing.force
+        if not self.statics.study.mechanism.drive.pushed or ours is None or theirs is None:
+            return told
+        return told._replace(difference=np.maximum(told.difference, np.abs(ours - theirs)))
 
     @property
     def _due(self) -> Floats:

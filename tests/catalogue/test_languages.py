@@ -28,6 +28,9 @@ BETWEEN = "\0"  # what two commands say on stdout
 # Runs commands one after the other, up to one that fails.
 RUNNER = """
 import json, sys
+from pathlib import Path
+from plans.words import words
+words.FOLDER = Path(sys.argv[2])
 from drawings.commands import cli
 for place, command in enumerate(json.loads(sys.argv[1])):
     print(end="\\0" if place else "")
@@ -53,17 +56,17 @@ def translated(entry: object, group: str = "") -> object:
 
 @pytest.fixture(scope="module")
 def tongue(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., subprocess.CompletedProcess[str]]:
-    """Install plandraft with one file more, and give what runs it."""
+    """Give what runs plandraft where one file of words more stands beside the others."""
     home = tmp_path_factory.mktemp("third")
-    for package in ("geometry", "plans", "drawings"):
-        shutil.copytree(ROOT / package, home / package, ignore=shutil.ignore_patterns("gallery/*.svg", "__pycache__"))
+    for path in FOLDER.glob("*.json"):
+        shutil.copy(path, home)
     words = translated(json.loads((FOLDER / "en.json").read_text("utf-8")))
-    (home / "plans/words/xx.json").write_text(json.dumps(words, ensure_ascii=False), "utf-8")
+    (home / "xx.json").write_text(json.dumps(words, ensure_ascii=False), "utf-8")
 
     def run(*commands: Sequence[object]) -> subprocess.CompletedProcess[str]:
         ordered = json.dumps([[str(word) for word in command] for command in commands])
-        settings = {**os.environ, "PYTHONPATH": str(home), "PYTHONIOENCODING": "utf-8"}
-        line = [sys.executable, "-c", RUNNER, ordered]
+        settings = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONIOENCODING": "utf-8"}
+        line = [sys.executable, "-c", RUNNER, ordered, str(home)]
         return subprocess.run(line, cwd=home, env=settings, capture_output=True, text=True, check=False)
 
     return run

@@ -44,7 +44,7 @@ def study_of(name: str, size: str = "A1", language: str = "en", standard: str = 
 def checked(leaf: Leaf, study: Study, folder: Path) -> Measured:
     path = folder / "sheet.svg"
     path.write_bytes(svg(lettered(leaf)))
-    return verify(path, leaf, partial(faults, study=study))
+    return verify(path, leaf, partial(faults, study=study)).measured
 
 
 def all_checked(study: Study, folder: Path) -> list[Measured]:
@@ -147,6 +147,7 @@ def test_what_turns_with_the_crank_alone_is_a_counterweight_on_it(tmp_path: Path
     assert not any(text.startswith("z = ") for text in written)
 
 
+@pytest.mark.rest
 def test_unlike_vectors_leave_couples_that_a_counterweight_would_not(tmp_path: Path) -> None:
     """Two cylinders together: what turns at their pins, 2*0.6 kg at 40 mm, is all the difference of both vectors."""
     study = study_of("unlike")
@@ -169,6 +170,7 @@ def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
     assert "Order 1: nothing to compensate" in told
 
 
+@pytest.mark.rest
 def test_what_is_too_slight_is_told_and_not_drawn(tmp_path: Path) -> None:
     """Three cylinders: forces of orders 1, 2, 4 balance one another, and order 6 is 1/6700 of a cylinder's first."""
     study = study_of("three")

@@ -29,7 +29,7 @@ from plans.bench import draughtsman, forces
 from plans.bench.error import sizes
 from plans.bench.peers import PYLINKAGE
 from plans.bench.result import Bench, Goal
-from plans.bench.roads import CONSTRUCTION, ground, newton, prepared
+from plans.bench.roads import CONSTRUCTION, Ground, ground, newton, prepared
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
 from tests.drawings.test_commands import GAPPED
@@ -78,10 +78,16 @@ def test_a_session_says_what_its_numbers_mean(quick: Bench) -> None:
     assert "real hands" in told
 
 
-def test_what_is_measured_back_is_out_by_no_more_than_the_paper(quick: Bench) -> None:
-    """The ends of a vector are rounded to the sheet's last decimal: its error is a quantum times the plan's scale."""
+@pytest.fixture(scope="module")
+def paper() -> tuple[Ground, sheet.DrawnSheets]:
+    """Draw the shaper's sheet by the bench's own road, once."""
     found = ground(scene(), 12, 24, sizes(prepared(scene(), 360)))
-    drawn = sheet.road(found).run()
+    return found, sheet.road(found).run()
+
+
+def test_what_is_measured_back_is_out_by_no_more_than_the_paper(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
+    """The ends of a vector are rounded to the sheet's last decimal: its error is a quantum times the plan's scale."""
+    found, drawn = paper
     scales = {k: max(m.scale for m in drawn.measured.marks if m.quantity == k) for k in "rva"}
     errors = sheet.by_ruler(found.fresh(), drawn, found.truth, found.largest)
     for kind in "rva":
@@ -136,9 +142,8 @@ def test_the_plain_pen_draws_the_same_strokes() -> None:
     assert len(list(letter.iter(f"{SVG}polyline"))) == len(outline(Text(0j, "A")))
 
 
-def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out() -> None:
-    drawn = sheet.road(ground(scene(), 12, 24, sizes(prepared(scene(), 360)))).run()
-    ready = lettered(drawn.leaves[0])
+def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
+    ready = lettered(paper[1].leaves[0])
 
     def count(group: Group) -> int:
         return sum(
@@ -266,6 +271,7 @@ def test_json_alone_stands_on_stdout(run: Run, tmp_path: Path, quick: Bench, mon
     assert "shaper-bench.csv" in err
 
 
+@pytest.mark.rest
 def test_a_scene_with_gaps_is_measured_where_it_exists_and_says_so(run: Run, tmp_path: Path) -> None:
     file = tmp_path / "gapped.toml"
     file.write_text(GAPPED, "utf-8")

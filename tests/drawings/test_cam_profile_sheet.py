@@ -167,7 +167,7 @@ def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) ->
     """Numbers of M2.7, M2.9 and M2.13."""
     found = view_of(name).found
     own = sizes_table.quantities(found)
-    block = sizes_table.sizes(own, own, drafting_of(scene()))
+    block = sizes_table.sizes(own, own, True, drafting_of(scene()))
     told = {line.name.replace("_", "").replace("{", "").replace("}", ""): line.cells for line in block.lines}
     assert {name: told[name][0] for name in rows} == rows
     assert told["Ψ, °" if name == "rocker" else "H, mm"][1] == "given"

@@ -11,13 +11,16 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import replace
+from io import StringIO
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
+from drawings.commands import cli
 from drawings.commands import draw as draw_command
 from drawings.commands import solve as solve_command
 from drawings.files import atomic_files
@@ -89,11 +92,27 @@ def edited(tmp_path: Path, old: str, new: str) -> Path:
 # draw
 
 
-def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(run: Run, tmp_path: Path) -> None:
-    code, out, err = run("draw", SHAPER, "-o", tmp_path / "out")
+class Done(NamedTuple):
+    folder: Path
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture(scope="module")
+def shaper(tmp_path_factory: pytest.TempPathFactory) -> Done:
+    """Draw the shaper once, by the command, for all that is asked of it; nothing is changed in its folder."""
+    folder = tmp_path_factory.mktemp("shaper") / "out"
+    with redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as err:
+        code = cli.main(["draw", str(SHAPER), "-o", str(folder)])
+    return Done(folder, code, out.getvalue(), err.getvalue())
+
+
+def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(shaper: Done) -> None:
+    folder, code, out, err = shaper
     assert (code, err) == (0, "")
-    sheet, beside = tmp_path / "out/shaper-kinematics.svg", tmp_path / "out/shaper-report.md"
-    assert {file.name for file in (tmp_path / "out").iterdir()} == {
+    sheet, beside = folder / "shaper-kinematics.svg", folder / "shaper-report.md"
+    assert {file.name for file in folder.iterdir()} == {
         sheet.name,
         beside.name,
         "shaper-manifest.json",
@@ -105,19 +124,17 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(run: Run
     assert beside.read_text("utf-8").startswith("# Crank shaper: kinematics\n")
 
 
-def test_the_output_is_told_and_who_chose_it(run: Run, tmp_path: Path) -> None:
-    _, out, _ = run("draw", SHAPER, "-o", tmp_path)
-    report = (tmp_path / "shaper-report.md").read_text("utf-8")
+def test_the_output_is_told_and_who_chose_it(run: Run, shaper: Done, tmp_path: Path) -> None:
+    report = (shaper.folder / "shaper-report.md").read_text("utf-8")
     chosen = "utput: link 5 by its point D, the last link on the frame; [output] names another\n"
-    assert f"\no{chosen}" in out
+    assert f"\no{chosen}" in shaper.out
     assert f"\n- O{chosen}" in report
     named = edited(tmp_path, "[sheet]", "[output]\nlink = 3\n[sheet]")
     assert "\noutput: link 3, as [output] names it\n" in run("draw", named, "-o", tmp_path)[1]
 
 
-def test_every_vector_and_point_of_the_drawn_sheet_measures_back(run: Run, tmp_path: Path) -> None:
-    run("draw", SHAPER, "-o", tmp_path)
-    sheet = tmp_path / "shaper-kinematics.svg"
+def test_every_vector_and_point_of_the_drawn_sheet_measures_back(shaper: Done) -> None:
+    sheet = shaper.folder / "shaper-kinematics.svg"
     assert sealed(sheet.read_bytes())
     measured = measure_file(sheet)
     assert check(measured) == []
@@ -293,11 +310,9 @@ def test_compare_ends_with_5_where_the_roads_differ_by_a_millionth(run: Run, mon
 
 
 @pytest.fixture(scope="module")
-def good(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+def good(shaper: Done) -> dict[str, bytes]:
     """Give the files of a good sheet, drawn once."""
-    folder = tmp_path_factory.mktemp("good")
-    draw_command.draw(SHAPER, folder)
-    return {file.name: file.read_bytes() for file in folder.iterdir()}
+    return {file.name: file.read_bytes() for file in shaper.folder.iterdir()}
 
 
 @pytest.fixture

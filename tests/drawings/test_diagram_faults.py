@@ -67,7 +67,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.parametrize("name", some(SCENES, 2))
+@pytest.mark.parametrize("name", some(SCENES, 4))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
     study = study_of(name)
     for leaf in leaves(study):

@@ -235,7 +235,7 @@ def test_a_position_without_forces_is_refused_with_those_that_have_them() -> Non
     assert comparison.agrees
 
 
-@pytest.mark.parametrize("name", some(["kind-1", "kind-2", "kind-3", "kind-4", "kind-5"], 3))
+@pytest.mark.parametrize("name", some(["kind-1", "kind-2", "kind-3", "kind-4", "kind-5"], 5))
 def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_path: Path) -> None:
     study = LinkageStudy(parse_scene(text_of(name)))
     comparison, statics, leaves = sheets_of(study)

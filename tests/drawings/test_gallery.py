@@ -33,8 +33,8 @@ BY_ANALYSIS = re.compile(r"<br>[^|]*")  # shown where the last of ten digits dif
 ALIKE = (
     *("rocker-cam", "feed-cam", "tappet-cam", "valve-cam", "flat-rocker-cam", "automaton"),
     *("conveyor", "whitworth", "jaw-crusher", "tangent", "toggle-press", "scotch-yoke", "compressor"),
-    *("engine-full", "engine-share", "lanchester", "engine-partial", "v-engine"),
-    *("copying-cam", "planer", "press", "oscillating-cylinder"),
+    *("engine-full", "engine-share", "lanchester", "engine-partial", "v-engine", "six-link-balance"),
+    *("copying-cam", "planer", "press", "oscillating-cylinder", "squeezer"),
 )
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
 

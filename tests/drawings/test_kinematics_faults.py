@@ -47,14 +47,14 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", some(SCENES, 2))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
     for leaf in leaves(study_of(name)):
         checked(leaf, study_of(name), tmp_path)
         assert collisions(leaf) == []
 
 
-@pytest.mark.parametrize("fault", [*some(FAULTS, 3), *some(STROKES, 40)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 5), *some(STROKES, 40)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("linkage").worst <= 1.0

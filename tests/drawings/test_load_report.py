@@ -39,6 +39,7 @@ def test_a_report_says_which_way_the_working_stroke_goes(tmp_path: Path) -> None
     assert "K = 1.19776298 of the slower, idle stroke over the faster, working one" in report
 
 
+@pytest.mark.rest
 def test_without_a_choice_only_the_loads_tell_the_working_stroke(tmp_path: Path) -> None:
     report, _ = written(tmp_path, "pumping-jack", ('working = "up"\n', ""))
     assert "\n- Рабочий ход" not in report

@@ -19,7 +19,7 @@ from tests.plans.banks import ENGINE, counterweight
 SCENES = sorted((ROOT / "tests" / "cases" / "odd_balances").glob("*.toml"))
 
 
-@pytest.mark.parametrize("scene", some(SCENES, 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize("scene", some(SCENES, 9), ids=lambda path: path.stem)
 def test_it_is_drawn(scene: Path, tmp_path: Path) -> None:
     sheets = draw(scene, tmp_path)
     assert all(path.exists() for path in sheets.paths)

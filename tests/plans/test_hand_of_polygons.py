@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from geometry import draughtsman
 from geometry.draughtsman import Draughtsman, copies
 from geometry.scatter import POINT
 from plans.checks.hand.bank import bank_by_hand
+from plans.checks.hand.cam import cam_by_hand
 from plans.checks.hand.quantity import SLIP
 from plans.checks.hand.rotor import rotor_by_hand
 from plans.model.rotor import Rotor
@@ -65,5 +67,31 @@ def test_a_polygon_of_a_bank_is_out_by_its_members_and_its_mass_by_the_square_of
     told = bank_by_hand(bank, {"order_forces-2": 10.0})
     assert told["F_II", 0] == pytest.approx(10.0 * POINT * 0.2 * np.sqrt(4 / 3), rel=0.03)
     assert told["F_-II", 0] == pytest.approx(told["F_II", 0])  # the mirror image
-    assert told["mr_II", 0] == pytest.approx(told["F_II", 0] / (2 * bank.task.speed) ** 2)
+    assert told["mr_II", 0] == pytest.approx(told["F_II", 0] / (2 * bank.task.speed) ** 2, rel=0.01)
     assert told.keys() == {("F_II", 0), ("F_-II", 0), ("mr_II", 0), ("mr_-II", 0)}
+
+
+@pytest.mark.parametrize("name", ["feed-cam", "rocker-cam", "tappet-cam", "flat-rocker-cam", "valve-cam"])
+def test_each_slip_tried_by_itself_moves_the_sizes_of_a_cam_as_its_rule_says(name: str) -> None:
+    (drawing,) = Study(read_scene(GALLERY / f"{name}.toml"))["cam"].drawings.values()
+    ruled, tried = (cam_by_hand(drawing, {"sizes": 0.001}, *by) for by in ((), (draughtsman.slopes,)))
+    assert ruled and ruled.keys() == tried.keys()
+    assert all(error == pytest.approx(tried[key], rel=1e-5) for key, error in ruled.items())
+
+
+@pytest.mark.parametrize("name", ["feed-cam", "rocker-cam"])
+def test_95_of_100_diagrams_of_a_cam_give_its_sizes_within_what_is_told(name: str) -> None:
+    """The least radius and the largest pressure angle on the rise, by chance: from A to O, and at D."""
+    (drawing,) = Study(read_scene(GALLERY / f"{name}.toml"))["cam"].drawings.values()
+    own, told = drawing.sizing, cam_by_hand(drawing, {"sizes": 0.001})
+    end = next(own.binding).point
+    marks = own.start, own.centre, end, own.origin, end.step.inputs[0]
+    drawn = copies(Draughtsman(SLIP, {"sizes": np.array([0.001])}, DRAWINGS), *marks)
+    start, centre, far, origin, tip = (np.ravel(drawn[one]) for one in marks)
+    radius = np.abs(1000 * (np.abs(centre - start) - own.sizes.base))
+    assert np.quantile(radius, 0.95) == pytest.approx(told["R_0", 0], rel=0.1)
+    way = 1j * (tip - origin) / abs(tip - origin) if own.cam.rocks else 1j
+    angle = np.degrees(np.angle((far - centre) / way))
+    true = math.degrees(drawing.found.pressure["rise"].value)
+    off = np.abs(np.minimum(np.abs(np.abs(angle) - true), np.abs(180 - np.abs(angle) - true)))
+    assert np.quantile(off, 0.95) == pytest.approx(told["α_{rise}", 0], rel=0.1)

@@ -15,7 +15,7 @@ FAULTS = faults(Path(__file__).parents[1] / "cases" / "reading_faults.toml")
 # What both roads have in common and carries a sign; plans/model/machine.py holds values alone.
 SHARED = (
     *("linkage/reading/linkage", "linkage/reading/guides", "linkage/reading/shapes", "forces/reading/inventory"),
-    *("linkage/reading/driving", "forces/reading/form", "forces/loading", "forces/stroke"),
+    *("linkage/reading/line", "linkage/reading/driving", "forces/reading/form", "forces/loading", "forces/stroke"),
 )
 HARMLESS = Fault(
     "another word", "plans/linkage/reading/linkage.py", '"advice.joint" if mech', '"advice.held_twice" if mech', ()

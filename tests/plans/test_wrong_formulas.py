@@ -16,7 +16,7 @@ MACHINES = "machine_faults", "dynamics_analysis_faults", "run_faults"
 CAMS = "cam_task_faults", "cam_law_faults", "cam_size_faults", "cam_profile_faults"
 BALANCES = "balance_construction_faults", "balance_formula_faults", "bank_formula_faults"
 DRAWN = "stroke_formula_faults", "diagram_formula_faults", "hand_formula_faults"
-NAMES = ("rotor_faults", *DRAWN, *BALANCES, *MACHINES, "cyclogram_faults", *CAMS)
+NAMES = ("rotor_faults", "assembly_faults", *DRAWN, *BALANCES, *MACHINES, "cyclogram_faults", *CAMS)
 TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
 
 

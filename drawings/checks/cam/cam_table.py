@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
+
+import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_told import BARE
 from drawings.checks.graphs.figure_strokes import read
+from drawings.checks.linkage import by_hand
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, within
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups
+from geometry import draughtsman, hand_error
+from plans.checks.comparison import Finding
+from plans.checks.hand.cam import cam_by_hand, readings
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import BEND, SLOPE, CamFound, Shock
 
@@ -49,7 +55,8 @@ def results(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wron
             yield within("missing_from", NAME, name="R_0")
         return
     due = {one.title(drafting): one for one in rows(expected)}
-    heads = [read(drafting.word(key)) for key in ("quantity", "by plan", "by analysis", "difference")]
+    told = _told(leaf, expected) if any(readings(expected.drawing)) else None
+    heads = [read(drafting.word(key)) for key in (by_hand.HEADS if told else by_hand.HEADS[:-1])]
     seen: list[str] = []
     for cells in ([text.plain for text in row] for part in parts for row in _rows(part)):
         if cells == heads:
@@ -59,10 +66,31 @@ def results(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wron
         if name not in due:
             yield within("stranger_in", NAME, text=name)
         else:
-            yield from _cells(due[name], name, values, drafting)
+            yield from _cells(due[name], name, values[:2], drafting)
+            if not _is_hand(due[name], values, told):
+                yield within("cell", NAME, name=name, text=values[-1])
     if seen != [name for name in due if name in seen]:
         yield within("row", NAME, name=seen[0])
     yield from (within("missing_from", NAME, name=name) for name in due if name not in seen)
+
+
+def _told(leaf: Leaf, expected: Expected) -> by_hand.Told:
+    """Give what a hand may be out in the sizes at the scale of their diagram."""
+    scales = leaf.metadata["scales"]
+    return by_hand.Told(
+        *(cam_by_hand(expected.drawing, scales, one) for one in (hand_error.slopes, draughtsman.slopes))
+    )
+
+
+def _is_hand(row: Row, values: Sequence[str], told: by_hand.Told | None) -> bool:
+    """Tell whether the third cell says what a hand may be out, or nothing of what is given or is a place."""
+    if told is None:
+        return len(values) == 2
+    largest = abs(row.true) or 1.0
+    value = np.array([row.true])
+    finding = Finding(NAME, row.letter, row.unit, value, value, 0 * value, 0 * value, largest)
+    error = math.nan if row.given or row.place else told.of(finding, 0)
+    return len(values) == 3 and by_hand.holds(values[2], error, largest)
 
 
 def _rows(part: Group) -> list[list[Text]]:
@@ -70,9 +98,9 @@ def _rows(part: Group) -> list[list[Text]]:
 
 
 def _cells(row: Row, name: str, values: list[str], drafting: Drafting) -> Iterator[Wrong]:
-    """Hold by plan, by analysis, and the difference, or that it is given."""
+    """Hold by plan and by analysis, or that it is given."""
     numbers = values[:1] if row.given else values[:2]
-    if len(values) != 3 or (row.given and values[1:] != [drafting.word("cam given"), "—"]):
+    if len(values) != 2 or (row.given and values[1] != drafting.word("cam given")):
         yield within("row", NAME, name=name)
         return
     for text in numbers:

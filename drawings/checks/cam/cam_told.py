@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,9 +40,12 @@ BARE = {
 _SIZE = re.compile(r"(?P<name>[^=]+?)\s=\s(?P<value>[−\d.,]+)°?")
 
 
-def notes(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
-    """Read the notes back, from the description of every sheet and from where they are written on the first."""
-    due = [read(one).split() for one in DueNotes(expected.found, precise(drafting)).all()]
+def notes(leaf: Leaf, expected: Expected, agreed: Iterable[str], drafting: Drafting) -> Iterator[Wrong]:
+    """Read the notes back, from the description of every sheet and from where they are written on the first.
+
+    `agreed` is what they must say last, of both roads and of the hand.
+    """
+    due = [read(one).split() for one in (*DueNotes(expected.found, precise(drafting)).all(), *agreed)]
     yield from _compared(read(leaf.description.replace("\n", " ")).split(), due)
     own = [one for one in groups(leaf.groups) if one.name == NOTES]
     if own or leaf.metadata["notes"]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 
 from drawings.checks import reading
 from drawings.checks.cam import cam_charts, cam_law_poles, cam_laws, cam_table, cam_told
@@ -14,6 +15,7 @@ from drawings.checks.cam.cam_pressure import PressureGraph
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
+from drawings.checks.linkage import accord
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import NAME as PRESSURE
 from drawings.figures.cam.profile_view import NAME as PROFILE
@@ -23,8 +25,12 @@ from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
+from plans.checks.cam.comparison import of_cam
+from plans.checks.comparison import Finding
+from plans.checks.hand.cam import readings
 from plans.cyclogram.rows import EVERY
 from plans.study import Study
+from plans.words.words import message
 
 ROLLED = 180  # parts of a turn at which the written curves are held to the law
 
@@ -36,10 +42,13 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if name == EVERY:
         yield from cam_charts.faults(measured, leaf, [one.cam for one in cams.values()], drafting_of(study.scene))
         return
-    yield from check(measured, leaf, Expected(cams[name], study["cam"].drawings[name]), drafting_of(study.scene))
+    expected, compared = Expected(cams[name], study["cam"].drawings[name]), of_cam(study.comparison("cam"), name)
+    yield from check(measured, leaf, expected, compared, drafting_of(study.scene))
 
 
-def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+def check(
+    measured: Measured, leaf: Leaf, expected: Expected, compared: Sequence[Finding], drafting: Drafting
+) -> Iterator[Wrong]:
     """Hold what a sheet shows against what is expected: the figures that its data name, tables, notes, scales."""
     shown = leaf.metadata["figures"]
     if PROFILE in shown:
@@ -55,7 +64,8 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
     if cam_laws.named(expected.cam) in shown:
         yield from cam_laws.diagrams(measured, leaf, expected, drafting)
         yield from cam_law_poles.poles(leaf, cam_laws.graphs(measured, leaf, expected, drafting), expected)
-    yield from cam_told.notes(leaf, expected, drafting)
+    read_off = any(readings(expected.drawing))
+    yield from cam_told.notes(leaf, expected, accord.due(compared, drafting.language, read_off), drafting)
     yield from reading.marked_scales(leaf)
     yield from cam_told.decimals(leaf, drafting)
 
@@ -86,6 +96,8 @@ def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         yield on("missing_on", DIAGRAM, name="O")
         return
     yield from SizeDiagram(strokes, measured, expected, *pole, drafting).faults()
+    if not math.isclose(leaf.metadata["scales"][DIAGRAM], pole[1]):
+        yield message("wrong.scale", text=f"{DIAGRAM} {pole[1]:g}")
 
 
 def _pressed(expected: Expected) -> bool:

@@ -19,6 +19,7 @@ from plans.model.motion import Floats
 from plans.words.words import message
 
 NOISE = 1e-11  # of the largest: what is less is told as this
+LEAST, FARTHEST = 11, 3  # powers of ten between which both roads are said to agree
 DIGITS = 2  # of kappa
 ALIKE = 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
@@ -26,7 +27,7 @@ HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
 
 def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str) -> Iterator[Wrong]:
     """Hold the sentence about both roads against their differences; of a longer set one sheet bears it."""
-    told = re.search(_pattern("accord", language), _notes(leaf))
+    told = re.search(_pattern(language), _notes(leaf))
     if told is not None:
         power, position, condition = told.groups()
         close = _is_close(math.pow(10.0, -int(power or 0)), findings)
@@ -37,16 +38,25 @@ def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str
 
 
 def apart(leaf: Leaf, findings: Sequence[Finding], language: str, by_hand: bool = True) -> Iterator[Wrong]:
-    """Hold the sentence of a sheet without positions about both roads, and see that its column of the hand is told."""
-    if not (leaf.metadata["notes"] and findings):
-        return
+    """Hold what the notes of a sheet without positions say of both roads and of its column of the hand."""
     notes = _notes(leaf)
-    told = re.search(_pattern("accord of roads", language), notes)
-    hand = Text(0j, word(language, "polygon hand note", slip=number(SLIP, language))).plain
-    if told is None or (hand in notes) != by_hand:
+    lost = [one for one in due(findings, language, by_hand) if Text(0j, one).plain not in notes]
+    if leaf.metadata["notes"] and lost:
         yield message("wrong.notes")
-    elif not _is_close(math.pow(10.0, -int(told[1] or 0)), findings):
-        yield message("wrong.told", text=told[0])
+
+
+def due(findings: Sequence[Finding], language: str, by_hand: bool) -> Iterator[str]:
+    """Give what a sheet without positions must say: how near both roads are, and what its column of the hand tells."""
+    if not findings:
+        return
+    power = max(p for p in range(-FARTHEST, LEAST + 1) if p == -FARTHEST or _is_within(math.pow(10.0, -p), findings))
+    yield word(language, "accord of roads", share=f"10^{{−{power}}}" if power else "1")
+    if by_hand:
+        yield word(language, "polygon hand note", slip=number(SLIP, language))
+
+
+def _is_within(bound: float, findings: Sequence[Finding]) -> bool:
+    return all(_share(one) <= bound for one in findings if one.largest > 0)
 
 
 def _notes(leaf: Leaf) -> str:
@@ -73,9 +83,9 @@ def _is_worst(position: int, told: str, kappa: Floats) -> bool:
     return own and reading.reads(told, worst, ALIKE * worst, DIGITS)
 
 
-def _pattern(key: str, language: str) -> str:
-    """Give a sentence with its numbers to be read."""
-    found = re.escape(word(language, key, **{part: f"<{part}>" for part in HELD}))
+def _pattern(language: str) -> str:
+    """Give the sentence with its numbers to be read."""
+    found = re.escape(word(language, "accord", **{part: f"<{part}>" for part in HELD}))
     for part, told in HELD.items():
         found = found.replace(re.escape(f"<{part}>"), f"(?:{told})")
     return found

@@ -84,7 +84,8 @@ def _hold(
     spots = [one.pieces.at(SHARES).ravel() for one in due]
     whole: Complexes = np.concatenate([*spots, np.zeros(0, dtype=np.complex128)])
     missing = plan.clear(whole) & (drawn.nearest(whole) > plan.near)
-    for row, own in zip(due, np.split(missing, np.cumsum([len(one) for one in spots])[:-1]), strict=True):
+    parts = np.split(missing, np.cumsum([len(one) for one in spots])[:-1]) if due else []
+    for row, own in zip(due, parts, strict=True):
         if own.any():
             yield on(key, POSITIONS.plan, link=row.link, position=row.position)
     every = [one.pieces for one in due] + ([] if more is None else [more])

@@ -67,7 +67,7 @@ def _wrong(
     group: Group, named: Mapping[str, Finding], told: Told, positions: tuple[int, ...]
 ) -> Iterator[reading.Cells]:
     rows = reading.cells(group, named, positions)
-    return (row for row in rows if not _holds(row, told.of(row.finding, row.position)))
+    return (row for row in rows if not holds(row.third, told.of(row.finding, row.position), row.finding.largest))
 
 
 def missing_rows(leaf: Leaf, due: Sequence[str]) -> Iterator[Wrong]:
@@ -100,12 +100,12 @@ def wrong_headings(leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
             yield from reading.scales(group, [scales[name]])
 
 
-def _holds(row: reading.Cells, error: float) -> bool:
-    """Tell whether a cell says an error to two digits, or to the last decimal of its row."""
+def holds(text: str, error: float, largest: float) -> bool:
+    """Tell whether a cell says an error to two digits, or to the last decimal of its row, whose largest value it is."""
     if math.isnan(error):
-        return row.third == "—"
-    if not row.third.startswith("±"):
+        return text == "—"
+    if not text.startswith("±"):
         return False
-    last = math.pow(10.0, min(math.floor(math.log10(row.finding.largest)) + 1 - PLACES, 0))
+    last = math.pow(10.0, min(math.floor(math.log10(largest)) + 1 - PLACES, 0))
     digits = DIGITS if error >= (1 - TRIED) * 10 * last else 0
-    return reading.reads(row.third[1:], error, TRIED * error, digits)
+    return reading.reads(text[1:], error, TRIED * error, digits)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.value_table import COLUMNS, row
+from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.page.drafting import Drafting
 from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from plans.cam.dimensions import RATIO
@@ -19,6 +19,7 @@ from plans.model.cam_motion import CamFound, Shock
 
 NAME = "sizes"
 MM = 1000.0  # of a metre
+NOTHING = "—"
 
 
 class Quantity(NamedTuple):
@@ -36,10 +37,14 @@ def quantities(found: CamFound) -> tuple[Quantity, ...]:
     return (*_sizes(found), *_curvature(found), *_pressure(found), *_motion(found), *_shocks(found))
 
 
-def sizes(own: tuple[Quantity, ...], exact: tuple[Quantity, ...], drafting: Drafting) -> RuledTable:
-    """Tell what both roads found, with the difference; of what is given that it is."""
+def sizes(own: tuple[Quantity, ...], exact: tuple[Quantity, ...], by_hand: bool, drafting: Drafting) -> RuledTable:
+    """Tell what both roads found, and what a hand may be out; of what is given that it is.
+
+    Without `by_hand` nothing is read off a construction in which a hand might err.
+    """
+    heads = tuple(drafting.word(key) for key in (BY_HAND if by_hand else BY_HAND[:-1]))
     lines = [_line(one, other, drafting) for one, other in zip(own, exact, strict=True)]
-    heads = tuple(drafting.word(key) for key in COLUMNS)
+    lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME)
 
 
@@ -54,9 +59,11 @@ def _line(own: Quantity, exact: Quantity, drafting: Drafting) -> TableRow:
     name = title(own, drafting)
     values = np.array([own.value]), np.array([exact.value])
     largest = float(np.abs(values[1]).max()) or 1.0
-    finding = Finding(NAME, name, own.unit, *values, abs(values[0] - values[1]), np.zeros(1), largest)
-    cells = row(finding, name, (0,), drafting.language)
-    return TableRow(name, (cells.cells[0], drafting.word("cam given"), "—")) if own.given else cells
+    finding = Finding(NAME, own.letter, own.unit, *values, abs(values[0] - values[1]), np.zeros(1), largest)
+    line = row_by_hand(finding, name, (0,), drafting.language)
+    if own.given:
+        return TableRow(name, (line.cells[0], drafting.word("cam given"), NOTHING))
+    return line._replace(cells=(*line.cells[:-1], NOTHING)) if own.where else line
 
 
 def _sizes(found: CamFound) -> Iterator[Quantity]:

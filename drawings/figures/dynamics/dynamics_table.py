@@ -9,7 +9,6 @@ import numpy as np
 
 from drawings.figures.dynamics.strips import Strips, strips
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.layout.value_table import COLUMNS
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
 from drawings.report.dynamics_tables import NOISE, without_rounding
@@ -19,6 +18,7 @@ from plans.model.flywheel_methods import Methods
 from plans.model.motion import Floats
 
 RESULTS, POSITIONS = "results", "positions"
+COLUMNS = ("by plan", "by analysis", "true error")  # strips and chords are out by what the exact curve is not
 QUANTITIES = (
     ("φ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
     ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
@@ -89,7 +89,7 @@ def _cell(value: float, drafting: Drafting) -> str:
 
 
 def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
-    """Tell what both roads found, with the difference; then the inertia by other methods."""
+    """Tell what both roads found, and by how much the strips are out; then the inertia by other methods."""
     pairs = zip(_values(own), _values(exact), strict=True)
     lines = [_compared(one, two, drafting) for one, two in pairs]
     lines += _others(exact, methods, drafting)

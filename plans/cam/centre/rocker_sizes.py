@@ -33,8 +33,8 @@ def rocker_sizing(course: Course) -> Sizing:
     limits, turned = limits_of(cam), positions(course.cam)
     pivot = board.given("O_1", 0j, because("cam_pivot"))
     circle = board.arc("l", pivot, diagram.length, because("cam_arm"))
-    tip, end = _laid(board, diagram, circle, course.at(turned)[:2], "")
-    start, _ = _laid(board, diagram, circle, (0.0, 0.0), "0")
+    tip, end = laid_end(board, diagram, circle, course.at(turned)[:2], "")
+    start, _ = laid_end(board, diagram, circle, (0.0, 0.0), "0")
     first = complex(start.point)
     bounds = tuple(pressure_bounds(diagram, limits))
     sought = Place(first, ()) if cam.sized else place(bounds, *_choice(cam, first), diagram.length)
@@ -48,7 +48,7 @@ def rocker_sizing(course: Course) -> Sizing:
     )
 
 
-def _laid(
+def laid_end(
     board: Board, diagram: SlopeDiagram, circle: Mark, motion: tuple[Floats | float, Floats | float], name: str
 ) -> tuple[Mark, Mark]:
     """Divide the arc by the law, and lay KD along the rocker: towards O1 where it turns with the cam on the rise."""
@@ -64,7 +64,7 @@ def _laid(
 def _touching(board: Board, diagram: SlopeDiagram, circle: Mark, one: Touch, name: str) -> tuple[Mark, Mark]:
     """Lay off D where a ruler touches, and the way of K there: square to the rocker."""
     at = one.instant
-    _, far = _laid(board, diagram, circle, (at.s[0], at.slope[0]), name)
+    _, far = laid_end(board, diagram, circle, (at.s[0], at.slope[0]), name)
     return far, board.turn(f"u_{name}", board[f"ψ_{name}"], 1j * diagram.cam.rising, because("cam_way"))
 
 

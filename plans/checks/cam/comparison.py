@@ -54,6 +54,12 @@ def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES,
     return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
 
 
+def of_cam(comparison: Comparison, name: str) -> list[Finding]:
+    """List what was compared of one cam beside its law: sizes, profile, extremes, forces."""
+    lone = len(comparison.analysis.cams) == 1
+    return [one for one in comparison.findings if one.plan != LAWS and (lone or one.name.endswith(f" {name}"))]
+
+
 @dataclass(frozen=True)
 class Compared:
     """One cam by both roads; beside others its quantities bear its name."""

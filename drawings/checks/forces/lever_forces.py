@@ -1,0 +1,145 @@
+"""The self-check of what hangs on the lever: its forces at their images, its rods and stand (проверка рычага)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import permutations
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
+from drawings.checks.forces.scheme_forces import ASKEW, Floor
+from drawings.checks.graphs.figure_strokes import FigureStrokes, read
+from drawings.checks.labelled import NEAREST, along
+from drawings.checks.wrong import Wrong, on
+from drawings.measure.measured import MeasuredPoint
+from plans.checks.force_bill import ActingCouple, ActingForce, ForceBill
+from plans.checks.force_expected import ExpectedForces
+from plans.forces.primary import BALANCING, DRIVING
+from plans.model.kinetostatics import NOTHING
+from plans.model.mechanism import FRAME
+
+PLAN = "lever"
+LEGS = 2  # of the stand of the pole
+SHORT = 0.5  # mm: a shorter line is not drawn
+FAR = 4 * 26.0  # mm: a force stands at its image, or further on along its line where others stand: four lengths at most
+
+
+class LeverForces(NamedTuple):
+    """A lever on its sheet, with the forces that hang on it by analysis, and its images by their letters."""
+
+    strokes: FigureStrokes
+    points: Sequence[MeasuredPoint]
+    bills: Sequence[ForceBill]
+    letters: Mapping[str, str]  # of the images of points
+    floor: Floor
+
+    def faults(self) -> Iterator[Wrong]:
+        """Hold every image, every rod from the pole, the stand, and every force at its image."""
+        laid = self._laid()
+        seen = {one.name for one in self.points}
+        for point, letter in self.letters.items():
+            speed = complex(self._expected.motion.points[point].v[self._expected.k])
+            if abs(speed) > 0 and letter not in seen and point not in self._expected.mechanism.links[FRAME].points:
+                yield on("missing_on", PLAN, name=letter)
+        yield from self._rods(laid)
+        arrows, due = list(laid.arrows), list(self._due())
+        least = NOTHING * max((abs(image) for _, image in due), default=0.0)
+        fit = [
+            (self._far(force, one), k, one)
+            for k, (force, image) in enumerate(due)
+            for one in self._fitting(force, laid.on(image), laid.arrows)
+        ]
+        found = set[int]()
+        for far, k, one in sorted(fit, key=lambda told: told[0]):
+            if k not in found and one in arrows:
+                arrows.remove(one)
+                found.add(k)
+                yield from [on("letter", PLAN, name=due[k][0].name)] if far > NEAREST else []
+        for k, (force, image) in enumerate(due):
+            if k not in found and abs(force.value) > self.floor.force and abs(image) > least:
+                yield on("missing_on", PLAN, name=force.name)
+        yield from (on("stranger_on", PLAN, name="→") for _ in arrows)
+
+    def _far(self, force: ActingForce, arrow: Arrow) -> float:
+        """Give how far the letter of a force is from an arrow, mm."""
+        return self.strokes.far(self.floor.letter(force.name), along(arrow.start, arrow.tip))
+
+    @property
+    def _expected(self) -> ExpectedForces:
+        return self.bills[0].expected
+
+    def _laid(self) -> LaidScheme:
+        """Place the lever on paper by its pole."""
+        one = self.points[0]
+        return LaidScheme(self.strokes, one.at - one.value / one.scale, one.scale)
+
+    def _due(self) -> Iterator[tuple[ActingForce, complex]]:
+        """Give the forces of the machine, but for reactions, with the turned velocities of their places, m/s."""
+        for bill in self.bills:
+            for force in bill.known:
+                if not force.name.startswith("R_"):
+                    yield force, -1j * bill.speed(force.link, force.at)
+            for couple in (one for one in bill.couples if not _paired(one.name)):
+                yield from self._halves(couple, bill)
+            if bill.group is None and self._expected.mechanism.drive.ram is None:
+                driving = bill.driving or self._by_moment(bill)
+                yield driving, -1j * bill.speed(driving.link, driving.at)
+
+    def _by_moment(self, bill: ForceBill) -> ActingForce:
+        """Give the force at the crank's end that has the balancing moment."""
+        drive, k = self._expected.mechanism.drive, self._expected.k
+        crank = bill.place(drive.end) - bill.place(drive.pivot)
+        value = 1j * float(self._expected.found.balancing.moment[k]) / crank.conjugate()
+        return ActingForce(DRIVING, drive.link, bill.place(drive.end), value)
+
+    def _halves(self, couple: ActingCouple, bill: ForceBill) -> Iterator[tuple[ActingForce, complex]]:
+        """Give both forces of a couple, at the points that its letter names; where it has none, at any two."""
+        head = self.floor.letter(couple.name)
+        start, end = next((line for line in self._lines(couple.link) if self._lettered(head, line)), ("", ""))
+        omega = np.abs(self._expected.motion.links[couple.link].omega)
+        turning = bool(omega[self._expected.k] > NOTHING * np.nanmax(omega, initial=0.0))
+        if not start and turning and abs(couple.moment) > self.floor.moment:
+            yield ActingForce(couple.name, couple.link, 0j, self.floor.force * 2 + abs(couple.moment)), 1 + 0j
+        if start:
+            arm = bill.place(end) - bill.place(start)
+            for name, value in (
+                (end, 1j * couple.moment / arm.conjugate()),
+                (start, -1j * couple.moment / arm.conjugate()),
+            ):
+                place, written = bill.place(name), f"{couple.name}/{start}{end}"
+                yield ActingForce(written, couple.link, place, value), self._expected.image(name)
+
+    def _lettered(self, head: str, line: tuple[str, str]) -> bool:
+        return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))
+
+    def _lines(self, link: int) -> Iterator[tuple[str, str]]:
+        """Give the pairs of points that a couple of a link may stand at: any two, for a block carries no line."""
+        yield from permutations(self._expected.motion.points, 2)
+
+    def _fitting(self, force: ActingForce, spot: complex, arrows: Sequence[Arrow]) -> list[Arrow]:
+        """Give the arrows that a force at a place of the paper may be."""
+        if not abs(force.value) > 0:
+            return []
+        way = force.value / abs(force.value)
+        held = (one for one in arrows if abs(one.way - way) <= ASKEW and one.aside(spot) <= FINE)
+        return [one for one in held if min(abs(end - spot) for end in one.ends(spot)) <= FAR]
+
+    def _rods(self, laid: LaidScheme) -> Iterator[Wrong]:
+        """Hold that a line joins each image with the pole or with another one, and that legs run from the pole."""
+        pole = laid.on(0j)
+        spots = [pole, *(one.at for one in self.points)]
+        for one in self.points:
+            others = (spot for spot in spots if abs(spot - one.at) > FINE)
+            if abs(one.at - pole) > SHORT and not any(self.strokes.joins(one.at, spot, FINE) for spot in others):
+                yield on("line", PLAN)
+        radius = max((one.radius for one in self.strokes.circles if abs(one.centre - pole) <= FINE), default=0.0)
+        ends = [end for line in self.strokes.lines for end in (line.start, line.end)]
+        if sum(abs(abs(end - pole) - radius) <= FINE for end in ends) < LEGS:
+            yield on("missing_on", PLAN, name="p")
+
+
+def _paired(name: str) -> bool:
+    """Tell whether a couple is the moment of a pair, or of the drive: neither hangs on the lever."""
+    return name == BALANCING or name[2:].replace(",", "").isdigit()

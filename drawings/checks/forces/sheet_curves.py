@@ -1,0 +1,136 @@
+"""The self-check of the curves of one force sheet: what balances the drive, hodographs (кривые силового листа)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from drawings.checks.forces.balancing_graph import PLAN as BALANCING
+from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.curves_between import ForcesBetween
+from drawings.checks.forces.force_curves import ReactionHodograph, TurnGraph
+from drawings.checks.forces.laid_scheme import FINE
+from drawings.checks.forces.polygon_chain import heads
+from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
+from drawings.checks.graphs.figure_strokes import scales as figure_scales
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.forces.force_letters import force_letter
+from drawings.measure.measure import Measured
+from drawings.paper.strokes import Leaf
+from drawings.symbols.force_arrow import plain_name
+from plans.checks.force_comparison import ForceComparison
+from plans.forces.cut import indices
+from plans.forces.primary import balancing_quantity
+from plans.forces.statics import Statics
+from plans.model.motion import Floats
+
+TURN = 360.0  # degrees
+
+
+@dataclass(frozen=True)
+class SheetCurves:
+    """One force sheet, and the forces by both roads; `slack` N is what these may differ by."""
+
+    measured: Measured
+    leaf: Leaf
+    comparison: ForceComparison
+    statics: Statics
+    slack: float
+
+    @property
+    def position(self) -> int:
+        """The position of the sheet."""
+        return int(self.leaf.metadata["position"])
+
+    def faults(self) -> Iterator[Wrong]:
+        """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
+        told = self.comparison.analysis
+        name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
+        strokes = self.statics.over(self.comparison.motion.road.extremes)
+        sizes = self.statics.given(told, self.comparison.motion.analysis, strokes)
+        moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
+        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
+        slack = 2 * float(largest) + share * told.nothing[1]
+        yield from self._held(BALANCING, moments, slack)
+        yield from ordinates(self.measured, self.leaf, sizes, slack)
+        yield from self._graph(sizes, slack)
+        language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
+        for key in sheet.hodographs:
+            one = told.reactions[key]
+            ends = {str(k): complex(value) for k, value in enumerate(one.force)}
+            shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
+            ends[plain_name(shown)] = complex(one.force[self.position])
+            yield from self._held(f"hodograph-{key}", ends, self.slack)
+            yield from self._hodograph(key, shown)
+
+    @cached_property
+    def _between(self) -> ForcesBetween:
+        return ForcesBetween(self.statics, self.comparison)
+
+    def _graph(self, sizes: Floats, slack: float) -> Iterator[Wrong]:
+        """Hold the graph of what balances the drive, with the curve between its positions where it is over a turn."""
+        study, group = self.statics.study, figure(self.leaf, BALANCING)
+        if group is None:
+            return
+        drive, told, scales = study.mechanism.drive, balancing_quantity(study.mechanism.drive), figure_scales(group)
+        symbol = force_letter(told.name, study.language).split("_")[0]
+        none = np.zeros(0)
+        turn = self._whole(group)
+        dense = (self._between.turned, self._between.balancing) if turn else (none, none)
+        quantity = force_letter(told.name, study.language), told.unit
+        axis = ("φ", "°") if drive.turns else ("s", "m")
+        yield from TurnGraph(
+            group, self.leaf.metadata["scales"][BALANCING], scales.get(symbol, math.nan), axis, quantity,
+            self._stations(group), sizes, *dense, slack, self.position, (study.language, study.scene.sheet.notation),
+        ).faults()  # fmt: skip
+
+    def _stations(self, group: FigureStrokes) -> Floats:
+        """Give the abscissas of the positions: of a swing from where it begins, which the first ordinate tells."""
+        study, motion, mu = self.statics.study, self.comparison.motion.analysis, self.leaf.metadata["scales"][BALANCING]
+        if not study.mechanism.drive.turns:
+            way = motion.points[study.mechanism.drive.end].r
+            return np.asarray(np.abs(way - way[0]))
+        turned = np.degrees(study.sense * (motion.phi - motion.phi[0])) % 360.0
+        if self._whole(group):
+            return np.asarray(turned)
+        one = next((one for one in self.measured.vectors if one.plan == BALANCING and one.position is not None), None)
+        axis = next((one.start for one in group.pointings if abs((one.tip - one.start).imag) <= FINE), 0j)
+        begin = (
+            turned[one.position] - (one.start - axis).real * mu if one is not None and one.position is not None else 0.0
+        )
+        return np.asarray((turned - begin + FINE) % 360.0 - FINE)
+
+    def _whole(self, group: FigureStrokes) -> bool:
+        """Tell whether a graph is drawn over a whole turn: there its axis bears a tick."""
+        axis = next((one.start for one in group.pointings if abs((one.tip - one.start).imag) <= FINE), None)
+        if axis is None or not self.statics.study.mechanism.drive.turns:
+            return False
+        end = axis + TURN / self.leaf.metadata["scales"][BALANCING]
+        return bool(group.through(end, 1j, FINE))
+
+    def _hodograph(self, key: str, letter: str) -> Iterator[Wrong]:
+        """Hold one hodograph, with its curve between the positions."""
+        plan, one = f"hodograph-{key}", self.comparison.analysis.reactions[key]
+        group = figure(self.leaf, plan)
+        pole = next((mark for mark in self.measured.points if mark.plan == plan), None)
+        if group is None or pole is None:
+            return
+        vectors = [mark for mark in self.measured.vectors if mark.plan == plan]
+        yield from heads(group, vectors)
+        between = self._between.found.reactions[key].force if self.statics.study.mechanism.drive.turns else one.force
+        at = pole.at - pole.value / pole.scale
+        yield from ReactionHodograph(
+            plan, group, at, pole.scale, one.force, between, self.slack, self.position, letter
+        ).faults()
+
+    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Wrong]:
+        told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]
+        told += [(one.plan, one.name, one.value, one.scale) for one in self.measured.points]
+        for own, name, value, scale in told:
+            allowed = slack + 2 * self.measured.quantum * scale
+            if own == plan and name in expected and not abs(value - expected[name]) <= allowed:
+                yield on("differs_on", plan, name=name)

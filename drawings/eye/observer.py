@@ -1,0 +1,189 @@
+"""The observer: looks on while a sheet is read, and keeps what is drawn in the groups where it stands (наблюдатель)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from drawings.eye.ink import Ink, ink
+from drawings.eye.lettered import any_letters, pen_of_letters, plain_letters
+from drawings.eye.outlines import SHAPES, outlines, scale_of
+from drawings.eye.typeset import Typeset, joined, typeset
+from drawings.eye.writing import SeenLetter, written
+from drawings.measure.marks import KINDS
+from drawings.measure.transform import STAY
+from drawings.measure.viewport import Viewport, viewport
+from drawings.measure.visibility import Look
+from drawings.measure.witness import Frame
+from drawings.paper.limits import SheetRefused
+from drawings.paper.strokes import INK, Group, Line, LineStyle, Stroke, Text
+
+# What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
+UNREAD = frozenset(("use", "image", "foreignObject", "style", "script", "switch", "pattern", "marker", "tspan"))
+PLAIN = Ink(INK)
+_SAID = "data-text"
+
+
+class Unseen(NamedTuple):
+    """A stroke that does not count as drawn, why, and the name of the group that it stands in."""
+
+    stroke: Stroke
+    reason: str
+    group: str
+
+
+@dataclass
+class _Open:
+    """An element that has begun, and what was seen in it."""
+
+    frame: Frame
+    attributes: Mapping[str, str]
+    strokes: list[Stroke] = field(default_factory=list)
+    data: dict[str, str] = field(default_factory=dict)
+    title: str = ""
+    heard: list[str] = field(default_factory=list)
+    letters: list[SeenLetter | Typeset] = field(default_factory=list)
+    ink: Ink = PLAIN
+
+
+class Observer:
+    """Sees the elements of a sheet one by one."""
+
+    def __init__(self) -> None:
+        self.open: list[_Open] = []
+        self.unseen: list[Unseen] = []
+        self.description, self.lettering = "", "strokes"
+        self.paper = Viewport(0.0, 0.0, STAY, ())
+        self.root = _Open(Frame("svg", STAY, Look(), ""), {})
+
+    def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
+        """See an element begin."""
+        one = _Open(frame, attributes)
+        self.open.append(one)
+        if len(self.open) == 1:
+            self.root, self.paper = one, viewport(attributes)
+        elif frame.tag in SHAPES:
+            self._draw(one)
+        elif frame.tag in UNREAD or frame.tag == "svg":
+            self._leave_aside(f"<{frame.tag}>")
+
+    def hear(self, text: str) -> None:
+        """Take the characters within the innermost element."""
+        if self.open:
+            self.open[-1].heard.append(text)
+
+    def leave(self) -> None:
+        """See the innermost element end."""
+        one = self.open.pop()
+        match one.frame.tag:
+            case "g":
+                self._close(one)
+            case "text":
+                self._typeset(one)
+            case "title" if self.open:
+                self.open[-1].title = "".join(one.heard)
+            case "desc" if len(self.open) == 1:
+                self.description = "".join(one.heard)
+
+    def _draw(self, one: _Open) -> None:
+        """Take a shape: as letters where it is one path of them, or else as lines."""
+        try:
+            seen = ink(one.frame.look, scale_of(one.frame.to_paper))
+            if not self._letter(one, seen):
+                self._line(one, seen)
+        except SheetRefused as refused:
+            self._leave_aside(refused.reason)
+
+    def _line(self, one: _Open, seen: Ink) -> None:
+        strokes = tuple(outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style))
+        outer = self.open[-2]
+        data = _marked(one.attributes)
+        if not data:
+            self._add(outer, strokes, seen)
+        elif outer.frame.tag == "g" and not outer.strokes and not outer.data:
+            outer.data = data
+            self._add(outer, strokes, seen)
+        else:
+            self._add(outer, (Group(strokes, one.attributes.get("id", ""), data),), seen)
+
+    def _letter(self, one: _Open, seen: Ink) -> bool:
+        """Take a path as letters, if it is one of them; those of several pens are one text with its levels."""
+        path, outer = one.attributes.get("d", ""), self.open[-2]
+        if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
+            return False
+        said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
+        letters = plain_letters(path, one.frame.to_paper, seen.style)
+        if not letters and said is not None:
+            letters = any_letters(path, one.frame.to_paper, seen.style)
+        read = [bool(letter.readings) for letter in letters]
+        if not letters or (said is None and not all(read)):
+            return False
+        if _SAID in outer.attributes:
+            outer.letters += letters
+            outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
+        else:
+            self._add(outer, (written(letters, said or "", _filled(seen.style.colour)),), seen)
+        return True
+
+    def _typeset(self, one: _Open) -> None:
+        """Take an element of text."""
+        plain, outer = "".join(one.heard), self.open[-1]
+        if not plain.strip():
+            return
+        try:
+            seen = ink(one.frame.look, 1.0)
+            part = typeset(plain, one.frame.to_paper, one.frame.look, one.attributes)
+        except SheetRefused as refused:
+            self._leave_aside(refused.reason)
+            return
+        self.lettering = "text"
+        if _SAID in outer.attributes and outer.frame.tag == "g":
+            outer.letters.append(part)
+            outer.ink = seen
+        else:
+            self._add(outer, (joined([part], plain, _filled(seen.style.fill)),), seen)
+
+    def _close(self, one: _Open) -> None:
+        """Take a group: a text of several pens or sizes, or what holds others."""
+        outer = self.open[-1]
+        if text := _text(one):
+            self._add(outer, (text,), one.ink)
+        group = Group(tuple(one.strokes), one.attributes.get("id", ""), one.data or _data(one.attributes), one.title)
+        if group.strokes or group.name or group.data or group.title:
+            outer.strokes.append(group)
+
+    def _add(self, outer: _Open, strokes: tuple[Stroke, ...], seen: Ink) -> None:
+        outer.strokes += strokes
+        if seen.unseen:
+            self.unseen += [Unseen(stroke, seen.unseen, self._group) for stroke in strokes]
+
+    def _leave_aside(self, what: str) -> None:
+        self.unseen.append(Unseen(Line(0j, 0j), "unread", self._group or what))
+
+    @property
+    def _group(self) -> str:
+        """The name of the innermost group that has one."""
+        return next((own for one in reversed(self.open[1:]) if (own := one.attributes.get("id", ""))), "")
+
+
+def _text(one: _Open) -> Text | None:
+    """Read the letters that were collected in a group."""
+    typed = [part for part in one.letters if isinstance(part, Typeset)]
+    lined = [part for part in one.letters if isinstance(part, SeenLetter)]
+    said = one.attributes.get(_SAID, "")
+    if typed:
+        return joined(typed, said, _filled(one.ink.style.fill))
+    return written(lined, said, _filled(one.ink.style.colour)) if lined else None
+
+
+def _filled(colour: str) -> LineStyle:
+    return INK if colour == INK.fill else INK._replace(fill=colour)
+
+
+def _data(attributes: Mapping[str, str]) -> dict[str, str]:
+    return {name[5:]: text for name, text in attributes.items() if name.startswith("data-") and name != _SAID}
+
+
+def _marked(attributes: Mapping[str, str]) -> dict[str, str]:
+    return _data(attributes) if attributes.get("data-kind") in KINDS else {}

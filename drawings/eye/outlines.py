@@ -1,0 +1,158 @@
+"""Outlines: the elements of a drawing as strokes on paper (линии листа)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping
+
+from drawings.eye.tracks import Track, tracks
+from drawings.measure.curvedata import pieces
+from drawings.measure.pathdata import number, numbers
+from drawings.measure.transform import Affine
+from drawings.paper.limits import REACH, SheetRefused
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke
+from geometry.curve import Piece, RoundPiece
+
+SHAPES = frozenset(("line", "circle", "ellipse", "rect", "polyline", "polygon", "path"))
+_SIZES = {
+    "rect": ("x", "y", "width", "height", "rx", "ry"),
+    "ellipse": ("cx", "cy", "rx", "ry"),
+    "circle": ("cx", "cy", "r"),
+}
+# How far two centres of one arc may be apart, in its radii over the shorter of its pieces: each end is rounded.
+_CENTRES = 4e-4  # mm
+
+
+def outlines(tag: str, attributes: Mapping[str, str], place: Affine, style: LineStyle) -> Iterator[Stroke]:
+    """Give the strokes of an element on paper."""
+    if tag == "circle" and not place.stretched:
+        radius = number(attributes.get("r", "0"))
+        if radius > 0:
+            yield Circle(_checked(place(_at(attributes, "cx", "cy"))), radius * scale_of(place), style)
+        return
+    if tag == "line":
+        start, end = place(_at(attributes, "x1", "y1")), place(_at(attributes, "x2", "y2"))
+        yield Line(_checked(start), _checked(end), style)
+        return
+    for track in _tracks(tag, attributes):
+        yield stroke(track.mapped(place), style)
+
+
+def stroke(track: Track, style: LineStyle) -> Stroke:
+    """Give a track on paper as the plainest stroke that it is."""
+    for point in track.points:
+        _checked(point)
+    counts = {len(piece) for piece in track.pieces}
+    if counts == {1}:
+        return _chain(track, style)
+    if counts == {2} and not track.closed and (arc := _arc(track, style)) is not None:
+        return arc
+    return Curve(tuple(merged(pieces(_spots(track)))), track.closed, style)
+
+
+def merged(own: Iterable[Piece]) -> Iterator[Piece]:
+    """Give pieces of a curve, arcs that go on about one centre in one sense as one."""
+    before: Piece | None = None
+    for piece in own:
+        if isinstance(before, RoundPiece) and isinstance(piece, RoundPiece) and _goes_on(before, piece):
+            before = RoundPiece(before.start, before.centre, _on_to(before, piece))
+            continue
+        if before is not None:
+            yield before
+        before = piece
+    if before is not None:
+        yield before
+
+
+def _on_to(one: RoundPiece, after: RoundPiece) -> float:
+    """Give the sweep of an arc to the end of the one that goes on from it, so that no rounding adds up."""
+    sweep = one.sweep + after.sweep
+    return sweep + cmath.phase((after.end - one.centre) / (one.start - one.centre) * cmath.exp(-1j * sweep))
+
+
+def _goes_on(one: RoundPiece, after: RoundPiece) -> bool:
+    """Tell whether an arc goes on from another: both ends of either are rounded, which turns a short one most."""
+    chord = min(abs(piece.end - piece.start) for piece in (one, after))
+    off = abs(after.centre - one.centre)
+    return one.sweep * after.sweep > 0 and off <= _CENTRES * (1 + one.radius / chord if chord else 1)
+
+
+def scale_of(place: Affine) -> float:
+    """Give how many times as large all is drawn; of a stretch the mean of both ways."""
+    return math.sqrt(abs(abs(place.p) ** 2 - abs(place.q) ** 2))
+
+
+def _chain(track: Track, style: LineStyle) -> Stroke:
+    points = (track.start, *(piece[0] for piece in track.pieces))
+    if style.colour == "none" and style.fill != "none":
+        return Fill(points, style)
+    if len(points) == 2 and not track.closed:
+        return Line(*points, style)
+    return Polyline(points, track.closed, style)
+
+
+def _arc(track: Track, style: LineStyle) -> Arc | None:
+    """Give arcs that go on about one centre counter-clockwise as one."""
+    only, *others = merged(pieces(_spots(track)))
+    if others or not isinstance(only, RoundPiece) or only.sweep <= 0:
+        return None
+    begin = cmath.phase(only.start - only.centre)
+    return Arc(only.centre, only.radius, begin, begin + min(only.sweep, math.tau), style)
+
+
+def _spots(track: Track) -> Iterator[tuple[complex, ...]]:
+    """Give the points of each piece with its start; a straight one is a cubic that is gone through evenly."""
+    here = track.start
+    for piece in track.pieces:
+        if len(piece) == 1:
+            yield here, here + (piece[0] - here) / 3, piece[0] - (piece[0] - here) / 3, piece[0]
+        else:
+            yield here, *piece
+        here = piece[-1]
+
+
+def _tracks(tag: str, attributes: Mapping[str, str]) -> list[Track]:
+    """Give what a shape other than a line or a circle goes through, in its own units."""
+    match tag:
+        case "path":
+            return tracks(attributes.get("d", ""))
+        case "polyline" | "polygon":
+            flat = numbers(attributes.get("points", ""))
+            points = list(map(complex, flat[::2], flat[1::2]))
+            rest = tuple((point,) for point in points[1:])
+            return [Track(points[0], rest, tag == "polygon")] if rest else []
+    return tracks(_rounded(tag, {name: number(attributes.get(name, "0")) for name in _SIZES[tag]}))
+
+
+_SIZES = {
+    "rect": ("x", "y", "width", "height", "rx", "ry"),
+    "ellipse": ("cx", "cy", "rx", "ry"),
+    "circle": ("cx", "cy", "r"),
+}
+
+
+def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
+    """Write a rectangle or an ellipse as path data."""
+    if tag == "rect":
+        x, y, width, height = (sizes[name] for name in ("x", "y", "width", "height"))
+        if not (width > 0 and height > 0):
+            return ""
+        if sizes["rx"] or sizes["ry"]:
+            raise SheetRefused("a rectangle with round corners is no line of a drawing")
+        return f"M{x!r} {y!r}h{width!r}v{height!r}h{-width!r}z"
+    across, up = sizes.get("rx", sizes.get("r", 0.0)), sizes.get("ry", sizes.get("r", 0.0))
+    if not (across > 0 and up > 0):
+        return ""
+    arc = f"a{across!r} {up!r} 0 0 0 "
+    return f"M{sizes['cx'] - across!r} {sizes['cy']!r}{arc}{2 * across!r} 0{arc}{-2 * across!r} 0z"
+
+
+def _at(attributes: Mapping[str, str], across: str, down: str) -> complex:
+    return complex(number(attributes.get(across, "0")), number(attributes.get(down, "0")))
+
+
+def _checked(point: complex) -> complex:
+    if not (abs(point.real) <= REACH and abs(point.imag) <= REACH):
+        raise SheetRefused("a line leads off every paper")
+    return point

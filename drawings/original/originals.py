@@ -1,0 +1,98 @@
+"""Originals (подлинники): the sheets of a scene drawn once more, which written sheets are held against."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from drawings.checks import verify
+from drawings.checks.agreement import agree
+from drawings.checks.wrong import Wrong
+from drawings.eye.sheet import SeenSheet, see
+from drawings.lettering.lettering import lettered
+from drawings.measure.seal import digest
+from drawings.original.edition import leaves_of
+from drawings.original.sheet_paths import placed_sheets, stem_of
+from drawings.paper.strokes import Leaf
+from drawings.pens.svg import svg
+from drawings.sheets.table import SHEETS
+from plans.scene.scene import read_scene
+from plans.study import Study
+from plans.techniques import named
+
+
+class Original(NamedTuple):
+    """A sheet of a scene as it must be: the name of its file, its kind, its leaf."""
+
+    name: str
+    kind: str
+    leaf: Leaf
+
+    def says(self, data: Mapping[str, Any]) -> bool:
+        """Tell whether the data of a written sheet are those of this one: its kind, and its number among them."""
+        own = self.leaf.metadata
+        return all(data.get(key) == own.get(key) for key in ("sheet", "number"))
+
+
+class Originals:
+    """The sheets of a scene; each is drawn and seen when it is first asked for."""
+
+    def __init__(self, scene: Path) -> None:
+        self.path = scene
+        self.study = Study(read_scene(scene))
+        self._drawn: dict[str, bytes] = {}
+        self._seen: dict[str, SeenSheet] = {}
+        self._usual: dict[str, list[Wrong]] = {}
+
+    @property
+    def language(self) -> str:
+        """The language of the scene."""
+        return self.study.scene.sheet.language
+
+    @property
+    def digest(self) -> str:
+        """The checksum of the scene."""
+        return digest(self.study.scene.content)
+
+    @cached_property
+    def sheets(self) -> tuple[Original, ...]:
+        """All sheets, laid out as they are drawn: the two roads agree."""
+        self.study.construct()
+        for comparison in self.study.comparisons:
+            agree(comparison)
+        scene = self.study.scene
+        own = placed_sheets(Path(), stem_of(scene), leaves_of(self.study))
+        return tuple(Original(path.name, kind, lettered(leaf, scene.sheet.lettering)) for path, (kind, leaf) in own)
+
+    def drawn(self, sheet: Original) -> bytes:
+        """Give the file of a sheet as it must be."""
+        if sheet.name not in self._drawn:
+            self._drawn[sheet.name] = svg(sheet.leaf)
+        return self._drawn[sheet.name]
+
+    def seen(self, sheet: Original) -> SeenSheet:
+        """Give what is seen of a sheet as it must be."""
+        if sheet.name not in self._seen:
+            self._seen[sheet.name] = see(self.drawn(sheet))
+        return self._seen[sheet.name]
+
+    def wrongs(self, sheet: Original, seen: SeenSheet) -> list[Wrong]:
+        """List what the self-check of a sheet finds wrong with what is seen of a written one."""
+        data = sheet.leaf.metadata
+        faults = partial(named(SHEETS[sheet.kind].faults), study=self.study)
+        return verify.wrongs(seen.measured._replace(metadata=data), replace(seen.leaf, metadata=data), faults)
+
+    def usual(self, sheet: Original) -> list[Wrong]:
+        """List what it finds in the sheet as it must be: nothing, or what it cannot read of any such sheet."""
+        if sheet.name not in self._usual:
+            self._usual[sheet.name] = self.wrongs(sheet, self.seen(sheet))
+        return self._usual[sheet.name]
+
+    def of(self, name: str, data: Mapping[str, Any]) -> tuple[Original, ...]:
+        """Give the sheets that a written one may be: by its data and by its name, and all if by neither."""
+        said = [sheet for sheet in self.sheets if sheet.says(data)]
+        called = [sheet for sheet in self.sheets if sheet.name == name and sheet not in said]
+        return (*said, *called) or self.sheets

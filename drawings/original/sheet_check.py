@@ -1,0 +1,131 @@
+"""The check of one written sheet: as a file, against the original, and against the analysis (проверка листа)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from drawings import VERSION
+from drawings.checks import verify
+from drawings.collation.collate import Collation, Hidden, collate
+from drawings.collation.edit import Edit
+from drawings.collation.items import inside
+from drawings.eye.sheet import SeenSheet, see
+from drawings.files.standing import flaws
+from drawings.original.originals import Original, Originals
+from drawings.paper.limits import OverLimit, SheetRefused
+from geometry.errors import DraftError
+from plans.words.words import Message, message
+
+# What the self-check of a sheet may meet where the sheet is not laid out as it expects.
+UNFOLLOWED = (LookupError, ValueError, TypeError, AttributeError, ArithmeticError, DraftError)
+LONGEST = 40  # letters of a version
+NEVER = ("hidden", "unseen", "unread", "copied", "patch")  # how no sheet is drawn
+WHOLE, PARTLY, EDITED, UNREADABLE = 0, 4, 5, 7
+
+
+class Finding(NamedTuple):
+    """One thing that is wrong with a sheet: its kind, in words, and the edit that it is."""
+
+    kind: str
+    told: Message
+    edit: Edit | None = None
+
+    def plain(self, language: str) -> dict[str, Any]:
+        """Give it as plain data."""
+        own = {"finding": self.kind, "told": self.told.worded(language)}
+        return own if self.edit is None else own | self.edit.plain(language)
+
+
+class Checked(NamedTuple):
+    """What a check found: what is wrong, what could not be checked, and how much is as it must be."""
+
+    findings: tuple[Finding, ...]
+    notes: tuple[Message, ...] = ()
+    partly: bool = False  # something could not be checked
+    same: int = 0
+    most: int = 0
+    refused: int = 0  # exit code of a sheet that cannot be read at all
+
+    @property
+    def exit_code(self) -> int:
+        """The command's exit code, were this its only sheet."""
+        return self.refused or (EDITED if self.findings else PARTLY if self.partly else WHOLE)
+
+
+def check(path: Path, source: bytes, originals: Originals | None) -> Checked:
+    """Check a written sheet, by its scene where that is at hand."""
+    own = tuple(Finding(kind, told) for kind, told in flaws(path, source))
+    try:
+        seen = see(source)
+    except OverLimit as refused:
+        return Checked((*own, _refused(refused)), refused=refused.exit_code)
+    except SheetRefused as refused:
+        return Checked((*own, _refused(refused)), refused=EDITED if b"<svg" in source else UNREADABLE)
+    if originals is None:
+        return Checked(own, (message("checked.alone"),), partly=True)
+    return _against(path, seen, originals, own)
+
+
+def _refused(refused: SheetRefused) -> Finding:
+    return Finding("refused", message("checked.refused", reason=refused.reason))
+
+
+def _against(path: Path, seen: SeenSheet, originals: Originals, own: tuple[Finding, ...]) -> Checked:
+    """Hold a sheet against the original that it is nearest to."""
+    data = seen.leaf.metadata
+    try:
+        collations = [(_collated(originals.seen(one), seen), one) for one in originals.of(path.name, data)]
+    except SheetRefused as refused:  # stretched or mirrored
+        return Checked((*own, _refused(refused)))
+    collation, original = max(collations, key=lambda one: one[0].same / max(one[0].most, 1))
+    other = data.get("plandraft", VERSION) != VERSION and not collation.clean
+    found = (*_identity(path, data, original, originals), *_edits(collation, other))
+    version, count = str(data.get("plandraft"))[:LONGEST], len(collation.edits) + len(collation.whole)
+    notes = (message("checked.version", version=version, own=VERSION, count=count),) if other else ()
+    analysed = _analysis(seen, original, originals, collation.clean)
+    return Checked((*own, *found, *analysed), notes, other, collation.same, collation.most)
+
+
+def _hidden(seen: SeenSheet) -> list[Hidden]:
+    return [Hidden(item, one.reason) for one in seen.unseen for item in inside(one.stroke, one.group)]
+
+
+def _collated(right: SeenSheet, there: SeenSheet) -> Collation:
+    return collate(right.leaf, there.leaf, _hidden(there), _hidden(right))
+
+
+def _identity(path: Path, data: Mapping[str, Any], original: Original, originals: Originals) -> Iterator[Finding]:
+    """Tell a sheet of another scene, and one under the name of another sheet of its set."""
+    if data.get("scene", originals.digest) != originals.digest:
+        yield Finding("scene", message("checked.scene", scene=originals.path.name))
+    named = {sheet.name for sheet in originals.sheets}
+    if path.name in named and path.name != original.name:
+        yield Finding("name", message("checked.name", name=original.name))
+    if not original.says(data):
+        yield Finding("data", message("checked.data", name=original.name))
+
+
+def _edits(collation: Collation, other: bool) -> Iterator[Finding]:
+    """Tell what was edited; of a sheet that another version laid out otherwise only what no version would draw."""
+    if other:
+        yield from (Finding("edit", one.told, one) for one in collation.edits if one.how in NEVER)
+        return
+    if collation.strange:
+        yield Finding("strange", message("checked.strange", same=collation.same, most=collation.most))
+    yield from (Finding("whole", told) for told in collation.whole)
+    yield from (Finding("edit", one.told, one) for one in collation.edits)
+
+
+def _analysis(seen: SeenSheet, original: Original, originals: Originals, clean: bool) -> Iterator[Finding]:
+    """Tell what the self-check of such a sheet finds in it by the analysis, beyond what it finds in the original."""
+    try:
+        wrong = [one for one in originals.wrongs(original, seen) if one not in originals.usual(original)]
+    except UNFOLLOWED:
+        if clean:
+            raise
+        yield Finding("analysis", message("checked.unfollowed"))
+        return
+    if wrong:
+        yield Finding("analysis", message("checked.analysis", wrong=verify.first(wrong)))

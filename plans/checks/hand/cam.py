@@ -1,0 +1,127 @@
+"""What the main sizes of a cam found by hand may be out in: rulers pushed by hand, O read off (размеры от руки)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from geometry.board import Board, Mark, between
+from geometry.hand_error import SlippingHand, slopes
+from geometry.scatter import Slopes, number_error, size_error
+from plans.cam.centre.bounds import PressureBound
+from plans.cam.centre.rocker_sizes import laid_end as laid_on_arc
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.sizes import laid_end
+from plans.cam.sizing import SIZES, Sizing
+from plans.cam.study import CamDrawing
+from plans.checks.hand.quantity import SLIP, Slipping
+from plans.model.motion import Floats
+
+MM = 1000.0  # of a metre
+Moves: TypeAlias = Mapping[Mark, Slopes]
+
+
+class Reading(NamedTuple):
+    """What is read off the diagram of the sizes: its letters, the marks that it lies between, how far those move it."""
+
+    name: str
+    marks: tuple[Mark, ...]
+    error: Callable[[Moves], Floats]
+
+
+def cam_by_hand(
+    drawing: CamDrawing, scales: Mapping[str, float], by: Slipping = slopes
+) -> dict[tuple[str, int], float]:
+    """Give what a hand may be out in the sizes that are read off their diagram, mm or degrees, by their letters.
+
+    `scales` are those of the figures, m a mm: "sizes". S and S' are known where a ruler touches; what is given and what
+    is read off other curves, has no error here.
+    """
+    if SIZES not in scales:
+        return {}
+    read = list(readings(drawing))
+    hand = SlippingHand(SLIP, {SIZES: np.array([scales[SIZES]])})
+    found = by(hand, *(mark for one in read for mark in one.marks))
+    return {(one.name, 0): float(one.error(found)[0]) for one in read}
+
+
+def readings(drawing: CamDrawing) -> Iterator[Reading]:
+    """Give what is read off the diagram: the place of O, and under a roller or a point the angles at its tangents."""
+    sizing = drawing.sizing
+    start, centre = sizing.start, sizing.centre
+    if start is None or centre is None:
+        return
+    yield from (_rocking if sizing.cam.rocks else _translating)(sizing, start, centre)
+    if not sizing.cam.flat:
+        yield from _angles(drawing, sizing, start, centre)
+
+
+def _translating(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+    cam, ends = sizing.cam, (start, centre)
+    if cam.given.base is None:
+        yield _distance("R_0", start, centre)
+    if not cam.flat:
+        if cam.given.offset is None:
+            yield Reading("e", ends, lambda moved: MM * number_error(moved[centre] - moved[start]))
+        yield Reading("S_0", ends, lambda moved: MM * number_error(-1j * (moved[centre] - moved[start])))
+
+
+def _rocking(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+    cam, pivot = sizing.cam, sizing.origin
+    assert pivot is not None  # of every rocker
+    if cam.given.base is None:
+        yield _level(sizing, centre) if cam.flat else _distance("R_0", start, centre)
+    if cam.given.centre is None:
+        yield _distance("L", pivot, centre)
+    first = () if cam.flat else (start,)  # the arm of a flat rocker is drawn where it is given
+    yield _turned("ψ_0", ((pivot, centre), *((pivot, one) for one in first)))
+
+
+def _level(sizing: Sizing, centre: Mark) -> Reading:
+    """Read the distance of the face from O, along the face's normal."""
+    leaning = complex(SlopeDiagram(sizing.cam).leaning(np.zeros(1))[0])
+    return Reading("R_0", (centre,), lambda moved: MM * number_error(moved[centre] / (1j * leaning)))
+
+
+def _angles(drawing: CamDrawing, sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+    """Read the largest pressure angles at D: between DO and the way of K, which on an arc leans with the arm."""
+    for kind, most in drawing.found.pressure.items():
+        touches = (
+            one.point
+            for one in sizing.binding
+            if isinstance(one.bound, PressureBound) and one.bound.kind == kind and one.bound.side * most.value > 0
+        )
+        end = next(touches, None) or _end(drawing, sizing, start, most.turned)
+        arm = ((sizing.origin, end.step.inputs[0]),) if sizing.cam.rocks and sizing.origin is not None else ()
+        yield _turned(f"α_{{{kind}}}", ((end, centre), *arm))
+
+
+def _end(drawing: CamDrawing, sizing: Sizing, start: Mark, turned: float) -> Mark:
+    """Lay K and D off at a turn of the cam, beside the diagram."""
+    board, diagram = Board(SIZES), SlopeDiagram(sizing.cam)
+    motion = drawing.course.at(np.array([turned]))
+    own = motion.s[0], motion.slope[0]
+    if sizing.cam.rocks:
+        return laid_on_arc(board, diagram, sizing.board["l"], own, "")[1]
+    return laid_end(board, diagram, start, own, "")[1]
+
+
+def _distance(name: str, start: Mark, end: Mark) -> Reading:
+    vector = np.asarray(between(start, end))
+    return Reading(name, (start, end), lambda moved: MM * size_error(vector, moved[end] - moved[start]))
+
+
+def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> Reading:
+    """Read the angle of a ray, or from the second ray to the first, degrees."""
+
+    def turn(moved: Moves, ray: tuple[Mark, Mark]) -> Slopes:
+        start, end = ray
+        return np.asarray(-1j * (moved[end] - moved[start]) / np.asarray(between(start, end)))
+
+    def error(moved: Moves) -> Floats:
+        first, *others = (turn(moved, ray) for ray in rays)
+        return np.asarray(np.degrees(number_error(first - sum(others))))
+
+    return Reading(name, tuple(mark for ray in rays for mark in ray), error)

@@ -1,0 +1,172 @@
+"""The command check: what it says of whole, edited, torn and strange sheets, and how it ends."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from drawings.commands import check as command
+from drawings.commands import cli
+from drawings.files.manifest import manifest_of
+from drawings.original.originals import Originals
+from drawings.original.sheet_check import check
+from drawings.paper.strokes import Text
+from drawings.pens.svg import svg
+from tests.forgeries.leaf_edits import swapped
+from tests.forgeries.sheets import GALLERY, KINDS, forged, judged
+from tests.fuzz_sheets import CHANGES, tried
+from tests.parts import some
+
+SCENE = GALLERY / "fan.toml"
+NAME = "fan-rotor.svg"
+MOST = 10 * 1024**2 + 1  # bytes, one more than are read
+
+
+@cache
+def fan() -> Originals:
+    return Originals(SCENE)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Give a folder with a scene, its sheet, and the manifest of both."""
+    monkeypatch.setattr(command, "Originals", replaced)
+    shutil.copy(SCENE, tmp_path)
+    contents = {tmp_path / NAME: fan().drawn(fan().sheets[0]), tmp_path / "fan-report.md": b"# Report\n"}
+    for path, content in contents.items():
+        path.write_bytes(content)
+    manifest = manifest_of("fan.toml", SCENE.read_bytes(), contents)
+    (tmp_path / manifest.name).write_bytes(manifest.content())
+    return tmp_path
+
+
+def replaced(path: Path) -> Originals:
+    """Give the scene that is laid out already, if it is that one."""
+    return fan() if path.read_bytes() == SCENE.read_bytes() else Originals(path)
+
+
+Capture = pytest.CaptureFixture[str]
+
+
+def told(capsys: Capture, *arguments: object) -> tuple[int, str]:
+    code = cli.main(["check", *map(str, arguments)])
+    return code, "".join(capsys.readouterr())
+
+
+def test_a_sheet_as_it_was_drawn_is_whole(folder: Path, capsys: Capture) -> None:
+    code, said = told(capsys, folder / NAME)
+    assert code == 0 and said.splitlines()[0] == f"{folder / NAME}: лист цел"
+    code, said = told(capsys, folder / NAME, "--language", "en")
+    assert code == 0 and said.splitlines()[0] == f"{folder / NAME}: whole"
+
+
+def test_without_a_scene_the_file_alone_is_checked(folder: Path, capsys: Capture) -> None:
+    (folder / "fan.toml").unlink()
+    code, said = told(capsys, folder / NAME)
+    assert code == 4 and "Fix: give its scene with --scene" in said
+    assert told(capsys, folder / NAME, "--scene", SCENE)[0] == 0
+
+
+Change = Callable[[Path], object]
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda folder: (folder / NAME).write_bytes((folder / NAME).read_bytes()[:9000]), "torn: the file breaks off"),
+        (lambda folder: (folder / NAME).write_bytes((folder / NAME).read_bytes() + b"\n"), "the seal is broken"),
+        (lambda folder: (folder / "fan-report.md").unlink(), "of the same set, fan-report.md is not there"),
+        (lambda folder: (folder / "fan-report.md").write_bytes(b"x"), "of the same set, fan-report.md was changed"),
+        (lambda folder: (folder / NAME).write_bytes(other_text()), "not the sheet that fan-manifest.json names"),
+        (lambda folder: (folder / "fan.toml").write_bytes(SCENE.read_bytes() + b"#"), "drawn from another scene"),
+    ],
+)  # fmt: skip
+def test_what_became_of_a_file_is_told(folder: Path, capsys: Capture, change: Change, says: str) -> None:
+    change(folder)
+    code, said = told(capsys, folder / NAME, "--language", "en")
+    assert code == 5 and says in said
+
+
+def other_text() -> bytes:
+    leaf = fan().sheets[0].leaf
+    table = next(group for group in leaf.groups if group.name == "masses-1")
+    cell = next(one for part in table.strokes for one in part.strokes if isinstance(one, Text) and one.plain == "0,09")
+    return svg(swapped(leaf, cell, replace(cell, content="0,08")))
+
+
+def test_the_data_of_an_edit_have_its_place_and_figure(folder: Path, capsys: Capture) -> None:
+    (folder / NAME).write_bytes(other_text())
+    (folder / "fan-manifest.json").unlink()
+    code, said = told(capsys, folder / NAME, "--json")
+    (sheet,) = json.loads(said)["sheets"]
+    edits = [one for one in sheet["findings"] if one["finding"] == "edit"]
+    assert code == 5 and sheet["verdict"] == "edited"
+    assert [(one["edit"], one["what"], one["name"], one["figure"]) for one in edits] == [
+        ("text", "cell", "0,09", "masses-1")
+    ]
+    assert "«0,08», должно быть «0,09»" in edits[0]["told"]
+
+
+@pytest.mark.parametrize(
+    ("content", "code"),
+    [(b"%PDF-1.7", 7), (b"", 7), (b"<svg", 5), (b"<svg xmlns='http://www.w3.org/2000/svg'/>", 5), (b"x" * MOST, 8)],
+)  # fmt: skip
+def test_what_is_no_sheet_is_told_in_one_message(tmp_path: Path, capsys: Capture, content: bytes, code: int) -> None:
+    path = tmp_path / "sheet.svg"
+    path.write_bytes(content)
+    ended, said = told(capsys, path)
+    assert ended == code and "Traceback" not in said
+
+
+def test_a_sheet_that_is_not_there_and_the_next_one_are_both_told(folder: Path, capsys: Capture) -> None:
+    code, said = told(capsys, folder / "none.svg", folder / NAME, "--language", "en")
+    assert code == 7 and "none.svg: cannot be read" in said and f"{NAME}: whole" in said
+
+
+def test_a_scene_that_is_wrong_ends_the_command(folder: Path, capsys: Capture) -> None:
+    (folder / "fan.toml").write_text('title = "x"\n', "utf-8")
+    assert told(capsys, folder / NAME)[0] == 3
+
+
+@pytest.mark.parametrize("kind", some(KINDS, 5))
+def test_a_forgery_is_told(kind: str) -> None:
+    forgery = forged(fan().sheets[0], kind)
+    assert forgery is None or not judged(fan(), forgery, Path())
+
+
+@pytest.mark.rest
+def test_most_kinds_of_forgery_have_a_place_on_the_sheet() -> None:
+    assert len([kind for kind in KINDS if forged(fan().sheets[0], kind)]) >= 45
+
+
+def test_a_right_sheet_is_no_forgery() -> None:
+    whole = check(Path(NAME), fan().drawn(fan().sheets[0]), fan())
+    assert whole.exit_code == 0 and whole.same == whole.most > 100
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_a_sheet_that_was_changed_at_random_ends_as_it_should(number: int, tmp_path: Path) -> None:
+    from random import Random
+
+    chance = Random(f"check {number}")
+    source = CHANGES[number % len(CHANGES)](fan().drawn(fan().sheets[0]), chance)
+    assert tried(fan(), NAME, source, tmp_path)
+
+
+def test_measure_names_marks_that_are_missing_and_added(folder: Path, capsys: Capture) -> None:
+    leaf = fan().sheets[0].leaf
+    figure = next(group for group in leaf.groups if group.name == "unbalances")
+    gone = next(one for one in figure.strokes if getattr(one, "data", {}).get("kind") == "vector")
+    other = replace(gone, data=dict(gone.data) | {"name": "X"})
+    (folder / NAME).write_bytes(svg(swapped(leaf, gone, other)))
+    code = cli.main(["measure", str(folder / NAME), "--scene", str(SCENE)])
+    said = capsys.readouterr().out
+    assert code == 5
+    assert f"missing: unbalances {gone.data['quantity']} {gone.data['name']}" in said
+    assert f"added: unbalances {gone.data['quantity']} X" in said
