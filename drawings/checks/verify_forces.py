@@ -206,8 +206,17 @@ class _Check:
 
     def told(self) -> Iterator[Wrong]:
         """Hold the equations of each cut on the sheet."""
-        for check in self._passages.values():
+        for label, check in self._passages.items():
             yield from check.faults()
+            yield from self._arms(label, check)
+
+    def _arms(self, label: str, check: CutEquationsCheck) -> Iterator[Wrong]:
+        """Hold that the arms that the equations tell by a letter of their own are on the scheme beside them."""
+        plan = f"scheme-{label}-{self.position}"
+        group = figure(self.leaf, plan)
+        told = {one.name for one in check.written.statements if one.name.startswith("h")}
+        if group is not None:
+            yield from (on("missing_on", plan, name=name) for name in sorted(told) if name not in group.labels)
 
     @cached_property
     def _passages(self) -> dict[str, CutEquationsCheck]:

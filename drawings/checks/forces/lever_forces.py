@@ -47,20 +47,16 @@ class LeverForces(NamedTuple):
         arrows, due = list(laid.arrows), list(self._due())
         least = NOTHING * max((abs(image) for _, image in due), default=0.0)
         fit = [
-            (self._far(force, one), k, one)
-            for k, (force, image) in enumerate(due)
-            for one in self._fitting(force, laid.on(image), laid.arrows)
+            {one: self._far(force, one) for one in self._fitting(force, laid.on(image), arrows)} for force, image in due
         ]
-        found = set[int]()
-        for far, k, one in sorted(fit, key=lambda told: told[0]):
-            if k not in found and one in arrows:
-                arrows.remove(one)
-                found.add(k)
-                yield from [on("letter", PLAN, name=due[k][0].name)] if far > NEAREST else []
+        found = _matched([[one for one, far in own.items() if far <= NEAREST] for own in fit], {})
+        lettered = set(found)
+        found = _matched([list(own) for own in fit], found)
+        yield from (on("letter", PLAN, name=due[k][0].name) for k in found if k not in lettered)
         for k, (force, image) in enumerate(due):
             if k not in found and abs(force.value) > self.floor.force and abs(image) > least:
                 yield on("missing_on", PLAN, name=force.name)
-        yield from (on("stranger_on", PLAN, name="→") for _ in arrows)
+        yield from (on("stranger_on", PLAN, name="→") for one in arrows if one not in found.values())
 
     def _far(self, force: ActingForce, arrow: Arrow) -> float:
         """Give how far the letter of a force is from an arrow, mm."""
@@ -138,6 +134,25 @@ class LeverForces(NamedTuple):
         ends = [end for line in self.strokes.lines for end in (line.start, line.end)]
         if sum(abs(abs(end - pole) - radius) <= FINE for end in ends) < LEGS:
             yield on("missing_on", PLAN, name="p")
+
+
+def _matched(fit: Sequence[Sequence[Arrow]], begun: Mapping[int, Arrow]) -> dict[int, Arrow]:
+    """Give each force an arrow of its own of those that fit it, where there is one, beside those that have theirs."""
+    owner = {one: k for k, one in begun.items()}
+
+    def take(k: int, tried: set[Arrow]) -> bool:
+        for one in fit[k]:
+            if one not in tried:
+                tried.add(one)
+                if one not in owner or take(owner[one], tried):
+                    owner[one] = k
+                    return True
+        return False
+
+    for k in range(len(fit)):
+        if k not in owner.values():
+            take(k, set())
+    return {k: one for one, k in owner.items()}
 
 
 def _paired(name: str) -> bool:
