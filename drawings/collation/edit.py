@@ -75,6 +75,15 @@ def moved(how: str, item: Item, figures: Figures, by: float) -> Edit:
     return _edit(how, item, figures, by, told)
 
 
+def whole(how: str, own: Sequence[Item], figures: Figures) -> Edit:
+    """Tell of a figure as a whole."""
+    first = own[0]
+    figure = figures.called(figures.of(first))
+    thing = message("edit.figure", figure=figure, at=_place(middle(first.stroke)))
+    told = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
+    return told._replace(what="figure", name="", strokes=len(own))
+
+
 def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Edit:
     """Tell of strokes of one figure that were moved, turned and scaled as one."""
     first = own[0]

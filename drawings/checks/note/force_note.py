@@ -7,6 +7,7 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from drawings.checks.forces.report_tables import ForceTables
 from drawings.checks.note.analysed_forces import AnalysedForces
 from drawings.checks.note.lines import held, part
 from drawings.checks.precise import precise
@@ -27,4 +28,5 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     drafting = precise(drafting_of_forces(statics))
     due = equations(statics, comparison, drawn_scales(leaves), values, drafting)
     yield from held(part(text, word(language, "report.force_equations")), islice(due, 1, None), MOST_ALLOWED)
+    yield from ForceTables(text, statics, comparison).faults()
     yield from report_of(text, comparison, language)
