@@ -108,7 +108,7 @@ def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
         return shift.how, {}
     scale, turn = f"{shift.scale:.4g}", f"{shift.turn:.2f}"  # as exactly as an arrow of a few mm shows them
     scaled, turned = scale != "1", float(turn) != 0
-    parts: dict[str, object] = ({"scale": scale} if scaled else {}) | ({"turn": turn} if turned else {})
+    parts: dict[str, object] = {**({"scale": scale} if scaled else {}), **({"turn": turn} if turned else {})}
     return ("scaled_turned" if scaled and turned else "scaled" if scaled else "turned" if turned else "moved"), parts
 
 
