@@ -106,12 +106,9 @@ def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
     """Name a motion by what it does beside moving."""
     if shift.how != "moved":
         return shift.how, {}
-    scaled, turned = abs(shift.scale - 1) > 1e-6, abs(shift.turn) > 1e-4  # finer than an editor writes
-    parts: dict[str, object] = {}
-    if scaled:
-        parts["scale"] = f"{shift.scale:.6g}"
-    if turned:
-        parts["turn"] = f"{shift.turn:.4g}"
+    scale, turn = f"{shift.scale:.4g}", f"{shift.turn:.2f}"  # as exactly as an arrow of a few mm shows them
+    scaled, turned = scale != "1", float(turn) != 0
+    parts: dict[str, object] = {**({"scale": scale} if scaled else {}), **({"turn": turn} if turned else {})}
     return ("scaled_turned" if scaled and turned else "scaled" if scaled else "turned" if turned else "moved"), parts
 
 

@@ -145,7 +145,7 @@ CASES = {
     ),
     "a figure is turned": (
         whole("scheme-1", lambda one: brought(one, Affine(1j, 0j, (130 + 150j) * (1 - 1j)))),
-        [f"turned by 90°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
+        [f"turned by 90.00°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
     ),
     "a figure is mirrored": (
         whole("arms", lambda one: replace(one, strokes=tuple(mirrored_line(line) for line in one.strokes))),

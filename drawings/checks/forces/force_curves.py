@@ -123,7 +123,7 @@ class TurnGraph:
 
     def _feet(self, zero: complex) -> Complexes:
         """Give the feet of the positions on paper."""
-        return np.asarray(zero + self.turned / self.along + 0 * self.sizes)
+        return np.asarray(zero + self.turned / self.along)
 
     def _dense(self, zero: complex) -> Complexes:
         """Give the places between positions that the curve must go through."""

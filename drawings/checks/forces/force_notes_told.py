@@ -95,12 +95,14 @@ class ForceNotes:
 
     def _powers(self) -> Iterator[tuple[str, float]]:
         """Give the powers of what hangs on the lever, W, by letters."""
+        loads = {one.name for one in self._expected.expected.loading.moments}
         for bill in self.bills.values():
             for force in (one for one in bill.known if not one.name.startswith("R_")):
                 speed = bill.speed(force.link, force.at)
                 yield read(self.floor.letter(force.name)), (speed.conjugate() * force.value).real
             for couple in bill.couples:
-                if couple.name != BALANCING and not couple.name[2:].replace(",", "").isdigit():
+                hung = couple.name in loads or not couple.name[2:].replace(",", "").isdigit()
+                if couple.name != BALANCING and hung:
                     omega = float(bill.expected.motion.links[couple.link].omega[bill.expected.k])
                     yield read(self.floor.letter(couple.name)), couple.moment * omega
 

@@ -77,11 +77,16 @@ class LeverForces(NamedTuple):
             for force in bill.known:
                 if not force.name.startswith("R_"):
                     yield force, -1j * bill.speed(force.link, force.at)
-            for couple in (one for one in bill.couples if not _paired(one.name)):
+            for couple in (one for one in bill.couples if not self._paired(one.name)):
                 yield from self._halves(couple, bill)
             if bill.group is None and self._expected.mechanism.drive.ram is None:
                 driving = bill.driving or self._by_moment(bill)
                 yield driving, -1j * bill.speed(driving.link, driving.at)
+
+    def _paired(self, name: str) -> bool:
+        """Tell whether a couple is the moment of a pair, or of the drive: neither hangs on the lever."""
+        loads = {one.name for one in self._expected.loading.moments}
+        return name == BALANCING or (name not in loads and name[2:].replace(",", "").isdigit())
 
     def _by_moment(self, bill: ForceBill) -> ActingForce:
         """Give the force at the crank's end that has the balancing moment."""
@@ -153,8 +158,3 @@ def _matched(fit: Sequence[Sequence[Arrow]], begun: Mapping[int, Arrow]) -> dict
         if k not in owner.values():
             take(k, set())
     return {k: one for one, k in owner.items()}
-
-
-def _paired(name: str) -> bool:
-    """Tell whether a couple is the moment of a pair, or of the drive: neither hangs on the lever."""
-    return name == BALANCING or name[2:].replace(",", "").isdigit()

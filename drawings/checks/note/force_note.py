@@ -28,5 +28,10 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     drafting = precise(drafting_of_forces(statics))
     due = equations(statics, comparison, drawn_scales(leaves), values, drafting)
     yield from held(part(text, word(language, "report.force_equations")), islice(due, 1, None), MOST_ALLOWED)
-    yield from ForceTables(text, statics, comparison).faults()
     yield from report_of(text, comparison, language)
+
+
+def report_faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
+    """Hold a whole report: the note, and the tables of forces over the positions."""
+    yield from faults(text, study, leaves)
+    yield from ForceTables(text, study["forces"], study.comparison("forces")).faults()
