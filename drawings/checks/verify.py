@@ -8,6 +8,7 @@ from pathlib import Path
 from drawings.checks.documents import numbering, scales
 from drawings.checks.labelled import unlettered
 from drawings.checks.seen.differences import differences
+from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong, on
 from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
@@ -30,13 +31,14 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
 def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> SeenSheet:
     """See and measure a written sheet: it is as it was laid out, it states what it shows, it has no faults of its kind.
 
-    What is read of it is what is drawn on it; the leaf that was laid out is only what it is held against.
+    What is drawn on it is held to what was laid out, stroke by stroke, and that to the analysis with all its digits.
     """
     try:
         seen = see(path.read_bytes())
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    if wrong := [*wrongs(seen.measured, leaf, faults), *differences(leaf, seen)]:
+    laid = plain(leaf, seen.leaf.lettering)
+    if wrong := [*wrongs(seen.measured, laid, faults), *differences(laid, seen)]:
         raise SelfCheckFailed(message("check.sheet", marks=first(list(dict.fromkeys(wrong)))))
     return seen
 

@@ -18,7 +18,6 @@ from drawings.checks.linkage import (
     pair_symbols,
     part_letters,
     paths,
-    plan_headings,
     position_marks,
     position_numbers,
     stroke_dimensions,
@@ -26,12 +25,12 @@ from drawings.checks.linkage import (
     strokes,
     ticks,
     value_rows,
-    vector_plans,
 )
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.vectors import plan_headings, vector_plans
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
 from drawings.figures.linkage.vector_plan import LEAST

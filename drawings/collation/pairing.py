@@ -28,12 +28,25 @@ class Pairing:
 
     def edits(self, counts: dict[str, int]) -> Iterator[Edit]:
         """Tell all edits: what was moved as one, then stroke by stroke; `counts` has the strokes of each figure."""
+        yield from self._whole_figures(counts)
         yield from self._as_one(self.figures.of, counts)
         yield from self._as_one(_mark, {})
         yield from self._stretched()
         yield from self._one_by_one()
         yield from (edit.lone("missing", item, self.figures) for item in self.missing)
         yield from (edit.lone("added", item, self.figures) for item in self.added)
+
+    def _whole_figures(self, counts: dict[str, int]) -> Iterator[Edit]:
+        """Tell figures that are not there at all, and those that must not be."""
+        ours, theirs = (_by(lambda item: item.home.figure, own) for own in self._left)
+        for name, own in ours.items():
+            if name and name not in theirs and len(own) > 1 and counts.get(str(name)) == len(own):
+                self._done(own, ())
+                yield edit.whole("missing", own, self.figures)
+        for name, others in theirs.items():
+            if name and name not in self.figures.named and len(others) > 1:
+                self._done((), others)
+                yield edit.whole("added", others, self.figures)
 
     def _as_one(self, key: Callable[[Item], Hashable], counts: dict[str, int]) -> Iterator[Edit]:
         """Tell what was moved as one, among strokes of one key."""

@@ -135,13 +135,17 @@ CASES = {
         edited(lambda one: replace(one, radius=10) if isinstance(one, Circle) else one, top=SCHEME),
         ["the radius differs by 1 mm: circle at (150.00, 150.00) mm, scheme-1"],
     ),
+    "a figure is gone": (
+        whole("scheme-1", lambda one: None),
+        ["missing: all of scheme-1, from (150.00, 150.00) mm"],
+    ),
     "a figure is moved": (
         whole("scheme-1", lambda one: brought(one, Affine(t=-6 + 0j))),
         ["moved by 6 mm: all of scheme-1, from (150.00, 150.00) mm"],
     ),
     "a figure is turned": (
         whole("scheme-1", lambda one: brought(one, Affine(1j, 0j, (130 + 150j) * (1 - 1j)))),
-        [f"turned by 90°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
+        [f"turned by 90.00°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
     ),
     "a figure is mirrored": (
         whole("arms", lambda one: replace(one, strokes=tuple(mirrored_line(line) for line in one.strokes))),

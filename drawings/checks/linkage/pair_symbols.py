@@ -31,21 +31,30 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     """See that each pair of the shown position has its symbol at its place, and each mass centre its own."""
     drawn = [one for group in named(plan.leaf, PAIRS) for one in flat((group,))]
     mechanism, k = plan.laid.mechanism, plan.position
-    lines = plan.lines(PAIRS)
+    lines, places = plan.lines(PAIRS), _places(plan)
     for name in sorted({name for link in mechanism.links.values() for name in link.points}):
         spot = complex(plan.poses.point(name)[k])
         if not math.isnan(spot.real):
             circles, fills = _at(drawn, spot, plan.near)
             joined = len(mechanism.hinges.get(name, ()))
-            if not _is_symbol(circles, fills, joined, is_centre(name)):
+            alone = sum(abs(spot - other) <= DOUBLE[0] for other in places) == 1
+            if not (_is_symbol(circles, fills, joined, is_centre(name)) if alone else circles):
                 yield on("symbol", POSITIONS.plan, name=name)
             elif joined and name in mechanism.links[FRAME].points and not _stands(lines, spot, circles, joined):
                 yield on("stand", POSITIONS.plan, name=name)
     for name, (link, own) in plan.laid.centres.items():
         spot = plan.laid.on(link, own)
-        if not math.isnan(spot.real) and not _is_symbol(*_at(drawn, spot, plan.near), 0, True):
+        alone = sum(abs(spot - other) <= DOUBLE[0] for other in places) == 1
+        if not math.isnan(spot.real) and alone and not _is_symbol(*_at(drawn, spot, plan.near), 0, True):
             yield on("symbol", POSITIONS.plan, name=name)
     yield from _blocks(plan)
+
+
+def _places(plan: LaidPlan) -> list[complex]:
+    """Give the places of all points and mass centres: symbols that fall on one place are not told apart."""
+    points = sorted({name for link in plan.laid.mechanism.links.values() for name in link.points})
+    spots = [complex(plan.poses.point(name)[plan.position]) for name in points]
+    return [*spots, *(plan.laid.on(link, own) for link, own in plan.laid.centres.values())]
 
 
 def _at(drawn: list[Stroke], spot: complex, near: float) -> tuple[list[Circle], list[Fill]]:

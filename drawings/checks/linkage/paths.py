@@ -22,7 +22,8 @@ from plans.words.words import Message
 
 TICKS = "path-ticks"  # the name of the group of the positions on them
 PATHS = "paths"  # the name of their group
-WITHIN = 0.1  # mm: a chain of pieces, or a path that is one with another, is so near; half of the finest line
+# mm: a path may be straightened, and lie on another that is drawn, by a third of a line's width each.
+WITHIN = 0.22
 EVERY = 3  # places on the way round that are looked for: of a hundred and eighty every third
 STILL = 0.5  # mm: a path that is no longer is a dot under its point's symbol
 SAG = 4  # a path bulges over its piece by an eighth of its bend between pieces; where that grows, by less than twice so

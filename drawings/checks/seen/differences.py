@@ -8,13 +8,14 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
 
-from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong
-from drawings.collation.collate import collate
+from drawings.collation.collate import Hidden, collate
+from drawings.collation.items import inside
 from drawings.eye.letters import NEAR
 from drawings.eye.sheet import SeenSheet
 from drawings.paper.limits import CURVE_QUANTUM, DECIMALS, QUANTUM
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.walk import flat
 from geometry.curve import CubicPiece, Piece, RoundPiece
 from plans.words.words import message
 
@@ -23,28 +24,62 @@ LETTERED = 1.5e-3  # mm: letters begin at thousandths of a millimetre, and are s
 # Of texts in a viewer's fonts: their narrowing is written with four decimals, of a place on an A1.
 TYPESET = 0.1
 
+NEVER = ("hidden", "clipped", "unread")  # why a stroke is unseen that no pen of ours would write so
 _BETWEEN = 8  # of an arc: no two of its points are more than an eighth of a turn apart
 
 
-def differences(drawn: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
-    """Tell where a sheet that was seen is not as it was laid out."""
+def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
+    """Tell where a sheet that was seen is not as it was laid out, of which all strokes are the plainest."""
     there = seen.written
-    laid = plain(replace(drawn, lettering=there.lettering))
-    if _same_paper(laid, there) and same(laid, there):
+    if not any(one.reason in NEVER for one in seen.unseen) and _same_paper(laid, there) and same(laid, there):
         return
-    told = collate(laid, there)
+    hidden = [Hidden(item, one.reason) for one in seen.unseen for item in inside(one.stroke, one.group)]
+    told = collate(_rounded(laid, there), seen.leaf, hidden)
     yield from told.whole
     yield from (one.told for one in told.edits)
     if told.clean:
-        yield message("wrong.unlike")
+        yield message("wrong.unlike", name=next(_unlike(laid, there), ""))
+
+
+def _unlike(laid: Leaf, there: Leaf) -> Iterator[str]:
+    """Name the groups that differ in what no line of them shows: their names, titles, data, their order."""
+    even = _even(laid)
+    pairs = zip_longest(laid.groups, there.groups, fillvalue=Group(()))
+    return (own.name or other.name for own, other in pairs if not _same(own, other, even))
+
+
+def _rounded(laid: Leaf, there: Leaf) -> Leaf:
+    """Give what was laid out as it is rounded where it was written right, so that nothing is told of roundings."""
+    texts = [one for one in flat(there.groups) if isinstance(one, Text)]
+    areas = [one for one in flat(there.groups) if isinstance(one, Fill)]
+    even = _even(laid)
+
+    def rounded(stroke: Stroke) -> Stroke:
+        match stroke:
+            case Group():
+                return replace(stroke, strokes=tuple(map(rounded, stroke.strokes)))
+            case Text():
+                at = next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at)
+                turned = (one.rotation for one in texts if one.at == at and _same_turn(stroke, one))
+                return replace(stroke, at=at, rotation=next(turned, stroke.rotation))
+            case Fill():
+                return next((one for one in areas if _same(stroke, one, even)), stroke)
+        return stroke
+
+    return replace(laid, groups=tuple(replace(one, strokes=tuple(map(rounded, one.strokes))) for one in laid.groups))
 
 
 def same(laid: Leaf, there: Leaf) -> bool:
     """Tell whether two leaves have the same groups, and in them the same strokes, one by one in their order."""
-    even = TYPESET if laid.lettering == "text" else LETTERED
-    return all(map(_same, laid.groups, there.groups, [even] * len(laid.groups))) and len(laid.groups) == len(
-        there.groups
+    even = _even(laid)
+    return len(laid.groups) == len(there.groups) and all(
+        _same(own, other, even) for own, other in zip(laid.groups, there.groups, strict=True)
     )
+
+
+def _even(laid: Leaf) -> float:
+    """Give how far lettering may begin from where it must, mm."""
+    return TYPESET if laid.lettering == "text" else LETTERED
 
 
 def _same_paper(laid: Leaf, there: Leaf) -> bool:
@@ -85,15 +120,20 @@ def _same_group(laid: Group, there: Group, even: float) -> bool:
 
 
 def _same_text(laid: Text, there: Text, even: float) -> bool:
-    turned = math.radians((laid.rotation - there.rotation + 180) % 360 - 180)
     return (
         laid.runs == there.runs
         and laid.slanted == there.slanted
         and abs(laid.at - there.at) <= even
         and abs(laid.size - there.size) <= 10 * WRITTEN
-        and abs(turned) <= 4 * NEAR / laid.size
+        and _same_turn(laid, there)
         and _same_style(laid.style, there.style)
     )
+
+
+def _same_turn(laid: Text, there: Text) -> bool:
+    """Tell whether two texts are turned alike: a letter's points are rounded, which turns a small one most."""
+    turned = math.radians((laid.rotation - there.rotation + 180) % 360 - 180)
+    return abs(turned) <= 4 * NEAR / laid.size
 
 
 def _same_curve(laid: Curve, there: Curve) -> bool:

@@ -36,9 +36,10 @@ _SHARES = {"start": 0.0, "middle": 0.5, "end": 1.0}
 _RISES = {-1: -LOWERED, 1: RAISED}
 
 
-def plain(leaf: Leaf) -> Leaf:
-    """Give a leaf with the plainest strokes that look as its own do, one for one."""
-    return replace(leaf, groups=tuple(_group(group, leaf.lettering == "strokes") for group in leaf.groups))
+def plain(leaf: Leaf, lettering: str) -> Leaf:
+    """Give a leaf with the plainest strokes that look as its own do, one for one, as it is written in a lettering."""
+    lined = lettering == "strokes"
+    return replace(leaf, groups=tuple(_group(group, lined) for group in leaf.groups), lettering=lettering)
 
 
 def _group(group: Group, lined: bool) -> Group:
