@@ -14,9 +14,10 @@ from drawings.checks.linkage import (
     drive_arrows,
     guides,
     linkage_notes,
+    notches,
+    pair_symbols,
     part_letters,
     paths,
-    plan_headings,
     position_marks,
     position_numbers,
     stroke_dimensions,
@@ -24,12 +25,12 @@ from drawings.checks.linkage import (
     strokes,
     ticks,
     value_rows,
-    vector_plans,
 )
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.vectors import plan_headings, vector_plans
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
 from drawings.figures.linkage.vector_plan import LEAST
@@ -97,10 +98,11 @@ def _plans(
     letters = {drafts.velocities.point(name).name for name in expected.moving()}  # one image may have several letters
     arrows = expected.arrows(study.groups)
     seen = {(v.plan, *v.name.split(" ")): v for v in measured.vectors if v.position == k}
+    ends = {(one[0], one[-1]) for one in seen}
     scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
     for (plan, start, end), value in arrows.items():
         found = seen.get((plan, start, end))
-        must = plan in shown and (end in letters or start not in POLES.values())
+        must = plan in shown and (end in letters if start in POLES.values() else (plan, start) in ends)
         if found is not None:
             if not abs(found.value - value) <= _allowed(comparison, found, measured):
                 yield on("differs_at", plan, name=f"{start} {end}", position=k)
@@ -173,6 +175,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from bars.faults(plan)
     yield from position_numbers.faults(plan)
     yield from guides.faults(plan)
+    yield from pair_symbols.faults(plan)
+    yield from notches.faults(plan)
     yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)

@@ -21,7 +21,7 @@ FAR = 3e-4  # share of the sheet that must become less bare for a move by a mill
 Boxes: TypeAlias = Mapping[int, Field]
 Shifts: TypeAlias = Sequence[tuple[int, int]]
 _STEPS = range(-REACH, REACH + 1, STEP)
-SHIFTS: Shifts = tuple(product(_STEPS, _STEPS))
+SHIFTS: Shifts = tuple((right, up) for right in _STEPS for up in _STEPS)
 SIDEWAYS: Shifts = tuple((right, up) for right, up in SHIFTS if not up)
 
 

@@ -85,6 +85,9 @@ class CutEquationsCheck:
             if true is not None and not (one.unit == unit and reads(one.value, true, none + half(abs(true)))):
                 yield self._wrong(f"{one.name} = {one.value} {one.unit}")
         told = {one.name for one in self.written.statements}
+        armed = [one for one in self.written.statements if one.name not in sizes and one.name not in moments]
+        if armed and armed[-1].unit != word(self.floor.language, "mm"):
+            yield self._wrong(f"{armed[-1].name} = {armed[-1].value} {armed[-1].unit}")
         for names in self._due():
             if not any(self._letter(name) in told for name in names):
                 yield self._missing(names[0])

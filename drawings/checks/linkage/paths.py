@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
@@ -11,14 +12,18 @@ from drawings.checks.linkage.bars import holds
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.laid_poses import LaidPoses, Segments
 from drawings.checks.wrong import on
+from drawings.paper.limits import MANY
 from drawings.paper.strokes import Arc, Line, Polyline, Stroke
+from drawings.symbols.symbols import TICK
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+TICKS = "path-ticks"  # the name of the group of the positions on them
 PATHS = "paths"  # the name of their group
-WITHIN = 0.1  # mm: a chain of pieces, or a path that is one with another, is so near; half of the finest line
+# mm: a path may be straightened, and lie on another that is drawn, by a third of a line's width each.
+WITHIN = 0.22
 EVERY = 3  # places on the way round that are looked for: of a hundred and eighty every third
 STILL = 0.5  # mm: a path that is no longer is a dot under its point's symbol
 SAG = 4  # a path bulges over its piece by an eighth of its bend between pieces; where that grows, by less than twice so
@@ -30,6 +35,8 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     drawn = Segments.of(_pieces(strokes))
     arcs = [one for one in strokes if isinstance(one, Arc)]
     within = WITHIN + plan.near
+    marks = plan.lines(TICKS)
+    ticks = (marks.starts + marks.ends) / 2
     for name, rows in _traced(plan):
         spots = np.concatenate([row[:: EVERY if k else 1] for k, row in enumerate(rows)])
         spots = spots[plan.clear(spots)]
@@ -37,8 +44,17 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
             off = np.fmin(drawn.nearest(spots), _off_arcs(arcs, spots, within))
             if (off > within).any():
                 yield on("trajectory", POSITIONS.plan, name=name)
+            due = rows[0][_ticked(plan)]
+            due = due[plan.clear(due, TICK)]
+            if due.size and not (np.abs(due[:, None] - ticks).min(axis=1, initial=np.inf) <= plan.near).all():
+                yield on("ticks", POSITIONS.plan, count=len(due))
     if plan.way is not None and not _all_known(plan, drawn, arcs, within):
         yield on("path", POSITIONS.plan, name=PATHS)
+
+
+def _ticked(plan: LaidPlan) -> slice:
+    """Give the positions that are ticked: of very many those between every so many."""
+    return slice(None, None, max(math.ceil(len(plan.poses.motion.phi) / MANY), 1))
 
 
 def _pieces(strokes: Sequence[Stroke]) -> Iterator[tuple[complex, complex]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -11,7 +12,6 @@ import numpy as np
 from drawings.checks.labelled import Label, labels_of
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.wrong import on
-from drawings.figures.linkage.position_letters import LINKS
 from drawings.paper.strokes import Group, Text
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Output
@@ -19,10 +19,12 @@ from plans.model.motion import Complexes
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+LINKS = "links"  # the group of the numbers of links, among the letters of the plan
 NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
 FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
 NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
 ROOMY = 12.0  # mm between positions on the crank's circle: none of their numbers crowds another
+MOST = 0.34  # share of the numbers that may stand nearer to another position's place where places crowd
 ENDS = 2  # numbers at the output at the least: those of its extremes
 
 
@@ -37,7 +39,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     """See that each number stands at a place of its position, and that none is missing where there is room."""
     crank, *tracks = _numbered(plan)
     labels = list(_labels(plan))
-    at_crank, at_tracks = set[int](), 0
+    at_crank, at_tracks, strays = set[int](), 0, 0
     for text, label in labels:
         found = NUMBER.fullmatch(text)
         if found is None:
@@ -46,12 +48,16 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         number, middle = int(found[1]), _middle(label)
         own = [_own(one, number, bool(found[2]), middle) for one in (crank, *tracks)]
         best = int(np.argmin(own))
-        near = min(_nearest(one, middle, bool(found[2])) for one in (crank, *tracks))
-        if not own[best] <= min(FAR, near + NEARER):
+        near, apart = min(_nearest(one, middle, own[best]) for one in (crank, *tracks))
+        crowded = own[best] > near + NEARER
+        if not own[best] <= FAR or (crowded and apart >= ROOMY):
             yield on("position_number", POSITIONS.plan, name=text)
-        elif not best:
+        if not best:
             at_crank.add(number)
         at_tracks += best > 0
+        strays += crowded
+    if strays > MOST * len(labels):
+        yield on("position_number", POSITIONS.plan, name=str(strays))
     steps = np.abs(np.diff(crank.places))
     if steps.size and steps.min() >= ROOMY:
         missing = set(range(len(crank.places))) - at_crank
@@ -82,10 +88,13 @@ def _own(one: Numbered, number: int, between: bool, middle: complex) -> float:
     return min((abs(middle - spot) for spot in spots if np.isfinite(spot)), default=np.inf)
 
 
-def _nearest(one: Numbered, middle: complex, between: bool) -> float:
-    """Give how far a number is from the nearest place of its kind, mm."""
-    spots = np.array([spot for _, spot in one.between]) if between else one.places
-    return float(np.nanmin(np.abs(middle - spots), initial=np.inf))
+def _nearest(one: Numbered, middle: complex, own: float) -> tuple[float, float]:
+    """Give how far a number is from the nearest place, and that at the least from the number's own, mm."""
+    spots = one.places[np.isfinite(one.places)]
+    if not spots.size:
+        return math.inf, math.inf
+    near = float(np.abs(middle - spots).min())
+    return near, own - near
 
 
 def _numbered(plan: LaidPlan) -> Iterator[Numbered]:

@@ -22,7 +22,6 @@ from plans.model.order import POSITIONS
 from plans.words.words import Message, word
 
 ROOMY, HEADS = 0.45, 5.0  # share of a rocker's arm, and heads along the arc there, at which a swing has room
-ALIKE = 1e-6  # rad: strokes whose crank angles differ by less are alike
 INDICES = ("index.work", "index.idle")  # of the crank's angle over either stroke
 
 
@@ -41,7 +40,11 @@ class Sector(NamedTuple):
 
     def text(self, language: str) -> str:
         """Write it with its size, as lettering is read."""
-        return Text(0j, f"{self.letter} = {fixed(math.degrees(abs(self.sweep)), language)}°").plain
+        return Text(0j, f"{self.letter} = {self.size(language)}").plain
+
+    def size(self, language: str) -> str:
+        """Write its size alone."""
+        return f"{fixed(math.degrees(abs(self.sweep)), language)}°"
 
 
 class Arrow(NamedTuple):
@@ -67,7 +70,7 @@ def faults(leaf: Leaf, laid: LaidMechanism, extremes: Extremes | None) -> Iterat
     for name, sectors, halves in (("phases", _phases(laid, extremes), 1), ("swing", _swing(laid, extremes), 2)):
         arrows = list(_arrows(leaf, name))
         shown = [(one, _radius(one, arrows, halves)) for one in sectors]
-        due = bool(sectors) and not arrows and _must(name, laid, extremes, sectors)
+        due = bool(sectors) and not arrows and _must(name, laid, sectors)
         if due or len(arrows) != halves * sum(radius is not None for _, radius in shown):
             yield on("arc", POSITIONS.plan, name=name)
         for one, radius in shown:
@@ -77,15 +80,15 @@ def faults(leaf: Leaf, laid: LaidMechanism, extremes: Extremes | None) -> Iterat
                 yield on("arc", POSITIONS.plan, name=text)
 
 
-def _must(name: str, laid: LaidMechanism, extremes: Extremes, sectors: list[Sector]) -> bool:
+def _must(name: str, laid: LaidMechanism, sectors: list[Sector]) -> bool:
     """Tell whether arcs must be there: phases where the strokes differ or count, a swing that has room for them."""
     study = laid.study
     if name == "swing":
         arm = max(abs(laid.on(study.output.link, own) - sectors[0].centre) for own in _tips(laid))
         return ROOMY * arm * abs(sectors[0].sweep) >= HEADS * HEAD[0]
-    asked = study.scene.has(("output", "working")) or any(form.counts_stroke for form in study.scene.forms)
+    asked = study.scene.has(("output", "working"))
     both = study.travel is not None and len(study.travel.rests) == 2
-    return asked or (both and extremes.overlap > ALIKE)
+    return asked or (both and len({one.size(study.language) for one in sectors}) > 1)
 
 
 def _tips(laid: LaidMechanism) -> list[complex]:
