@@ -158,10 +158,10 @@ class LawGraph(Graph):
         if read(title) not in self.strokes.texts:
             yield message("wrong.missing", name=title)
         due = self.row.said(self.drafting)
-        seen = [text for text in self.strokes.texts if self._said(text)]
+        seen = [text for text in self.strokes.texts if self.tells(text)]
         yield from self.told(seen, due)
 
-    def _said(self, text: str) -> bool:
+    def tells(self, text: str) -> bool:
         """Tell whether a text tells of shocks or chords."""
         heads = (
             read(self.drafting.word(key, places="", off="")) for key in ("hard shocks", "soft shocks", "chords off")

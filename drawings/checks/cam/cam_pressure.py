@@ -10,12 +10,15 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
+from drawings.checks.cam.cam_units import written_scale
 from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read, scales
+from drawings.checks.graphs.linework import FAR, Linework, Way
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
+from drawings.symbols.symbols import TICK
 from plans.analytic.cam.contour import Curve
 from plans.model.cam import RETURN, RISE, limits_of
 from plans.model.cam_motion import Extreme
@@ -23,6 +26,7 @@ from plans.model.motion import Floats
 from plans.words.words import message
 
 KNOWN = 1e-9  # of an angle: both roads agree far better
+DENSE = 721  # turns at which the least and the greatest angle are looked up: the axis goes beyond both
 
 
 @dataclass(frozen=True)
@@ -42,9 +46,82 @@ class PressureGraph:
         yield from self._curve()
         yield from self._limits()
         yield from self._phases()
-        title = self.drafting.word("cam pressure graph")
-        if read(title) not in self.strokes.texts:
-            yield message("wrong.missing", name=title)
+        yield from self._lines()
+        yield from self._words()
+
+    @cached_property
+    def work(self) -> Linework:
+        """All that it draws straight or writes."""
+        return Linework(NAME, self.strokes, self.drafting.hand.symbol)
+
+    def _lines(self) -> Iterator[Wrong]:
+        """Hold all straight lines, heads and dots."""
+        cam, own = self.expected.cam, self.expected.contour
+        angles = np.degrees(own.pressure).tolist()
+        dense = np.concatenate(self._pressure(np.linspace(0.0, cam.turn, DENSE)))
+        low, high = min(0.0, float(dense.min())), max(0.0, float(dense.max()))
+        due = [Way("φ", self.zero, self.on(cam.turn), FAR), Way("α", self.on(0.0, low), self.on(0.0, high), FAR)]
+        spots = [self.on(turned, angle) for turned, angle in zip(own.turned.tolist(), angles, strict=True)]
+        for k, spot in enumerate(spots):
+            foot = complex(spot.real, self.zero.imag)
+            due += [Way(str(k), foot - 1j * TICK, foot + 1j * TICK), Way(str(k), foot, spot, due=False)]
+        for extreme in self.expected.found.pressure.values():
+            foot, spot = self.on(extreme.turned), self.on(extreme.turned, math.degrees(extreme.value))
+            due.append(Way("α", foot, foot + 1j * (spot - foot).imag, FLUSH, due=False))
+            spots.append(spot)
+        bounds = (*(phase.start for phase in cam.phases), cam.turn)
+        due += [Way("φ", self.on(turned, low), self.on(turned, high), FAR) for turned in bounds]
+        due += [Way(kind, start, end, due=False) for kind, start, end in self._held()]
+        yield from self.work.ways(due)
+        yield from self.work.heads()
+        yield from self.work.dots("α", self._near(spots))
+        rings = [one.end for one in self.measured.vectors if one.plan == NAME and one.position is None]
+        if not all(any(abs(one.centre - spot) <= FLUSH for one in self.strokes.circles) for spot in rings):
+            yield on("edge", NAME, name="α")
+        for tip, name in ((self.on(cam.turn), "φ"), (self.on(0.0, high), "α")):
+            way = 1.0 if name == "φ" else 1j
+            if not any(self.work.headed(one) and abs(((one - tip) / way).imag) <= FLUSH for one, _ in self.work.tips):
+                yield on("head", NAME, name=name)
+
+    def _near(self, spots: list[complex]) -> Iterator[complex]:
+        """Give places, those of rings about smooth extremes as they stand: the ordinates hold them."""
+        yield from spots
+        yield from (one.end for one in self.measured.vectors if one.plan == NAME)
+
+    def _held(self) -> Iterator[tuple[str, complex, complex]]:
+        """Give the ends of the lines of the limits."""
+        cam = self.expected.cam
+        for kind in (RISE, RETURN):
+            interval = limits_of(cam).interval(kind, cam.closure)
+            for one in (one for one in cam.phases if one.kind == kind and interval is not None):
+                for level in (math.degrees(interval.low), math.degrees(interval.high)) if interval else ():
+                    yield kind, self.on(one.start, level), self.on(one.end, level)
+
+    def _words(self) -> Iterator[Wrong]:
+        """Hold the title, both scales in full, the letters of the axes, the numbers at the axis; no other word."""
+        cam, drafting = self.expected.cam, self.drafting
+        turn, unit = ("x", "m") if cam.translates else ("φ", "rad")
+        scales = [
+            written_scale("α", self.mu, "°", drafting),
+            written_scale(turn, self.written.get(turn, math.nan), unit, drafting),
+        ]
+        letters = [phase_name(cam, k, drafting) for k in range(len(cam.phases))]
+        due = [drafting.word("cam pressure graph"), ";  ".join(scales), turn, "α, °", *letters]
+        own = [f"{drafting.number(math.degrees(one.value))}°" for one in self.expected.found.pressure.values()]
+        known = limits_of(cam)
+        for kind in (RISE, RETURN):
+            interval = known.interval(kind, cam.closure)
+            ends = () if interval is None else (interval.low, interval.high)
+            own += [drafting.letter(f"[α_{{{kind}}}] = {drafting.number(abs(math.degrees(end)))}°") for end in ends]
+        numbers = [str(k) for k in range(len(self.expected.contour.turned))]
+        yield from self.work.words(due, [*own, *numbers])
+        for k, turned in enumerate(self.expected.contour.turned.tolist()):
+            if str(k) in self.strokes.texts and not self.strokes.lettered(str(k), [self.on(turned)]):
+                yield on("letter", NAME, name=str(k))
+        for letter, along in ((turn, True), ("α", False)):
+            tips = [tip for tip, back in self.work.tips if (abs((tip - back).imag) <= FLUSH) == along]
+            if not self.strokes.lettered(letter, tips):
+                yield on("letter", NAME, name=letter)
 
     @cached_property
     def zero(self) -> complex:

@@ -11,6 +11,7 @@ import numpy as np
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_told import BARE
+from drawings.checks.documents import ruled
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.linkage import by_hand
 from drawings.checks.reading import reads
@@ -57,6 +58,8 @@ def results(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wron
     due = {one.title(drafting): one for one in rows(expected)}
     told = _told(leaf, expected) if any(readings(expected.drawing)) else None
     heads = [read(drafting.word(key)) for key in (by_hand.HEADS if told else by_hand.HEADS[:-1])]
+    for part in parts:
+        yield from ruled.faults(part, NAME, heads)
     seen: list[str] = []
     for cells in ([text.plain for text in row] for part in parts for row in _rows(part)):
         if cells == heads:

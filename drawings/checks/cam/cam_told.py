@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
+from drawings.checks.cam.cam_units import ratio
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, within
-from drawings.lettering.words import number
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
@@ -250,22 +250,16 @@ def numbers(
 def headings(leaf: Leaf, strokes: FigureStrokes, mu: float, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold the title of the figure with its ratio, the title of the sheet and its scale in the title block."""
     written = [text.plain for one in groups(leaf.groups) if one.name == BLOCK for text in texts((one,))]
-    ratio = _ratio(mu, drafting)
-    if ratio not in written:
-        yield message("wrong.scale", text=ratio)
-    if drafting.notation == "mu" and not any(text.endswith(f"({ratio})") for text in strokes.texts):
-        yield message("wrong.scale", text=ratio)
+    told = ratio(mu, drafting)
+    if told not in written:
+        yield message("wrong.scale", text=told)
+    if drafting.notation == "mu" and not any(text.endswith(f"({told})") for text in strokes.texts):
+        yield message("wrong.scale", text=told)
     if read(drafting.word("cam profile")) not in strokes.texts:
         yield message("wrong.missing", name=drafting.word("cam profile"))
     title = drafting.word("cam sheet title", name=expected.cam.name)
     if title not in " ".join(written) or not leaf.title.endswith(title):
         yield message("wrong.missing", name=title)
-
-
-def _ratio(mu: float, drafting: Drafting) -> str:
-    """Write a scale of lengths, m/mm, as a ratio."""
-    times = MM * mu
-    return f"1:{number(times, drafting.language)}" if times >= 1 else f"{number(1 / times, drafting.language)}:1"
 
 
 def decimals(leaf: Leaf, drafting: Drafting) -> Iterator[Wrong]:

@@ -6,15 +6,24 @@ import math
 from collections.abc import Iterator, Sequence
 
 from drawings.checks import reading
-from drawings.checks.cam import cam_charts, cam_law_poles, cam_laws, cam_table, cam_told
+from drawings.checks.cam import (
+    cam_charts,
+    cam_law_lines,
+    cam_law_poles,
+    cam_laws,
+    cam_page,
+    cam_table,
+    cam_told,
+)
 from drawings.checks.cam.cam_diagram import SizeDiagram
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
 from drawings.checks.cam.cam_marks import marks
 from drawings.checks.cam.cam_pressure import PressureGraph
+from drawings.checks.cam.cam_units import ratio
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
-from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
+from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.linkage import accord
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import NAME as PRESSURE
@@ -23,8 +32,7 @@ from drawings.figures.cam.profile_view import PITCH
 from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Circle, Leaf
-from drawings.paper.walk import groups
+from drawings.paper.strokes import Leaf
 from plans.checks.cam.comparison import of_cam
 from plans.checks.comparison import Finding
 from plans.checks.hand.cam import readings
@@ -40,10 +48,16 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     cams = {one.cam.name: one for one in study.comparison("cam").analysis.cams}
     name = leaf.metadata["cam"]
     if name == EVERY:
+        yield from cam_page.paper(leaf, study.scene, "cam", drafting_of(study.scene).word("cyclogram sheet title"), "")
         yield from cam_charts.faults(measured, leaf, [one.cam for one in cams.values()], drafting_of(study.scene))
         return
     expected, compared = Expected(cams[name], study["cam"].drawings[name]), of_cam(study.comparison("cam"), name)
-    yield from check(measured, leaf, expected, compared, drafting_of(study.scene))
+    drafting = drafting_of(study.scene)
+    yield from check(measured, leaf, expected, compared, drafting)
+    profile = figure(leaf, PROFILE)
+    pole = None if profile is None else cam_page.pole_of(profile)
+    title, scale = drafting.word("cam sheet title", name=name), "" if pole is None else ratio(pole[1], drafting)
+    yield from cam_page.paper(leaf, study.scene, "cam", title, scale)
 
 
 def check(
@@ -63,7 +77,9 @@ def check(
     yield from cam_table.results(leaf, expected, drafting)
     if cam_laws.named(expected.cam) in shown:
         yield from cam_laws.diagrams(measured, leaf, expected, drafting)
-        yield from cam_law_poles.poles(leaf, cam_laws.graphs(measured, leaf, expected, drafting), expected)
+        graphs = cam_laws.graphs(measured, leaf, expected, drafting)
+        yield from cam_law_poles.poles(leaf, graphs, expected)
+        yield from cam_law_lines.lines(leaf, graphs, expected, drafting)
     read_off = any(readings(expected.drawing))
     yield from cam_told.notes(leaf, expected, accord.due(compared, drafting.language, read_off), drafting)
     yield from reading.marked_scales(leaf)
@@ -73,7 +89,7 @@ def check(
 def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold the figure of the profile: curves, marks, lines, letters."""
     strokes = figure(leaf, PROFILE)
-    pole = None if strokes is None else _pole(strokes)
+    pole = None if strokes is None else cam_page.pole_of(strokes)
     if strokes is None or pole is None:
         yield on("missing_on", PROFILE, name="O")
         return
@@ -85,17 +101,20 @@ def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
     yield from marks(measured, expected, origin, mu, drafting.hand)
     yield from ProfileLines(strokes, expected, origin, mu, drafting).faults()
     yield from cam_told.sizes(strokes, expected, drafting)
+    yield from cam_page.headed(strokes, PROFILE, drafting.word("cam profile"), mu, drafting)
     yield from cam_told.headings(leaf, strokes, mu, expected, drafting)
 
 
 def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold the figure of the main sizes."""
     strokes = figure(leaf, DIAGRAM)
-    pole = None if strokes is None else _pole(strokes)
+    pole = None if strokes is None else cam_page.pole_of(strokes)
     if strokes is None or pole is None:
         yield on("missing_on", DIAGRAM, name="O")
         return
-    yield from SizeDiagram(strokes, measured, expected, *pole, drafting).faults()
+    diagram = SizeDiagram(strokes, measured, expected, *pole, drafting)
+    yield from diagram.faults()
+    yield from cam_page.headed(strokes, DIAGRAM, diagram.title, pole[1], drafting)
     if not math.isclose(leaf.metadata["scales"][DIAGRAM], pole[1]):
         yield message("wrong.scale", text=f"{DIAGRAM} {pole[1]:g}")
 
@@ -103,12 +122,3 @@ def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
 def _pressed(expected: Expected) -> bool:
     """Tell whether a cam has a pressure angle that is not 0 throughout."""
     return not (expected.cam.flat and not expected.cam.rocks) and bool(expected.found.pressure)
-
-
-def _pole(strokes: FigureStrokes) -> tuple[complex, float] | None:
-    """Give where O is on paper, mm, and the scale, m/mm."""
-    poles = (one for one in groups((strokes.group,)) if one.data.get("kind") == "pole")
-    for one in poles:
-        circle = next(stroke for stroke in one.strokes if isinstance(stroke, Circle))
-        return circle.centre, float(one.data["scale"])
-    return None

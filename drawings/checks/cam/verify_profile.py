@@ -7,7 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks import reading
+from drawings.checks.cam import cam_page
+from drawings.checks.cam.cam_blank import blank
+from drawings.checks.cam.cam_units import ratio
 from drawings.checks.cam.profiles import Analysed, wrong
+from drawings.checks.documents import ruled
+from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on, within
 from drawings.figures.cam.manufacturing import PLAN, TabledProfile, tabled
@@ -24,6 +29,11 @@ from plans.study import Study
 from plans.words.words import message
 
 ROLLED = 181  # turns at which the curves are held to the law
+# The headings of its table by whether the cam translates.
+HEADS = {
+    False: ("φ of cam, °", "polar radius, mm", "polar angle, °"),
+    True: ("x of cam, mm", "abscissa, mm", "ordinate, mm"),
+}
 FAR = 1e-9  # of a radius: both roads take it from one law
 
 
@@ -31,7 +41,13 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a cam shows against the analysis (row of the table of sheets)."""
     cams = study.comparison("cam").analysis.cams
     found = next(one for one in cams if one.cam.name == leaf.metadata["cam"])
-    return check(measured, leaf, found, drafting_of(study.scene), leaf.metadata["of"] == len(cams))
+    own = cam_page.smaller(leaf, study.scene)
+    yield from check(measured, leaf, found, drafting_of(own), leaf.metadata["of"] == len(cams))
+    drawn = next((one for one in measured.marks if one.plan == PLAN), None)
+    title = drafting_of(own).word("cam profile sheet title") + (f" {found.cam.name}" if len(cams) > 1 else "")
+    yield from cam_page.paper(
+        leaf, own, "profile", title, "" if drawn is None else ratio(drawn.scale, drafting_of(own))
+    )
 
 
 def check(measured: Measured, leaf: Leaf, found: CamFound, drafting: Drafting, whole: bool = True) -> Iterator[Wrong]:
@@ -41,6 +57,7 @@ def check(measured: Measured, leaf: Leaf, found: CamFound, drafting: Drafting, w
         yield from wrong(measured.profiles, PLAN, _analysed(found))
         yield from _radii(measured, exact)
         yield from _notes(leaf, exact, drafting)
+        yield from blank(leaf, exact, drafting)
     yield from reading.marked_scales(leaf)
     yield from _table(leaf, exact, drafting, whole)
 
@@ -69,6 +86,9 @@ def _table(leaf: Leaf, exact: TabledProfile, drafting: Drafting, whole: bool) ->
     """Read the table of radii back: every cell, and every row that a sheet with the table must have."""
     true, seen = dict(_rows(exact, drafting)), set[str]()
     parts = [one for one in groups(leaf.groups) if one.name.startswith(f"{NAME}-")]
+    turn, *words = HEADS[exact.cam.translates]
+    for part in parts:
+        yield from ruled.faults(part, NAME, [read(drafting.word(key)) for key in (turn, *words)])
     for name, *cells in ([text.plain for text in row] for part in parts for row in list(reading.rows(part))[1:]):
         seen.add(name)
         if name not in true or len(cells) != len(true[name]):

@@ -25,6 +25,8 @@ LETTERED = 1.5e-3  # mm: letters begin at thousandths of a millimetre, and are s
 TYPESET = 0.1
 
 NEVER = ("hidden", "clipped", "unread")  # why a stroke is unseen that no pen of ours would write so
+# mm: an arc is found by two of its points and its radius, each of which was rounded.
+ARCHED = 2 * QUANTUM
 _BETWEEN = 8  # of an arc: no two of its points are more than an eighth of a turn apart
 
 
@@ -51,7 +53,7 @@ def _unlike(laid: Leaf, there: Leaf) -> Iterator[str]:
 def _rounded(laid: Leaf, there: Leaf) -> Leaf:
     """Give what was laid out as it is rounded where it was written right, so that nothing is told of roundings."""
     texts = [one for one in flat(there.groups) if isinstance(one, Text)]
-    areas = [one for one in flat(there.groups) if isinstance(one, Fill)]
+    shapes = [one for one in flat(there.groups) if isinstance(one, Fill | Arc)]
     even = _even(laid)
 
     def rounded(stroke: Stroke) -> Stroke:
@@ -62,8 +64,10 @@ def _rounded(laid: Leaf, there: Leaf) -> Leaf:
                 at = next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at)
                 turned = (one.rotation for one in texts if one.at == at and _same_turn(stroke, one))
                 return replace(stroke, at=at, rotation=next(turned, stroke.rotation))
-            case Fill():
-                return next((one for one in areas if _same(stroke, one, even)), stroke)
+            case Fill() | Arc():
+                return next((one for one in shapes if _same(stroke, one, even)), stroke)
+            case Polyline((start, end), False):
+                return Line(start, end, stroke.style)
         return stroke
 
     return replace(laid, groups=tuple(replace(one, strokes=tuple(map(rounded, one.strokes))) for one in laid.groups))
@@ -100,10 +104,12 @@ def _same(laid: Stroke, there: Stroke, even: float) -> bool:
             ends = abs(laid.centre - there.centre) <= QUANTUM and abs(laid.radius - there.radius) <= WRITTEN
         case Fill(), Fill():
             ends = _together(laid.points, there.points) or _together(laid.points[::-1], there.points)
+        case Polyline(), Line():  # a chain of two points is a line
+            ends = _together(laid.points, (there.start, there.end)) and not laid.closed
         case Polyline(), Polyline():
             ends = _together(laid.points, there.points) and laid.closed == there.closed
         case Arc(), Arc():
-            ends = _together(_along(laid), _along(there))
+            ends = _together(_along(laid), _along(there), ARCHED)
         case Curve(), Curve():
             ends = _same_curve(laid, there)
         case _:

@@ -82,10 +82,7 @@ def _chain(stroke: Polyline | Fill) -> Stroke:
     style = _style(stroke.style)
     if style.colour == "none" and style.fill != "none":
         return Fill(stroke.points, style)
-    closed = isinstance(stroke, Fill) or stroke.closed
-    if len(stroke.points) == 2 and not closed:
-        return Line(*stroke.points, style)
-    return Polyline(stroke.points, closed, style)
+    return Polyline(stroke.points, isinstance(stroke, Fill) or stroke.closed, style)
 
 
 def _curve(stroke: Curve) -> Stroke:
