@@ -62,10 +62,15 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     if steps.size and steps.min() >= ROOMY:
         missing = set(range(len(crank.places))) - at_crank
         yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in sorted(missing))
-    if tracks and at_tracks < ENDS <= len(crank.places):
+    if at_tracks < min(ENDS, max((_known(one) for one in tracks), default=0)):
         yield on(
             "position_number", POSITIONS.plan, name=plan.laid.study.output.point or str(plan.laid.study.output.link)
         )
+
+
+def _known(one: Numbered) -> int:
+    """Count the positions in which a point has a place."""
+    return int(np.isfinite(one.places).sum())
 
 
 def _labels(plan: LaidPlan) -> Iterator[tuple[str, Label]]:
