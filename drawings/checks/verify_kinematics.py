@@ -163,7 +163,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         return
     laid = LaidMechanism(study, comparison.analysis, leaf.metadata["shown"], at)
     seen = {mark.name: mark for mark in measured.points if mark.plan == POSITIONS.plan}
-    allowed = max(float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan))
+    own = [float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan)]
+    allowed = max((one for one in own if math.isfinite(one)), default=0.0)  # at a gap only the fixed points have one
     for name, (link, own) in laid.centres.items():
         mark, true = seen.get(name), laid.true(link, own)
         if mark is None and not math.isnan(true.real):
