@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from drawings.checks.linkage.laid import LaidMechanism
+from drawings.checks.linkage.laid import LaidMechanism, within
 from drawings.checks.wrong import on
 from drawings.figures.linkage.link_numbers import BESIDE
 from drawings.figures.linkage.masses import is_centre
@@ -64,6 +64,8 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
     circle, dot = number.strokes[0], number.strokes[-1]
     assert isinstance(circle, Circle)
     if isinstance(dot, Circle) and dot is not circle:
+        if link != FRAME and within(laid.corners(link), dot.centre):
+            return True
         return laid.apart(link, dot.centre) <= EXACT + (STAND[0] if link == FRAME else 0.0)
     clear = STAND[0] if link == FRAME else abs(complex(*BLOCK)) / 2
     return laid.apart(link, circle.centre) <= circle.radius + BESIDE + clear + EXACT
