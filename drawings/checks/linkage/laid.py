@@ -106,6 +106,11 @@ class LaidMechanism:
         """Give how far a spot on paper is from a link, mm; NaN where the link has no place."""
         return min(_apart(*piece, spot) for piece in self.pieces(link))
 
+    def foot(self, link: int, spot: complex) -> complex:
+        """Give the place of a link that is nearest to a spot on paper."""
+        feet = [start if start == end else nearest(start, end, spot) for start, end in self.pieces(link)]
+        return min(feet, key=lambda foot: abs(foot - spot))
+
 
 def _on_a_point(link: Link, own: complex) -> bool:
     """Tell whether a mass centre lies on a named point of its link, or nearer to it than is seen."""
