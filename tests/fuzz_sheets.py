@@ -21,9 +21,9 @@ from xml.etree import ElementTree
 
 from drawings.commands import cli
 from drawings.commands.check import lines, plain
-from drawings.commands.original import Originals
-from drawings.commands.sheet_check import check
 from drawings.files.json_text import json_text
+from drawings.original.originals import Originals
+from drawings.original.sheet_check import check
 from tests.forgeries.file_edits import body_of, sealed_anew
 
 GALLERY = Path(__file__).parents[1] / "drawings" / "gallery"

@@ -219,6 +219,7 @@ ROOMS = (
     ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
     ("drawings.note",),
     ("drawings.checks", "drawings.sheets"),
+    ("drawings.original",),
     ("drawings.bench", "drawings.gallery"),
     ("drawings.commands",),
 )

@@ -113,5 +113,8 @@ def test_every_command_of_the_readme_is_a_command() -> None:
         "trace",
         "process",
         "stderr",
+        "edition",
+        "original",
+        "sheet_check",
     }
     assert told == files

@@ -179,8 +179,12 @@ SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 
 
 def vertices(group: Group) -> Iterator[complex]:
-    """Give the corners of all chains of lines of a part."""
-    return (point for one in walk((group,)) if isinstance(one, Polyline) for point in one.points)
+    """Give the corners of all chains of lines of a part; a chain of one line that goes across is one too."""
+    for one in walk((group,)):
+        if isinstance(one, Polyline):
+            yield from one.points
+        elif isinstance(one, Line) and one.start.real != one.end.real:
+            yield from (one.start, one.end)
 
 
 def has(places: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex, near: float) -> bool:

@@ -7,9 +7,12 @@ from pathlib import Path
 
 from drawings.checks.documents import numbering, scales
 from drawings.checks.labelled import unlettered
+from drawings.checks.seen.differences import differences
+from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong, on
+from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
-from drawings.measure.measure import Measured, check, measure_file
+from drawings.measure.measure import Measured, check
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from geometry.errors import DraftError
@@ -25,15 +28,19 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> Measured:
-    """Measure a written sheet: it states what it shows, its marks have letters, and it has no faults of its kind."""
+def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> SeenSheet:
+    """See and measure a written sheet: it is as it was laid out, it states what it shows, it has no faults of its kind.
+
+    What is drawn on it is held to what was laid out, stroke by stroke, and that to the analysis with all its digits.
+    """
     try:
-        measured = measure_file(path)
+        seen = see(path.read_bytes())
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    if wrong := wrongs(measured, leaf, faults):
-        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
-    return measured
+    laid = plain(leaf, seen.leaf.lettering)
+    if wrong := [*wrongs(seen.measured, laid, faults), *differences(laid, seen)]:
+        raise SelfCheckFailed(message("check.sheet", marks=first(list(dict.fromkeys(wrong)))))
+    return seen
 
 
 def wrongs(measured: Measured, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> list[Wrong]:

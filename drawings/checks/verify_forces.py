@@ -12,6 +12,8 @@ from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.cut_equations import CutEquationsCheck
 from drawings.checks.forces.details import Details, Sheets
+from drawings.checks.forces.force_rows import row_names, title
+from drawings.checks.forces.force_set import ForceSet
 from drawings.checks.forces.headings import Headings
 from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.lever_forces import LeverForces
@@ -27,7 +29,6 @@ from drawings.checks.reading import plain, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
-from drawings.figures.forces.force_table import label
 from drawings.measure.measure import Measured
 from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
@@ -62,7 +63,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
     yield from check.figures()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
-    named = table_names(comparison, statics)
+    named = row_names(comparison, check.floor)
+    yield from title(leaf, statics)
     yield from reading.tables(leaf, named)
     yield from check.by_hand(named)
 
@@ -70,19 +72,14 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
 def set_faults(sheets: Sheets, study: Study) -> Iterator[Wrong]:
     """Hold what belongs to a figure of a force sheet, and may have gone on to the next sheet of its position."""
     comparison, statics = study.comparison("forces"), study["forces"]
+    told = set[int]()
     for measured, leaf in sheets:
         check = _Check(measured, leaf, comparison, statics)
-        yield from check.set_faults([one for one in sheets if int(one[1].metadata["position"]) == check.position])
-
-
-def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
-    """Name the findings as the table of a force sheet does."""
-    language, letter = statics.study.scene.sheet.language, statics.form.sheet.reactions
-    found = {}
-    for finding in comparison.of("forces"):
-        written = label(finding, language, letter)
-        found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
-    return found
+        own = [one for one in sheets if int(one[1].metadata["position"]) == check.position]
+        yield from check.set_faults(own)
+        if check.position not in told:
+            yield from check.complete.faults([one for _, one in own], not told)
+        told.add(check.position)
 
 
 @dataclass(frozen=True)
@@ -209,8 +206,17 @@ class _Check:
 
     def told(self) -> Iterator[Wrong]:
         """Hold the equations of each cut on the sheet."""
-        for check in self._passages.values():
+        for label, check in self._passages.items():
             yield from check.faults()
+            yield from self._arms(label, check)
+
+    def _arms(self, label: str, check: CutEquationsCheck) -> Iterator[Wrong]:
+        """Hold that the arms that the equations tell by a letter of their own are on the scheme beside them."""
+        plan = f"scheme-{label}-{self.position}"
+        group = figure(self.leaf, plan)
+        told = {one.name for one in check.written.statements if one.name.startswith("h")}
+        if group is not None:
+            yield from (on("missing_on", plan, name=name) for name in sorted(told) if name not in group.labels)
 
     @cached_property
     def _passages(self) -> dict[str, CutEquationsCheck]:
@@ -243,6 +249,11 @@ class _Check:
         """Hold the lever's equation of moments, and its arms."""
         language = self.statics.study.scene.sheet.language
         yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).faults()
+
+    @property
+    def complete(self) -> ForceSet:
+        """What the sheets of its position must have together."""
+        return ForceSet(self.statics, self.comparison, self.bills, self.floor, self.position)
 
     def set_faults(self, sheets: Sheets) -> Iterator[Wrong]:
         """Hold what a figure of the sheet has on any sheet of its position: enlarged details, the lever's equation."""

@@ -11,21 +11,26 @@ from drawings.checks.documents import title_block
 from drawings.checks.linkage import (
     bars,
     centre_images,
+    drive_arrows,
+    guides,
     linkage_notes,
+    notches,
+    pair_symbols,
     part_letters,
-    plan_headings,
+    paths,
     position_marks,
+    position_numbers,
     stroke_dimensions,
     stroke_marks,
     strokes,
     ticks,
     value_rows,
-    vector_plans,
 )
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.vectors import plan_headings, vector_plans
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
 from drawings.figures.linkage.vector_plan import LEAST
@@ -93,10 +98,11 @@ def _plans(
     letters = {drafts.velocities.point(name).name for name in expected.moving()}  # one image may have several letters
     arrows = expected.arrows(study.groups)
     seen = {(v.plan, *v.name.split(" ")): v for v in measured.vectors if v.position == k}
+    ends = {(one[0], one[-1]) for one in seen}
     scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
     for (plan, start, end), value in arrows.items():
         found = seen.get((plan, start, end))
-        must = plan in shown and (end in letters or start not in POLES.values())
+        must = plan in shown and (end in letters if start in POLES.values() else (plan, start) in ends)
         if found is not None:
             if not abs(found.value - value) <= _allowed(comparison, found, measured):
                 yield on("differs_at", plan, name=f"{start} {end}", position=k)
@@ -167,6 +173,11 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     plan = LaidPlan(leaf, laid, comparison.road, allowed / at.scale)
     yield from plan_headings.of_positions(leaf, at.scale, drafting_of(study.scene))
     yield from bars.faults(plan)
+    yield from position_numbers.faults(plan)
+    yield from guides.faults(plan)
+    yield from pair_symbols.faults(plan)
+    yield from notches.faults(plan)
+    yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)
     yield from ticks.faults(leaf, laid)
     if study.travel is not None:
@@ -174,6 +185,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         yield from stroke_dimensions.faults(leaf, laid, comparison.road)
     if study.mechanism.drive.pushed:
         yield from stroke_marks.faults(leaf, laid)
+    else:
+        yield from drive_arrows.faults(plan)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

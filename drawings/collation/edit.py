@@ -75,6 +75,15 @@ def moved(how: str, item: Item, figures: Figures, by: float) -> Edit:
     return _edit(how, item, figures, by, told)
 
 
+def whole(how: str, own: Sequence[Item], figures: Figures) -> Edit:
+    """Tell of a figure as a whole."""
+    first = own[0]
+    figure = figures.called(figures.of(first))
+    thing = message("edit.figure", figure=figure, at=_place(middle(first.stroke)))
+    told = _edit(how, first, figures, None, message(f"edit.{how}", thing=thing))
+    return told._replace(what="figure", name="", strokes=len(own))
+
+
 def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Edit:
     """Tell of strokes of one figure that were moved, turned and scaled as one."""
     first = own[0]
@@ -89,18 +98,17 @@ def together(own: list[Item], figures: Figures, shift: Shift, whole: bool) -> Ed
     by = _size(shift.farthest, figures.scale(first) if mark or not whole else None)
     key, parts = _motion(shift)
     told = message(f"edit.{key}", thing=thing, by=by, **parts)
-    edit = _edit("moved", first, figures, shift.farthest, told)
+    edit = _edit(shift.how, first, figures, shift.farthest, told)
     return edit._replace(what=first.what if mark else "figure", name=mark, strokes=len(own))
 
 
 def _motion(shift: Shift) -> tuple[str, dict[str, object]]:
     """Name a motion by what it does beside moving."""
-    scaled, turned = abs(shift.scale - 1) > 1e-6, abs(shift.turn) > 1e-4  # finer than an editor writes
-    parts: dict[str, object] = {}
-    if scaled:
-        parts["scale"] = f"{shift.scale:.6g}"
-    if turned:
-        parts["turn"] = f"{shift.turn:.4g}"
+    if shift.how != "moved":
+        return shift.how, {}
+    scale, turn = f"{shift.scale:.4g}", f"{shift.turn:.2f}"  # as exactly as an arrow of a few mm shows them
+    scaled, turned = scale != "1", float(turn) != 0
+    parts: dict[str, object] = {**({"scale": scale} if scaled else {}), **({"turn": turn} if turned else {})}
     return ("scaled_turned" if scaled and turned else "scaled" if scaled else "turned" if turned else "moved"), parts
 
 

@@ -10,7 +10,7 @@ from drawings.collation.edit import Edit
 from drawings.collation.figures import Figures
 from drawings.collation.items import Item
 from drawings.collation.matching import alike_in_style, lies, reversed_lies
-from drawings.collation.similarity import looks_alike, shift_of
+from drawings.collation.similarity import looks_alike, shift_of, stretch_of
 from drawings.collation.spots import middle, spots
 from drawings.paper.strokes import Circle, Line, Text
 
@@ -28,11 +28,25 @@ class Pairing:
 
     def edits(self, counts: dict[str, int]) -> Iterator[Edit]:
         """Tell all edits: what was moved as one, then stroke by stroke; `counts` has the strokes of each figure."""
+        yield from self._whole_figures(counts)
         yield from self._as_one(self.figures.of, counts)
         yield from self._as_one(_mark, {})
+        yield from self._stretched()
         yield from self._one_by_one()
         yield from (edit.lone("missing", item, self.figures) for item in self.missing)
         yield from (edit.lone("added", item, self.figures) for item in self.added)
+
+    def _whole_figures(self, counts: dict[str, int]) -> Iterator[Edit]:
+        """Tell figures that are not there at all, and those that must not be."""
+        ours, theirs = (_by(lambda item: item.home.figure, own) for own in self._left)
+        for name, own in ours.items():
+            if name and name not in theirs and len(own) > 1 and counts.get(str(name)) == len(own):
+                self._done(own, ())
+                yield edit.whole("missing", own, self.figures)
+        for name, others in theirs.items():
+            if name and name not in self.figures.named and len(others) > 1:
+                self._done((), others)
+                yield edit.whole("added", others, self.figures)
 
     def _as_one(self, key: Callable[[Item], Hashable], counts: dict[str, int]) -> Iterator[Edit]:
         """Tell what was moved as one, among strokes of one key."""
@@ -45,6 +59,22 @@ class Pairing:
             if shift is not None and looks_alike(own, others):
                 self._done(own, others)
                 yield edit.together(own, self.figures, shift, counts.get(str(name)) == len(own))
+
+    def _stretched(self) -> Iterator[Edit]:
+        """Tell lines of a figure that were stretched or mirrored as one, in whatever width."""
+        ours, theirs = (
+            _by(self.figures.of, [item for item in own if isinstance(item.stroke, Line)]) for own in self._left
+        )
+        for name, own in ours.items():
+            others = theirs.get(name, [])
+            shift = stretch_of(own, others, self.rounding)
+            if shift is not None and shift.how != "moved":
+                self._done(own, others)
+                yield edit.together(own, self.figures, shift, False)
+
+    @property
+    def _left(self) -> tuple[list[Item], list[Item]]:
+        return self.missing, self.added
 
     def _one_by_one(self) -> Iterator[Edit]:
         """Tell strokes that have their like, the nearest pairs first."""

@@ -15,9 +15,12 @@ from drawings.paper.strokes import Circle
 
 MORE = 2  # times the rounding: of what an editor wrote anew, both places are rounded
 
+LINES = 2  # that show how they were stretched
+FLAT = 1e-9  # of points as good as on one line: their spread across it is a thirty-thousandth of that along it
+
 
 class Shift(NamedTuple):
-    """A similarity of a part of a sheet: its map, and how far it moves what it moves farthest, mm."""
+    """How a part of a sheet was moved: its map, a similarity or not, and how far it moves what goes farthest, mm."""
 
     by: Affine
     farthest: float
@@ -26,6 +29,13 @@ class Shift(NamedTuple):
     def scale(self) -> float:
         """How many times as large it makes what it moves."""
         return abs(self.by.p)
+
+    @property
+    def how(self) -> str:
+        """Say whether it moves, mirrors, or stretches in one direction."""
+        if not self.by.stretched and abs(self.by.p) > abs(self.by.q):
+            return "moved"
+        return "mirrored" if abs(self.by.q) > abs(self.by.p) else "stretched"
 
     @property
     def turn(self) -> float:
@@ -67,13 +77,45 @@ def _as_many(ours: Item, theirs: Item) -> bool:
 def _fitted(ours: Sequence[complex], theirs: Sequence[complex]) -> Affine:
     """Fit a similarity by least squares; a mere shift where the points are all one."""
     centre, target = sum(ours) / len(ours), sum(theirs) / len(theirs)
-    spread = sum(abs(a - centre) ** 2 for a in ours)
-    p = (
-        sum((b - target) * (a - centre).conjugate() for a, b in zip(ours, theirs, strict=True)) / spread
-        if spread
-        else 1
-    )
+    z, w = [a - centre for a in ours], [b - target for b in theirs]
+    spread = sum(abs(a) ** 2 for a in z)
+    p = _times(w, [a.conjugate() for a in z]) / spread if spread else 1
     return Affine(complex(p), 0j, target - p * centre)
+
+
+def stretch_of(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Shift | None:
+    """Find how lines were stretched or mirrored as one, one to one in their order; None where they were not."""
+    if len(right) != len(there) or len(right) < LINES:
+        return None
+    ours = [spot for item in right for spot in spots(item.stroke)]
+    theirs = [spot for item in there for spot in spots(item.stroke)]
+    by = _sheared(ours, theirs)
+    if by is None or not max(abs(by(a) - b) for a, b in zip(ours, theirs, strict=True)) <= MORE * rounding * _reach(by):
+        return None
+    return Shift(by, max(abs(a - b) for a, b in zip(ours, theirs, strict=True)))
+
+
+def _sheared(ours: Sequence[complex], theirs: Sequence[complex]) -> Affine | None:
+    """Fit a map of the plane by least squares; None where all points are on one line."""
+    centre, target = sum(ours) / len(ours), sum(theirs) / len(theirs)
+    z, w = [a - centre for a in ours], [b - target for b in theirs]
+    back = [a.conjugate() for a in z]
+    spread, lean = sum(abs(a) ** 2 for a in z), _times(back, back)
+    area = spread**2 - abs(lean) ** 2
+    if not area > FLAT * spread**2:
+        return None
+    straight, turned = _times(w, back), _times(w, z)
+    p, q = (straight * spread - turned * lean) / area, (turned * spread - straight * lean.conjugate()) / area
+    return Affine(p, q, target - p * centre - q * centre.conjugate())
+
+
+def _reach(by: Affine) -> float:
+    """Give how many times as long a map makes what it makes longest, and 1 at the least."""
+    return max(1.0, abs(by.p) + abs(by.q))
+
+
+def _times(a: Sequence[complex], b: Sequence[complex]) -> complex:
+    return sum((x * y for x, y in zip(a, b, strict=True)), 0j)
 
 
 def looks_alike(right: Sequence[Item], there: Sequence[Item]) -> bool:

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from drawings.commands.original import Originals
-from drawings.commands.sheet_check import UNREADABLE, Checked, Finding, check
 from drawings.files.file_error import of_system
 from drawings.files.json_text import print_json
 from drawings.files.manifest import digest_of, manifest_beside
+from drawings.original.originals import Originals
+from drawings.original.sheet_check import UNREADABLE, Checked, Finding, check
 from drawings.paper.limits import SHEET_BYTES
 from geometry.regular_file import regular_bytes
 from plans.words.words import ENGLISH, message, word

@@ -10,7 +10,6 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.commands.edition import leaves_of, placed_sheets, sheet_path, stem_of
 from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
@@ -18,6 +17,7 @@ from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
 from drawings.lettering.lettering import lettered
+from drawings.original.sheet_paths import placed_sheets, sheet_path, stem_of
 from drawings.report.report import faults, headlines, remarks, report, summary
 from drawings.sheets.admission import of_scales, of_title
 from drawings.sheets.table import SHEETS
@@ -28,8 +28,8 @@ from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.checks.wrong import Wrong
+    from drawings.eye.sheet import SeenSheet
     from drawings.files.enclosure import Enclosure
-    from drawings.measure.measure import Measured
     from drawings.paper.strokes import Leaf
 
 GAPS = 4
@@ -103,6 +103,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
         from drawings.checks import verify as checks
+        from drawings.original.edition import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
 
@@ -122,13 +123,14 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with staged(contents) as written:
         with trace.stage("measuring"):
             checks.verify_report(faults(text, study, leaves))
-            checks.verify_documents(leaves, scene.sheet)
-            measured = [
-                (kind, checks.verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)), leaf)
-                for path, (kind, leaf) in sheets.items()
-            ]
-            checks.verify_scales([(SHEETS[kind].scales, one) for kind, one, _ in measured], scene.sheet)
-            checks.verify_set(_of_sets(study, measured))
+            seen: dict[str, list[SeenSheet]] = {kind: [] for kind in leaves}
+            for path, (kind, leaf) in sheets.items():
+                held = partial(named(SHEETS[kind].faults), study=study)
+                seen[kind].append(checks.verify(written[path], leaf, held))
+            checks.verify_documents({kind: [one.leaf for one in own] for kind, own in seen.items()}, scene.sheet)
+            marked = [(SHEETS[kind].scales, one.measured) for kind, own in seen.items() for one in own]
+            checks.verify_scales(marked, scene.sheet)
+            checks.verify_set(_of_sets(study, seen))
             for path, enclosure in enclosures.items():
                 checks.verify_enclosure(written[path], enclosure)
         for path in publish(folder, manifest, written):
@@ -136,12 +138,11 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     return SheetSet(study, leaves, tuple(contents))
 
 
-def _of_sets(study: Study, measured: Sequence[tuple[str, Measured, Leaf]]) -> Iterator[Wrong]:
+def _of_sets(study: Study, seen: Mapping[str, Sequence[SeenSheet]]) -> Iterator[Wrong]:
     """Give what is wrong with all sheets of a kind as a set."""
     for kind in study.scene.sheets:
         if SHEETS[kind].together:
-            own = [(one, leaf) for other, one, leaf in measured if other == kind]
-            yield from named(SHEETS[kind].together)(own, study)
+            yield from named(SHEETS[kind].together)([(one.measured, one.leaf) for one in seen[kind]], study)
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:

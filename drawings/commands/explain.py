@@ -88,7 +88,8 @@ def _value(mark: Mark, of: Explanation) -> Message:
     if isinstance(mark.value, Arc):
         radius = f"{at(mark.value.radius, 0).real:.10g}"
         return message("explain.arc", centre=_pair(at(mark.value.centre, 0)), radius=radius, unit=unit)
-    return message("explain.point", value=_pair(0j if mark in of.zeros else at(mark.value, 0)), unit=unit)
+    place = _pair(0j if mark in of.zeros else at(mark.value, 0))
+    return message("explain.point", value=place, unit=unit) if unit else place
 
 
 def _moment(mark: Mark) -> Message:

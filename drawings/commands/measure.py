@@ -58,7 +58,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:
     """Name the marks that the sheet must have by its scene and has not, that it has and must not, and that differ."""
-    from drawings.commands.original import Originals  # only a scene that is given has its sheets laid out
+    from drawings.original.originals import Originals  # only a scene that is given has its sheets laid out
 
     originals = Originals(options.scene)
     must = [originals.seen(one).measured for one in originals.of(options.sheet.name, measured.metadata)]

@@ -12,6 +12,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple
 
 from drawings.eye.shapes import ABOVE, DOTLESS, notations, shape
+from drawings.paper.strokes import Run
 
 _LEVELS = {"^": 1, "_": -1}
 # A space is as wide as two thin ones, with the gaps between letters counted.
@@ -85,11 +86,26 @@ def _seen(letter: str) -> tuple[str, int]:
     return "".join((body, *accents)), 0
 
 
-def picked(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str) -> tuple[Sign, ...]:
-    """Give letters as they are said to be, if they look so, or else as they are seen; each with its level as seen."""
-    own = signs(said)
+def picked(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fonts: bool = False) -> tuple[Run, ...]:
+    """Give letters as they are said to be, if they look so, or else as they are seen; each with its level as seen.
+
+    In a viewer's fonts spaces have no width of their own, and are as they are said to be.
+    """
+    return tuple(_runs(_signs_of(seen, (0, *spaces[1:]), said, fonts)))
+
+
+def regular(runs: Sequence[Run]) -> tuple[Run, ...]:
+    """Give runs as the eye sees them: signs that are raised by themselves where they stand, no spaces at the ends."""
+    own = [(sign.seen, run.level or sign.level) for run in runs for sign in signs(run.text)]
+    plain = "".join(run.text for run in runs)
+    return picked(own, [sign.thin for sign in signs(plain)], plain)
+
+
+def _signs_of(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fonts: bool) -> tuple[Sign, ...]:
+    own = signs(said.lstrip(" \u00a0\u2009\u202f"))
     alike = len(own) == len(seen) and all(
-        sign.seen == letter and sign.thin == space for sign, (letter, _), space in zip(own, seen, spaces, strict=True)
+        sign.seen == letter and (fonts or sign.thin == space)
+        for sign, (letter, _), space in zip(own, seen, spaces, strict=True)
     )
     if not alike:
         return tuple(
@@ -106,3 +122,20 @@ def _as_said(sign: Sign, level: int) -> Sign:
     if level == 0:
         return Sign(sign.seen, sign.seen, 0, sign.space)
     return sign._replace(level=0 if level == sign.level else level)
+
+
+def _runs(signs: Sequence[Sign]) -> Iterator[Run]:
+    """Write letters on their levels; a space is on that of the letter before it, or of the text between levels."""
+    text, level = "", 0
+    for sign in signs:
+        if sign.level != level:
+            space = sign.space if sign.level == 0 else ""
+            before = "" if space else sign.space
+            if text or before:
+                yield Run(text + before, level)
+            text, level = space, sign.level
+        else:
+            text += sign.space
+        text += sign.written
+    if text:
+        yield Run(text, level)

@@ -27,6 +27,7 @@ _NAMES = {
 _HEX = re.compile(r"#(?:[0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})")
 _RGB = re.compile(r"rgb\(\s*(\d{1,3})[\s,]+(\d{1,3})[\s,]+(\d{1,3})\s*\)")
 _NONE = "none"
+_CLIPS = ("under a clip-path", "under a mask")  # as the reader tells it
 _UNITS = {"": 1.0, "px": 1.0, "mm": 96 / 25.4, "cm": 960 / 25.4, "in": 96.0, "pt": 96 / 72, "pc": 16.0}
 
 
@@ -42,10 +43,12 @@ def ink(look: Look, scale: float) -> Ink:
     """Give the ink of a look that is drawn so many times as large."""
     colour = _blended(look.stroke, share(look.stroke_opacity) * look.shade)
     fill = _blended(look.fill, share(look.fill_opacity) * look.shade)
-    width = length(look.stroke_width) * scale if colour != _NONE else 0.0
+    width = length(look.stroke_width) * scale
     style = LineStyle(width, _dash(look.stroke_dasharray, scale), colour, fill, _cap(look.stroke_linecap))
+    if colour == _NONE:
+        style = LineStyle(0.0, (), colour, fill)
     if look.gone or look.visibility != "visible":
-        return Ink(style, "hidden")
+        return Ink(style, "clipped" if look.gone in _CLIPS else "hidden")
     if fill != _NONE and dark(fill):
         return Ink(style)
     if colour == _NONE or not dark(colour):

@@ -53,7 +53,7 @@ class Observer:
     def __init__(self) -> None:
         self.open: list[_Open] = []
         self.unseen: list[Unseen] = []
-        self.description = ""
+        self.description, self.lettering = "", "strokes"
         self.paper = Viewport(0.0, 0.0, STAY, ())
         self.root = _Open(Frame("svg", STAY, Look(), ""), {})
 
@@ -137,6 +137,7 @@ class Observer:
         except SheetRefused as refused:
             self._leave_aside(refused.reason)
             return
+        self.lettering = "text"
         if _SAID in outer.attributes and outer.frame.tag == "g":
             outer.letters.append(part)
             outer.ink = seen
@@ -148,9 +149,9 @@ class Observer:
         outer = self.open[-1]
         if text := _text(one):
             self._add(outer, (text,), one.ink)
-        if text is None or one.strokes:
-            data = one.data or _data(one.attributes)
-            outer.strokes.append(Group(tuple(one.strokes), one.attributes.get("id", ""), data, one.title))
+        group = Group(tuple(one.strokes), one.attributes.get("id", ""), one.data or _data(one.attributes), one.title)
+        if group.strokes or group.name or group.data or group.title:
+            outer.strokes.append(group)
 
     def _add(self, outer: _Open, strokes: tuple[Stroke, ...], seen: Ink) -> None:
         outer.strokes += strokes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from drawings.eye.tracks import Track, tracks
 from drawings.measure.curvedata import pieces
@@ -12,7 +12,7 @@ from drawings.measure.pathdata import number, numbers
 from drawings.measure.transform import Affine
 from drawings.paper.limits import REACH, SheetRefused
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke
-from geometry.curve import RoundPiece
+from geometry.curve import Piece, RoundPiece
 
 SHAPES = frozenset(("line", "circle", "ellipse", "rect", "polyline", "polygon", "path"))
 _SIZES = {
@@ -48,7 +48,34 @@ def stroke(track: Track, style: LineStyle) -> Stroke:
         return _chain(track, style)
     if counts == {2} and not track.closed and (arc := _arc(track, style)) is not None:
         return arc
-    return Curve(tuple(pieces(_spots(track))), track.closed, style)
+    return Curve(tuple(merged(pieces(_spots(track)))), track.closed, style)
+
+
+def merged(own: Iterable[Piece]) -> Iterator[Piece]:
+    """Give pieces of a curve, arcs that go on about one centre in one sense as one."""
+    before: Piece | None = None
+    for piece in own:
+        if isinstance(before, RoundPiece) and isinstance(piece, RoundPiece) and _goes_on(before, piece):
+            before = RoundPiece(before.start, before.centre, _on_to(before, piece))
+            continue
+        if before is not None:
+            yield before
+        before = piece
+    if before is not None:
+        yield before
+
+
+def _on_to(one: RoundPiece, after: RoundPiece) -> float:
+    """Give the sweep of an arc to the end of the one that goes on from it, so that no rounding adds up."""
+    sweep = one.sweep + after.sweep
+    return sweep + cmath.phase((after.end - one.centre) / (one.start - one.centre) * cmath.exp(-1j * sweep))
+
+
+def _goes_on(one: RoundPiece, after: RoundPiece) -> bool:
+    """Tell whether an arc goes on from another: both ends of either are rounded, which turns a short one most."""
+    chord = min(abs(piece.end - piece.start) for piece in (one, after))
+    off = abs(after.centre - one.centre)
+    return one.sweep * after.sweep > 0 and off <= _CENTRES * (1 + one.radius / chord if chord else 1)
 
 
 def scale_of(place: Affine) -> float:
@@ -67,16 +94,11 @@ def _chain(track: Track, style: LineStyle) -> Stroke:
 
 def _arc(track: Track, style: LineStyle) -> Arc | None:
     """Give arcs that go on about one centre counter-clockwise as one."""
-    parts = [one for one in pieces(_spots(track)) if isinstance(one, RoundPiece)]
-    if len(parts) < len(track.pieces) or any(one.sweep <= 0 for one in parts):
+    only, *others = merged(pieces(_spots(track)))
+    if others or not isinstance(only, RoundPiece) or only.sweep <= 0:
         return None
-    first, sweep = parts[0], sum(one.sweep for one in parts)
-    for one in parts:
-        chord = abs(one.end - one.start)
-        if abs(one.centre - first.centre) > _CENTRES * (1 + first.radius / chord if chord else 1):
-            return None
-    begin = cmath.phase(first.start - first.centre)
-    return Arc(first.centre, first.radius, begin, begin + min(sweep, math.tau), style)
+    begin = cmath.phase(only.start - only.centre)
+    return Arc(only.centre, only.radius, begin, begin + min(only.sweep, math.tau), style)
 
 
 def _spots(track: Track) -> Iterator[tuple[complex, ...]]:

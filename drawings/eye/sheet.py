@@ -36,7 +36,7 @@ def _leaf(observer: Observer, measured: Measured) -> Leaf:
     groups = tuple(one if isinstance(one, Group) else Group((one,)) for one in root.strokes)
     data = {key: value for key, value in measured.metadata.items() if key != "format"}
     paper = observer.paper
-    return Leaf(paper.width, paper.height, groups, root.title, observer.description, data)
+    return Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
 
 
 def _kept(groups: Iterable[Group], hidden: Collection[int]) -> Iterator[Group]:

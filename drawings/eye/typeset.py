@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from drawings.eye.alike import folded
+from drawings.eye import alike
 from drawings.eye.ink import length
 from drawings.measure.pathdata import number
 from drawings.measure.transform import Affine
 from drawings.measure.visibility import Look
-from drawings.paper.strokes import LOWERED, RAISED, LineStyle, Run, Text
+from drawings.paper.strokes import LOWERED, RAISED, LineStyle, Text
 
 EM = 1.4  # a font's size over the height of its capitals
 FREE = 0.1  # sizes, which a font leaves free before its first letter
@@ -52,19 +52,18 @@ def joined(parts: Sequence[Typeset], said: str, ink: LineStyle) -> Text:
     turn = cmath.rect(1, math.radians(first.rotation))
     row = sorted(parts, key=lambda part: (part.at / turn).real)
     low = next((part.at / turn).imag for part in row if part.size == size)
-    runs = tuple(_runs(row, turn, low, size))
-    if len(runs) == 1 and folded(said).strip("\u2009") == folded(runs[0].text).strip("\u2009"):
-        runs = (Run(said, 0),)
+    signs = [(sign, level) for plain, level in _levels(row, turn, low, size) for sign in alike.signs(plain)]
+    seen = [(sign.seen, level or sign.level) for sign, level in signs]
+    runs = alike.picked(seen, [sign.thin for sign, _ in signs], said, fonts=True)
     at = turn * complex((row[0].at / turn).real, low)
     return Text(at, runs, round(size, 4), "start", first.slanted, first.rotation, ink)
 
 
-def _runs(row: Sequence[Typeset], turn: complex, low: float, size: float) -> Iterator[Run]:
-    """Give the levels of parts, and the spaces between them where they are apart."""
-    levels = [_level(((part.at / turn).imag - low) / size) for part in row]
+def _levels(row: Sequence[Typeset], turn: complex, low: float, size: float) -> Iterator[tuple[str, int]]:
+    """Give parts and their levels, and the spaces between them where they are apart."""
     before = [""] + [" " if _apart(one, after, turn, size) else "" for one, after in pairwise(row)]
-    for part, level, space in zip(row, levels, before, strict=True):
-        yield Run(space + part.plain, level)
+    for part, space in zip(row, before, strict=True):
+        yield space + part.plain, _level(((part.at / turn).imag - low) / size)
 
 
 def _apart(one: Typeset, after: Typeset, turn: complex, size: float) -> bool:

@@ -8,9 +8,9 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
-from drawings.eye.alike import Sign, picked
+from drawings.eye.alike import picked
 from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
-from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Run, Text
+from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
 
 # Of letters' places, which are written in thousandths of a millimetre: half of one in x and in y, twice.
 EVEN = 0.002
@@ -48,10 +48,10 @@ def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
     spaces = (0, *_spaces(row, size))
     seen = [(one.letter if space >= 0 else UNREAD, one.level) for one, space in zip(row, spaces, strict=True)]
-    signs = picked(seen, [max(space, 0) for space in spaces], said)
+    runs = picked(seen, [max(space, 0) for space in spaces], said)
     low = next((one.rise for one in row if one.level == 0), 0.0)
     at = stance.turn * complex(row[0].along, low)
-    return Text(at, tuple(_runs(signs)), round(size, 6), "start", stance.slanted, stance.rotation, ink)
+    return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation, ink)
 
 
 def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
@@ -143,20 +143,3 @@ def _space(free: float, before: float, after: float, unit: float) -> tuple[float
     """Give how far a gap is from being spaces written by a pen, and how many thin ones they are."""
     count = (free - _GAP * (min(before, unit) + min(unit, after))) / (_THIN * unit) + 1
     return abs(count - round(count)) * _THIN * unit, round(count)
-
-
-def _runs(signs: Sequence[Sign]) -> Iterator[Run]:
-    """Write letters on their levels; a space is on that of the letter before it, or of the text between levels."""
-    text, level = "", 0
-    for sign in signs:
-        if sign.level != level:
-            space = sign.space if sign.level == 0 else ""
-            before = "" if space else sign.space
-            if text or before:
-                yield Run(text + before, level)
-            text, level = space, sign.level
-        else:
-            text += sign.space
-        text += sign.written
-    if text:
-        yield Run(text, level)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-NARROW = 70.0  # mm, the least width of a column of notes
+NARROW = 20.0  # sizes of its letters, the least width of a column of notes
 BROKEN = 0.9  # share of a line that words fill on average when it is broken between them
 WIDTHS = 8  # in which notes are tried, from their least to the width of the sheet
 
@@ -25,7 +25,7 @@ class Notes(NamedTuple):
 
     lengths: tuple[float, ...]
     step: float
-    least: float = NARROW
+    least: float = NARROW * 3.5
 
     def height(self, width: float) -> float:
         """Give the height, mm, of the notes broken at a width."""

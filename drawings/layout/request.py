@@ -15,7 +15,7 @@ from drawings.layout.table import RuledTable
 from drawings.layout.units import Order, Shape, Stock, Unit, further, groups, orders
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
-from plans.words.words import message
+from plans.words.words import Message, message
 
 FEW = 8  # figures of a set: among more of them tables and notes have places enough
 
@@ -74,9 +74,17 @@ class _Fitting:
             fitting = [k for k, step in enumerate(own.rungs) if all(self._alone(*one) for one in step.items())]
             if fitting:
                 return own, 0 if own is read else fitting[-1]
-        raise SheetError(
-            message("refused.largest" if self.contents.foremost else "refused.figure", format=self.page.name)
-        )
+        raise SheetError(self._refused(every))
+
+    def _refused(self, every: Steps) -> Message:
+        """Say which figure has no room even at its least scale, and how much room there is, mm."""
+        wide, high = self.room
+        pictures = [one.item for one in self.contents.panels if isinstance(one.item, Picture)]
+        large = (one.name for one in pictures if not one.ladder(wide, high, self.page.standard).rungs)
+        least = every.rungs[0] if every.rungs else {}
+        name = next((one for one, rung in least.items() if not self._alone(one, rung)), None) or next(large)
+        field = {"width": f"{wide:.0f}", "height": f"{high:.0f}"}
+        return message("refused.alone", format=self.page.name, figure=name, **field)
 
     def _alone(self, name: str, rung: Rung) -> bool:
         """Tell whether a picture stands on a sheet with nothing but the title block."""

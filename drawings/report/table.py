@@ -40,7 +40,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.forces.force_report:headline",
         remarks="drawings.report.forces.force_report:remarks",
         idle="drawings.report.idle:of_forces",
-        faults="drawings.checks.note.force_note:faults",
+        faults="drawings.checks.note.force_note:report_faults",
     ),
     "dynamics": Report(
         subject="drawings.report.linkage.linkage_subject:subject",

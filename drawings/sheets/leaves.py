@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from drawings.layout.block import NARROW
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.figure import Figure
@@ -66,7 +65,7 @@ class Draft:
     notes: tuple[str, ...]
     facts: Callable[[Collection[str]], Mapping[str, Any]]
     scaled: str = ""
-    narrow: float = NARROW
+    narrow: float = 0.0
     instead: tuple[Draft, ...] = ()
     later: Callable[[Mapping[str, Spot]], Callable[[Later], str]] | None = None
 

@@ -15,9 +15,10 @@ CLEAR = 0.5  # mm from a line of notes to the frame
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
-def measure(paragraphs: Sequence[str], size: float, least: float = NARROW) -> Notes:
-    """Measure what notes need on paper, in columns of no less than `least` mm."""
-    return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs), STEP * size, least)
+def measure(paragraphs: Sequence[str], size: float, least: float = 0.0) -> Notes:
+    """Measure what notes need on paper, in columns of no less than `least` mm and none too narrow for their letters."""
+    lengths = tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs)
+    return Notes(lengths, STEP * size, max(least, NARROW * size))
 
 
 def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> Group:

@@ -63,7 +63,7 @@ class Shape(NamedTuple):
         for slide in self.mechanism.slides:
             if slide.owner in of and slide.slider in of:
                 pin = next(iter(own[slide.owner].points.values()))
-                stone = _at(of[slide.slider], own[slide.slider].points[slide.point] / self.constraints.size)
+                stone = _at(of[slide.slider], slide.on_slider.through / self.constraints.size)
                 way = slide.on_owner.direction * np.exp(1j * of[slide.owner][:, TURN])
                 total += ((stone - _at(of[slide.owner], pin / self.constraints.size)) * way.conj()).real < 0.0
         return total

@@ -15,6 +15,7 @@ import numpy as np
 
 from geometry.board import Mark, between
 from geometry.precision import errors
+from geometry.span import Span
 from plans.checks.compare import MotionComparison, with_analysis
 from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
@@ -30,13 +31,6 @@ from plans.model.order import ACCELERATIONS, ORDERS, VELOCITIES, Order
 Masses: TypeAlias = Mapping[str, tuple[int, complex]]
 NONE: Masses = MappingProxyType({})
 NORMAL, TANGENTIAL, CORIOLIS, RELATIVE = "n", "t", "k", "r"
-
-
-class Span(NamedTuple):
-    """A vector of a plan between two of its marks."""
-
-    start: Mark
-    end: Mark
 
 
 class Part(NamedTuple):

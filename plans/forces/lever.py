@@ -16,8 +16,8 @@ from plans.model.mechanism import FRAME
 from plans.words.words import because
 
 if TYPE_CHECKING:
+    from geometry.span import Reading
     from plans.forces.force import ForcePlan
-    from plans.linkage.plan import Reading
 
 
 class Pairing(NamedTuple):

@@ -7,6 +7,7 @@ from copy import copy
 from typing import NamedTuple, TypeVar
 
 from geometry.board import Board, Mark
+from geometry.span import Reading
 from plans.linkage.letters import POLES, Letters
 from plans.model.mechanism import FRAME, Mechanism
 from plans.words.words import because
@@ -24,13 +25,6 @@ class Image(NamedTuple):
     arm: Mark | None
     at: complex
     span: complex
-
-
-class Reading(NamedTuple):
-    """What an angular velocity or acceleration is read from: a vector of the link and its turning part on the plan."""
-
-    arm: Mark
-    turning: Mark
 
 
 class Plan:

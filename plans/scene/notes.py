@@ -12,7 +12,7 @@ from plans.techniques import TECHNIQUES, Technique, makers_of, named, sheet_of
 
 def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
     """Give the notes on a scene, in the order of its file; some techniques are asked for whatever its sheets are."""
-    found = [*_mark(scene), *_unused(scene, asked)]
+    found = [*_mark(scene), *_unused(scene, asked), *_undesignated(scene)]
     for technique in scene.techniques:
         found += named(TECHNIQUES[technique].notes)(scene)
     return sorted(found, key=lambda note: (note.line, note.column))
@@ -34,6 +34,14 @@ def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
         keys: list[Path] = [(name,) for name in technique.tables]
         keys += _shared(technique)
         yield from (scene.fault(path, "unused", wanted=wanted) for path in keys if scene.has(path))
+
+
+def _undesignated(scene: Scene) -> Iterator[Fault]:
+    """Find the designations of sheets that are not asked for."""
+    own = scene.sheet.designations
+    for kind in (one for one in own.keys if getattr(own, one) and one not in scene.sheets):
+        wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, kind))
+        yield scene.fault(("sheet", "designations", kind), "unused", wanted=wanted)
 
 
 def asked_by(scene: Scene, technique: str) -> Iterable[str]:

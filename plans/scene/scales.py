@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from decimal import Decimal
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -52,6 +52,8 @@ def _stated(field: Field, meaning: str) -> Any:
 
 class ScaleTable(Table):
     """Scales that figures must have, whatever their room; each key governs the figures that its meaning names."""
+
+    bare: ClassVar[str] = "bare_scale"
 
     length: Decimal | None = _stated(LENGTH, "Of the plan of positions.")
     velocity: Decimal | None = _stated(_factor("m/s"), "Of all velocity plans.")

@@ -36,11 +36,6 @@ class TechniqueForm(Table):
         """Whether it is told over a turn of the drive, which a drive over a stroke has not."""
         return False
 
-    @property
-    def counts_stroke(self) -> bool:
-        """Whether something depends on which stroke of the output is the working one."""
-        return False
-
 
 F = TypeVar("F", bound=TechniqueForm)
 

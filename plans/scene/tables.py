@@ -56,6 +56,7 @@ class Table:
     """A table of the scene: frozen, and closed against unknown keys."""
 
     keys: ClassVar[Mapping[str, Key]] = {}
+    bare: ClassVar[str] = "not_a_table"  # what is said of a value that stands in its place
     given: frozenset[str]  # the keys that the file has
 
     def __init_subclass__(cls) -> None:
@@ -198,7 +199,7 @@ def _inner(holders: Kinds, name: str) -> Kinds:
 def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
     """Read one table of the file as the kinds that share it; none is made where anything in it is refused."""
     if not isinstance(value, dict):
-        refused.append(Refusal(path, "not_a_table", {}, value))
+        refused.append(Refusal(path, kinds[0].bare, {}, value))
         return REFUSED
     before, values, holders = len(refused), {kind: dict[str, Any]() for kind in kinds}, holders_of(kinds)
     for name, parts in holders.items():

@@ -54,12 +54,13 @@ def equal(count: int, *single: int) -> dict[int, Body]:
 
 
 AT_60 = (('start = "extreme"', "start = 60"), ("positions = 12", "positions = 1"))
+TIP = (("[mechanism.sketch]", '[mechanism.points]\nC = { on = 3, at = [0, "160 mm"] }\n[mechanism.sketch]'),)
 CASES = {
     "shaper at 60": Case("shaper", AT_60, RAM, (5, "D", 1500 + 0j), GEARED),
     "shaper": Case("shaper", (), RAM, (5, "D", 1500 + 0j)),
     "four-bar": Case("crank-rocker", (), equal(3), (3, "B", -400 + 100j)),
     "slider-crank": Case("slider-crank", (), equal(3, 3), (3, "B", -900j)),
-    "scotch yoke": Case("scotch-yoke", (), equal(3, 2), (3, "C", -400 + 0j)),
+    "scotch yoke": Case("scotch-yoke", TIP, equal(3, 2), (3, "C", -400 + 0j)),
     "tangent": Case("tangent", (), equal(3, 2), (3, "A", -400j)),
     "cylinder": Case("oscillating-cylinder", (), equal(3), (2, "B", 30 + 0j)),
     "press": Case("toggle-press", (), equal(5, 5), (5, "D", 4e6j)),

@@ -35,8 +35,8 @@ def cams_of(study: Study, other: Study) -> Study:
 
 
 def verify_motion(path: Path, leaf: Leaf, study: Study) -> Measured:
-    return verify(path, leaf, partial(verify_kinematics.faults, study=study))
+    return verify(path, leaf, partial(verify_kinematics.faults, study=study)).measured
 
 
 def verify_loaded(path: Path, leaf: Leaf, statics: Statics, forces: ForceComparison) -> Measured:
-    return verify(path, leaf, partial(verify_forces.faults, study=loaded_memo(statics, forces)))
+    return verify(path, leaf, partial(verify_forces.faults, study=loaded_memo(statics, forces))).measured

@@ -59,6 +59,7 @@ def planted(fault: DrawingFault) -> Iterator[None]:
     for one, faulty in list(_pairs(module.__dict__, other, module.__name__)):
         one.__code__ = faulty.__code__
     _set({name: (old, other[name]) for name, old in numbers.items()})
+    _forget(module)
     homes.changed = fault.name if fault.file.startswith(homes.COMPOSED) else ""
     try:
         yield
@@ -66,7 +67,15 @@ def planted(fault: DrawingFault) -> Iterator[None]:
         homes.changed = ""
         for one, code in codes:
             one.__code__ = code
+        _forget(module)
         _set({name: (other[name], old) for name, old in numbers.items()})
+
+
+def _forget(module: ModuleType) -> None:
+    """Let a module find anew what its functions have kept."""
+    for one in vars(module).values():
+        if hasattr(one, "cache_clear") and one.__module__ == module.__name__:
+            one.cache_clear()
 
 
 def _pairs(own: Any, other: Any, module: str) -> Iterator[tuple[FunctionType, FunctionType]]:
@@ -88,6 +97,8 @@ def _function(one: Any) -> FunctionType | None:
         return _function(one.func)
     if isinstance(one, staticmethod | classmethod):
         return _function(one.__func__)
+    if hasattr(one, "cache_clear"):
+        return _function(one.__wrapped__)
     return one if isinstance(one, FunctionType) else None
 
 

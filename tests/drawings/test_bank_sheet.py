@@ -44,7 +44,7 @@ def study_of(name: str, size: str = "A1", language: str = "en", standard: str = 
 def checked(leaf: Leaf, study: Study, folder: Path) -> Measured:
     path = folder / "sheet.svg"
     path.write_bytes(svg(lettered(leaf)))
-    return verify(path, leaf, partial(faults, study=study))
+    return verify(path, leaf, partial(faults, study=study)).measured
 
 
 def all_checked(study: Study, folder: Path) -> list[Measured]:

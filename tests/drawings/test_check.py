@@ -13,9 +13,9 @@ import pytest
 
 from drawings.commands import check as command
 from drawings.commands import cli
-from drawings.commands.original import Originals
-from drawings.commands.sheet_check import check
 from drawings.files.manifest import manifest_of
+from drawings.original.originals import Originals
+from drawings.original.sheet_check import check
 from drawings.paper.strokes import Text
 from drawings.pens.svg import svg
 from tests.forgeries.leaf_edits import swapped

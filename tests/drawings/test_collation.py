@@ -45,11 +45,12 @@ LEAF = Leaf(
         Group((Text(120 + 10j, "Crank shaper"),), "title-block"),
         Group((Group((Line(30 + 200j, 90 + 200j), Text(32 + 202j, "12.5"), Text(52 + 202j, "4.7"))),), "values-1"),
         velocities(),
+        Group((Line(140 + 40j, 150 + 40j), Line(150 + 40j, 160 + 50j)), "arms"),
         Group((Circle(150 + 150j, 9), Arc(150 + 150j, 12, 0, 2), Line(150 + 140j, 150 + 160j)), "scheme-1"),
     ),
     metadata={"rows": {"values": [0, 1]}},
 )
-VALUES, PLAN, SCHEME = 3, 4, 5
+VALUES, PLAN, SCHEME = 3, 4, 6
 
 
 def edited(change: Callable[[Stroke], Any], leaf: Leaf = LEAF, top: int | None = None) -> Leaf:
@@ -67,6 +68,11 @@ def edited(change: Callable[[Stroke], Any], leaf: Leaf = LEAF, top: int | None =
 def told(there: Leaf, *hidden: Hidden) -> list[str]:
     found = collate(LEAF, there, hidden)
     return [edit.told.worded("en") for edit in found.edits] + [one.worded("en") for one in found.whole]
+
+
+def mirrored_line(line: Any) -> Line:
+    """Mirror a line about the upright through x = 140."""
+    return replace(line, start=280 - line.start.conjugate(), end=280 - line.end.conjugate())
 
 
 def named(name: str, change: Callable[[Group], Any]) -> Leaf:
@@ -129,13 +135,21 @@ CASES = {
         edited(lambda one: replace(one, radius=10) if isinstance(one, Circle) else one, top=SCHEME),
         ["the radius differs by 1 mm: circle at (150.00, 150.00) mm, scheme-1"],
     ),
+    "a figure is gone": (
+        whole("scheme-1", lambda one: None),
+        ["missing: all of scheme-1, from (150.00, 150.00) mm"],
+    ),
     "a figure is moved": (
         whole("scheme-1", lambda one: brought(one, Affine(t=-6 + 0j))),
         ["moved by 6 mm: all of scheme-1, from (150.00, 150.00) mm"],
     ),
     "a figure is turned": (
         whole("scheme-1", lambda one: brought(one, Affine(1j, 0j, (130 + 150j) * (1 - 1j)))),
-        [f"turned by 90°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
+        [f"turned by 90.00°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
+    ),
+    "a figure is mirrored": (
+        whole("arms", lambda one: replace(one, strokes=tuple(mirrored_line(line) for line in one.strokes))),
+        ["drawn mirrored, moved by up to 40 mm: 2 lines and letters together, from (145.00, 40.00) mm, arms in links"],
     ),
     "a line is added": (
         whole("velocities-2", lambda one: replace(one, strokes=(*one.strokes, Line(50 + 55j, 60 + 90j)))),

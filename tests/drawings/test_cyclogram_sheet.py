@@ -63,7 +63,7 @@ def seen(study: Study, leaf: Leaf, folder: Path) -> Measured:
     """Write a sheet, and check it as it is read back."""
     path = folder / "sheet.svg"
     path.write_bytes(svg(lettered(leaf)))
-    return verify(path, leaf, partial(faults, study=study))
+    return verify(path, leaf, partial(faults, study=study)).measured
 
 
 @pytest.fixture(scope="module")

@@ -77,7 +77,7 @@ def test_a_sheet_is_measured_back(size: str, language: str, asked: str, tmp_path
     study, found = sheet(size, language, asked)
     plans = set[str]()
     for leaf in found:
-        measured = verify(written(leaf, tmp_path), leaf, partial(faults, study=study))
+        measured = verify(written(leaf, tmp_path), leaf, partial(faults, study=study)).measured
         plans |= {one.plan for one in measured.marks}
     assert {"moments", "works", "surplus", "inertia", "loop", "load_diagram-F_us"} <= plans
     assert ("flywheel_sketch" in plans) == ('"1.2 m"' in asked)
@@ -247,7 +247,7 @@ def test_the_speeds_without_the_flywheel_are_held(tmp_path: Path) -> None:
     study, found = sheet("A1", "en", ASKED + SHAFTS)
     (leaf,) = [one for one in found if "before" in one.metadata["figures"]]
     see = partial(faults, study=study)
-    found = [one for one in verify(written(leaf, tmp_path), leaf, see).vectors if one.plan == "before"]
+    found = [one for one in verify(written(leaf, tmp_path), leaf, see).measured.vectors if one.plan == "before"]
     (group,) = [one for one in groups(leaf.groups) if one.name == "before"]
     numbers = [int(one.plain) for one in texts((group,)) if one.plain.isdigit()]
     assert sorted(numbers) == list(range(0, 25, 2))  # as far apart as on the other graphs; the end of the turn is 24

@@ -1,6 +1,6 @@
 """The kinematics sheet is held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
 
-The table is tests/cases/kinematics_faults.toml.
+The tables are tests/cases/kinematics_faults.toml and kinematics_strokes_faults.toml.
 """
 
 from __future__ import annotations
@@ -30,12 +30,15 @@ from tests.parts import some
 
 CASES = ROOT / "tests" / "cases"
 FAULTS = drawing_faults(CASES / "kinematics_faults.toml")
+STROKES = drawing_faults(CASES / "kinematics_strokes_faults.toml")
+PLANS = ("positions", "velocities", "accelerations", "extremes", "diagrams")
 SCENES = sorted(path.stem for path in (CASES / "kinematics").glob("*.toml"))
 
 
 @cache
 def study_of(name: str) -> Study:
-    return Study(read_scene(CASES / "kinematics" / f"{name}.toml"))
+    own = CASES / "kinematics" / f"{name}.toml"
+    return Study(read_scene(own if own.exists() else ROOT / "drawings" / "gallery" / f"{name}.toml"), PLANS)
 
 
 def checked(leaf: Leaf, study: Study, folder: Path) -> None:
@@ -51,7 +54,7 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
         assert collisions(leaf) == []
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 5), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 5), *some(STROKES, 40)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("linkage").worst <= 1.0

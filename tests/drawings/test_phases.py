@@ -84,3 +84,10 @@ def test_there_are_none_where_both_strokes_take_half_a_turn_and_none_is_asked_fo
     pairs = pairs_of((Path(__file__).parents[1] / "cases/kinematics/v-compressor.toml").read_text("utf-8"))
     assert phases(pairs, "en") == ()
     assert arcs(pairs) == []
+
+
+def test_a_load_of_the_working_stroke_does_not_show_two_halves_of_a_turn() -> None:
+    """Of a piston in line with its shaft, both of 180 degrees: its load diagram tells which is the working one."""
+    text = (Path(__file__).parents[1] / "cases/kinematics/v-compressor.toml").read_text("utf-8")
+    load = '[[loads.forces]]\non = 3\npoint = "B"\nname = "F_us"\nvalue = 900\nduring = "working stroke"\n'
+    assert phases(pairs_of(f"{text}\n{load}{AGAINST}"), "en") == ()

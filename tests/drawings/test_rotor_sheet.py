@@ -56,14 +56,14 @@ def drawn(rotor: Rotor, folder: Path, language: str = "en") -> tuple[tuple[Leaf,
     comparison = compare_rotor(study)
     found = sheets(scene, study, comparison)
     see = partial(check, study=study, comparison=comparison, drafting=drafting_of(scene))
-    return found, [verify(written(leaf, folder), leaf, see) for leaf in found]
+    return found, [verify(written(leaf, folder), leaf, see).measured for leaf in found]
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_a_gallery_scene_is_measured_back(name: str, tmp_path: Path) -> None:
     study = Study(read_scene(GALLERY / f"{name}.toml"))
     for leaf in leaves(study):
-        measured = verify(written(leaf, tmp_path), leaf, partial(faults, study=study))
+        measured = verify(written(leaf, tmp_path), leaf, partial(faults, study=study)).measured
         count = len(study["rotor"].rotor.masses)
         assert {one.plan for one in measured.vectors} <= {"couples", "unbalances"}
         assert len([one for one in measured.vectors if one.plan == "unbalances"]) > count

@@ -12,10 +12,12 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from drawings.commands.original import Originals
-from tests.forgeries.sheets import GALLERY, SCENES, forgeries, judged, strangers
+from drawings.original.originals import Originals
+from tests.forgeries.sheets import GALLERY, SCENES, displaced, forgeries, judged, strangers
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -36,7 +38,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for forgery in forgeries(one, sheet, wanted.seed, wanted.every)
     )
     began = time.monotonic()
-    for originals, forgery in (*own, *strangers(known)):
+    with TemporaryDirectory() as folder:
+        others = [*strangers(known), *displaced(known, Path(folder))]
+    for originals, forgery in chain(own, others):
         made[forgery.kind] += 1
         if fault := judged(originals, forgery, Path()):
             missed[forgery.kind] += 1

@@ -23,6 +23,8 @@ class Told(NamedTuple):
 
     def fits(self, finding: dict[str, object]) -> bool:
         """Tell whether a finding, as plain data, is the one."""
+        if finding["finding"] == "refused" and "refused" in self.kinds and not self.says:
+            return True
         at = finding.get("at")
         near = self.at is None or (isinstance(at, list) and abs(complex(*at) - self.at) <= NEAR)
         return (

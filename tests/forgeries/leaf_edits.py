@@ -277,8 +277,7 @@ def title_cell(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
 def group_lost(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     own = [group for group in leaf.groups if group.name and group.name not in ("frame", "corners", "title-block")]
     gone = chance.choice(own)
-    first = next(item for item in items(leaf) if item.home.figure == gone.name)
-    return swapped(leaf, gone, None), of(first, Figures(leaf), "missing")
+    return swapped(leaf, gone, None), Told(("missing",), None, gone.name)
 
 
 def group_moved(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:

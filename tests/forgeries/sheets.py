@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from random import Random
 
-from drawings.commands.original import Original, Originals
-from drawings.commands.sheet_check import Checked, check
 from drawings.measure.seal import sealed
+from drawings.original.originals import Original, Originals
+from drawings.original.sheet_check import Checked, check
 from drawings.pens.svg import svg
 from tests.forgeries.file_edits import FILE_EDITS
 from tests.forgeries.forgery import Forgery, Told
@@ -22,6 +23,7 @@ SCENES = (
 )  # fmt: skip
 
 
+PLANS = re.compile(r"^(plans = \[)([0-9]+)", re.MULTILINE)
 KINDS = (*LEAF_EDITS, *FILE_EDITS)
 
 
@@ -51,6 +53,19 @@ def strangers(known: Mapping[str, Originals]) -> Iterator[tuple[Originals, Forge
         own, strange = known[name], known[other].sheets[0].leaf
         leaf = replace(strange, metadata={**strange.metadata, "scene": own.digest})
         yield own, Forgery("a sheet of another scene", own.sheets[0].name, svg(leaf), Told(("strange",)))
+
+
+def displaced(known: Mapping[str, Originals], folder: Path) -> Iterator[tuple[Originals, Forgery]]:
+    """Give sheets with the plans of the next position, under the name of those that must be, signed as these are."""
+    for name, own in known.items():
+        text = (GALLERY / f"{name}.toml").read_text("utf-8")
+        scene = folder / f"{name}.toml"
+        scene.write_text(PLANS.sub(lambda found: f"{found[1]}{int(found[2]) + 1}", text, count=1), "utf-8")
+        if PLANS.search(text):
+            sheet = Originals(scene).sheets[0]
+            leaf = replace(sheet.leaf, metadata={**sheet.leaf.metadata, "scene": own.digest})
+            told = Told(("missing",), figure=f"velocities-{PLANS.findall(text)[0][1]}")
+            yield own, Forgery("plans of another position", sheet.name, svg(leaf), told)
 
 
 def judged(originals: Originals, forgery: Forgery, folder: Path) -> str:

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from geometry.meet import dot
+from geometry.span import Reading
 from plans.linkage.angles import rate
 from plans.linkage.groups.kinds import KINDS
-from plans.linkage.plan import Image, Plan, Reading
+from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Drive, Slide, Way
 from tests.plans import linkages

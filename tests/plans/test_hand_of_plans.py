@@ -14,13 +14,12 @@ from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
 from geometry.hand_error import SlippingHand
 from geometry.scatter import number_error
+from geometry.span import Reading, Span
 from plans.checks.compare import compare
 from plans.checks.hand.forces import forces_by_hand
 from plans.checks.hand.motion import MotionByHand
 from plans.checks.hand.quantity import SLIP, Told, errors_by_hand
-from plans.checks.parts import Span
 from plans.forces.statics import Statics
-from plans.linkage.plan import Reading
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats
 from plans.scene.scene import read_scene

@@ -11,6 +11,7 @@ import pytest
 from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import SceneError
+from plans.scene.notes import notes_of
 from plans.scene.scene import kinds_of, parse_scene
 from plans.scene.tables import holders_of
 from plans.techniques import TECHNIQUES, named
@@ -35,6 +36,7 @@ B = [0.39, 0.30]
 link = 1
 speed = "10 rad/s"
 """
+ROTOR = 'sheets = ["rotor"]\nrotor.masses = [{ moment = 1, angle = 0 }]\n'
 # The start of a program that knows a technique without a linkage, which stands in the table before a scene is read.
 WHEELS = """
 import sys
@@ -173,3 +175,14 @@ def test_editors_know_its_tables_and_what_they_need() -> None:
     assert form.split()[-1] == "wheel"
     assert needed == "['wheel'] True"
     assert wheel == "['radius'] True"
+
+
+def test_a_designation_of_a_sheet_that_is_not_asked_for_is_noted() -> None:
+    text = ROTOR + '[sheet.designations]\nrotor = "X.01"\ncam = "Y.02"\n'
+    assert [".".join(map(str, note.path)) for note in notes_of(parse_scene(text))] == ["sheet.designations.cam"]
+
+
+def test_a_scale_that_names_no_figure_says_how_it_is_written() -> None:
+    with pytest.raises(SceneError) as refused:
+        parse_scene(ROTOR + '[sheet]\nscale = "1:2"\n')
+    assert 'write scale = { length = "1:2" }' in str(refused.value)

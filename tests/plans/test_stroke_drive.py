@@ -297,3 +297,10 @@ def test_a_law_that_does_not_fit_its_stroke_is_refused_at_its_key(name: str) -> 
     with pytest.raises(SceneError) as refused:
         _ = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))["linkage"].mechanism
     assert where in {dotted(fault.path) for fault in refused.value.faults}
+
+
+def test_a_law_from_rest_is_refused_with_its_reason() -> None:
+    drive = "link = 1\n[drive.stroke]\nfrom = 0.5\nto = 0.6\nspeeds = [0, 1]"
+    with pytest.raises(SceneError) as refused:
+        parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive))
+    assert "never leave its place" in str(refused.value)

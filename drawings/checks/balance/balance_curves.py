@@ -17,8 +17,7 @@ from drawings.figures.balance.scheme import AFTER, BEFORE
 from drawings.figures.balance.shaking_hodograph import NUMBERED
 from drawings.layout.parallel_offsets import APART
 from drawings.lettering.balance_letters import FORCE, RESULT
-from drawings.paper.strokes import Circle, Leaf, Text
-from drawings.paper.walk import groups
+from drawings.paper.strokes import Leaf, Text
 from plans.model.motion import Complexes
 
 LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}'"}
@@ -43,17 +42,10 @@ def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     if sides:
         hand = expected.drafting.hand
         lane = LANES * abs(static_polygon.ROOM) * hand.letter + APART * hand.symbol
-        yield from marks.laid(seen, sides, name, _pole(leaf), 2 * slack / mu, lane)
+        yield from marks.laid(seen, sides, name, marks.pole(part), 2 * slack / mu, lane)
     yield from _said(leaf, expected, sides)
     if part is not None and seen:
         yield from reading.scales(part, {mu})
-
-
-def _pole(leaf: Leaf) -> complex:
-    """Give the place on paper of the pole of the static moments, mm."""
-    part = marks.figure(leaf, static_polygon.NAME)
-    poles = (one for one in groups(() if part is None else (part,)) if one.data.get("kind") == "pole")
-    return next((one.strokes[0].centre for one in poles if isinstance(one.strokes[0], Circle)), 0j)
 
 
 def _said(leaf: Leaf, expected: Expected, sides: list[Side]) -> Iterator[Wrong]:

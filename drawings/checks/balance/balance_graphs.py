@@ -45,14 +45,14 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     yield from _across(scales, "φ")
     if part is None or "φ" not in scales:
         return
-    zero = _zero(expected, seen, scales["φ"]) if seen else _corner(part)
+    zero = zero_of(expected, seen, scales["φ"]) if seen else corner_of(part)
     yield from _feet(expected, seen, zero, scales["φ"])
     yield from _thin(part, expected)
     for state in expected.states if expected.whole else ():
         yield from _curve(part, expected, state, (zero, scales["φ"], mu))
 
 
-def _crowded(k: int, seen: Mapping[str, MeasuredVector], expected: Expected) -> bool:
+def crowded(k: int, seen: Mapping[str, MeasuredVector], expected: Expected) -> bool:
     """Tell whether two positions that are drawn leave no room between them for one more that can be numbered."""
     feet = {int(name): one.start.real for name, one in seen.items() if name.isdigit()}
     if len(feet) < 2:
@@ -70,7 +70,7 @@ def _ordinates(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float
     largest = max(one.rocking for one in expected.states.values())
     slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
     told = {
-        str(k) for k in expected.told if abs(values[k]) > SHORT * mu and not _crowded(k, seen, expected)
+        str(k) for k in expected.told if abs(values[k]) > SHORT * mu and not crowded(k, seen, expected)
     } | seen.keys()
     due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
     yield from marks.held(seen, due, moment_graph.NAME, slack)
@@ -97,19 +97,19 @@ def _scale(scales: Mapping[str, float], letter: str, mu: float, expected: Expect
         yield message("wrong.scale", text=f"μ_{letter}")
 
 
-def _stations(expected: Expected) -> list[float]:
+def stations_of(expected: Expected) -> list[float]:
     """Give the angles of the positions from position 0 on in the sense of rotation, degrees."""
     phi = expected.balance.before.centre.phi
     return [float(one) for one in np.degrees(expected.own.linkage.sense * (phi - phi[0])) % TURN]
 
 
-def _zero(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> complex:
+def zero_of(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> complex:
     """Give the place on paper of position 0, by an ordinate that is there."""
     name, one = next(iter(seen.items()))
-    return one.start - _stations(expected)[int(name)] / mu
+    return one.start - stations_of(expected)[int(name)] / mu
 
 
-def _corner(part: Group) -> complex:
+def corner_of(part: Group) -> complex:
     """Give the place on paper of position 0, by the axis of the angle: no ordinate of a moment that is 0 is there."""
     axes = [one for one in part.strokes if isinstance(one, Line) and one.start.imag == one.end.imag]
     return max(axes, key=lambda one: abs(one.end - one.start)).start if axes else 0j
@@ -117,7 +117,7 @@ def _corner(part: Group) -> complex:
 
 def _feet(expected: Expected, seen: Mapping[str, MeasuredVector], zero: complex, mu: float) -> Iterator[Wrong]:
     """See that each ordinate stands at the angle of its position; a crank that swings begins anywhere in the turn."""
-    stations = _stations(expected)
+    stations = stations_of(expected)
     for name, one in seen.items():
         off = one.start - zero - stations[int(name)] / mu
         turns = round(off.real * mu / TURN)
@@ -171,7 +171,7 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     kind, one = next(iter(seen.items()))
     zero = one.start - best[kind].share / scales["k"]
     for kind, choice in best.items():
-        spots = [zero + each.share / scales["k"] + 1j * _value(each, kind) / mu for each in found.curve]
+        spots = [zero + each.share / scales["k"] + 1j * value_of(each, kind) / mu for each in found.curve]
         yield from _choice(leaf, part, expected, kind, choice, (zero, scales["k"], mu), spots)
     yield from _divisions(part, expected, zero, scales["k"])
     yield from _levels(part, expected, zero, mu)
@@ -183,13 +183,14 @@ def _least(
     expected: Expected, seen: Mapping[str, MeasuredVector], best: Mapping[str, Choice], mu: float
 ) -> Iterator[Wrong]:
     """Hold the ordinates of the least values; one no longer than a tick may be left out."""
-    due = {kind: 1j * _value(one, kind) for kind, one in best.items()}
+    due = {kind: 1j * value_of(one, kind) for kind, one in best.items()}
     slack = expected.near * mu + KNOWN * max(abs(value) for value in due.values())
     due = {kind: value for kind, value in due.items() if kind in seen or abs(value) > (TICK + expected.near) * mu}
     yield from marks.held(seen, due, share_graph.NAME, slack)
 
 
-def _value(one: Choice, kind: str) -> float:
+def value_of(one: Choice, kind: str) -> float:
+    """Give what is largest with a share, N."""
     return one.force if kind == share_graph.FORCES else one.reaction
 
 
@@ -200,7 +201,7 @@ def _choice(
     """Hold a curve through all its shares, where its least value stands, and what is lettered there."""
     zero, across, up = axes
     name, near = share_graph.NAME, 2 * expected.near
-    lowest = zero + best.share / across + 1j * _value(best, kind) / up
+    lowest = zero + best.share / across + 1j * value_of(best, kind) / up
     row = sorted([*spots, lowest], key=lambda spot: spot.real)
     corners = [spot for chain in marks.lines(marks.figure(leaf, f"{name}-{kind}")) for spot in chain]
     if not corners or any(min(abs(spot - corner) for corner in corners) > near for spot in row):
@@ -208,14 +209,15 @@ def _choice(
     one = marks.vectors(expected.measured, name).get(kind)
     if one is not None and not abs(one.start - zero - best.share / across) <= near + KNOWN / across:
         yield on("foot", name, name=kind)
-    letter = share_graph.curve_letters(_shaft(expected))[kind]
+    letter = share_graph.curve_letters(shaft_of(expected))[kind]
     if not _lettered(part, letter, row[-1]):
         yield on("letter", name, name=kind)
-    if not any(_tells(text, letter, best, kind, expected) for text in marks.lettering(part)):
+    if not any(tells(text, letter, best, kind, expected) for text in marks.lettering(part)):
         yield on("letter", name, name=kind)
 
 
-def _shaft(expected: Expected) -> str:
+def shaft_of(expected: Expected) -> str:
+    """Letter the reaction of the crank's shaft."""
     return share_graph.reaction_letter(expected.mechanism.drive.link, expected.drafting)
 
 
@@ -236,18 +238,18 @@ def _levels(part: Group, expected: Expected, zero: complex, up: float) -> Iterat
     """See that the axis of forces is numbered rightly, up to the largest force that the graph shows."""
     name, found, step = share_graph.NAME, expected.balance.shares, share_graph.LEVEL * up
     assert found is not None  # asked before
-    curves = (_value(one, kind) for one in found.curve for kind in (share_graph.FORCES, share_graph.REACTIONS))
+    curves = (value_of(one, kind) for one in found.curve for kind in (share_graph.FORCES, share_graph.REACTIONS))
     high = max(bare(expected), *curves)
     for k in range(1, int(high * (1 - KNOWN) / step) + 1):
         if not _lettered(part, expected.drafting.number(k * step), zero + 1j * share_graph.LEVEL * k):
             yield on("letter", name, name=expected.drafting.number(k * step))
 
 
-def _tells(text: str, letter: str, best: Choice, kind: str, expected: Expected) -> bool:
+def tells(text: str, letter: str, best: Choice, kind: str, expected: Expected) -> bool:
     """Tell whether a text gives the least value and the share of it."""
     told, _, share = text.removeprefix(f"{Text(0j, letter).plain} = ").partition(f";  {share_graph.SHARE} = ")
     size, _, unit = told.partition(" ")
     if told == text or unit != Text(0j, expected.drafting.word("N")).plain:
         return False
-    largest = _value(best, kind)
+    largest = value_of(best, kind)
     return reads(share, best.share, KNOWN, DIGITS) and reads(size, largest, KNOWN * largest, DIGITS)

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.balance import balance_cells, balance_curves, balance_graphs
+from drawings.checks.balance import balance_axes, balance_cells, balance_curves, balance_graphs, balance_lines, ruled
+from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import schemes
 from drawings.checks.balance.balance_told import notes
+from drawings.checks.documents import title_block
+from drawings.checks.vectors.plan_headings import ratio
 from drawings.checks.wrong import Wrong
 from drawings.figures.balance import moment_graph, shaking_hodograph, share_graph, static_polygon
-from drawings.figures.balance.scheme import SCHEME
+from drawings.figures.balance.balance_table import COSTS, WEIGHTS
+from drawings.figures.balance.scheme import BEFORE, SCHEME
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.report.balance.balance_report import drafting_for
 from plans.study import Study
 from plans.words.words import message
+
+KIND = "balancing"  # of its sheets
 
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
@@ -30,7 +36,23 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from balance_graphs.shares(leaf, expected)
     yield from balance_cells.weights(leaf, expected)
     yield from balance_cells.costs(leaf, expected)
+    for table in (WEIGHTS, COSTS):
+        yield from ruled.faults(leaf, table)
+    yield from balance_lines.polygon(leaf, expected)
+    yield from balance_lines.shaking(leaf, expected)
+    yield from balance_axes.rocking(leaf, expected)
+    yield from balance_axes.shares(leaf, expected)
     yield from notes(leaf, expected)
+    yield from _page(leaf, expected)
+
+
+def _page(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """Hold the paper and the title block; its scale is that of the scheme before."""
+    first = SCHEME + BEFORE
+    mu, language = marks.scale(expected.measured, first), expected.drafting.language
+    scale = ratio(mu, language) if first in leaf.metadata["figures"] else ""
+    subtitle = expected.drafting.word("balancing sheet title")
+    yield from title_block.faults(leaf, expected.own.linkage.scene, KIND, subtitle, scale)
 
 
 def _figures(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:

@@ -13,13 +13,16 @@ from drawings.checks.balance import (
     bank_titles,
     bank_told,
     bank_views,
+    ruled,
 )
 from drawings.checks.balance.bank_expected import Expected
 from drawings.checks.balance.bank_titles import GRAPHS
+from drawings.checks.documents import title_block
 from drawings.checks.linkage.by_hand import wrong_scales
 from drawings.checks.wrong import Wrong
 from drawings.figures.bank import shaft, star
 from drawings.figures.bank.bank_polygon import plan_of
+from drawings.figures.bank.bank_table import COMPENSATORS, ORDERS, RESULTS
 from drawings.figures.rotor.letters import MOST
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
@@ -30,6 +33,8 @@ from plans.checks.hand.bank import FIGURES
 from plans.study import Study
 from plans.words.words import message
 
+KIND = "bank"  # of its sheets
+
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a bank shows against the analysis (row of the table of sheets)."""
@@ -39,6 +44,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check(measured, leaf, expected, drafting)
     yield from bank_tables.by_hand(leaf, bank, expected, drafting)
     yield from wrong_scales(measured, leaf, tuple(FIGURES.values()))
+    yield from title_block.faults(leaf, study.scene, KIND, drafting.word("bank sheet title"), "")
+    for table in (ORDERS, COMPENSATORS, RESULTS):
+        yield from ruled.faults(leaf, table)
 
 
 def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:

@@ -85,6 +85,9 @@ class CutEquationsCheck:
             if true is not None and not (one.unit == unit and reads(one.value, true, none + half(abs(true)))):
                 yield self._wrong(f"{one.name} = {one.value} {one.unit}")
         told = {one.name for one in self.written.statements}
+        armed = [one for one in self.written.statements if one.name not in sizes and one.name not in moments]
+        if armed and armed[-1].unit != word(self.floor.language, "mm"):
+            yield self._wrong(f"{armed[-1].name} = {armed[-1].value} {armed[-1].unit}")
         for names in self._due():
             if not any(self._letter(name) in told for name in names):
                 yield self._missing(names[0])
@@ -108,7 +111,9 @@ class CutEquationsCheck:
             yield from (part.name for part in one.parts if "^t" in part.name and self._seen(part, written))
         if self.bill.group is not None and self.bill.group.kind == "RPR":
             stone = self.bill.bearings[0]
-            split = next((part for part in stone.parts if "^n" in part.name and self._seen(part, written)), stone.whole)
+            split = stone.whole
+            if any(self._letter(part.name) in written for part in stone.parts):  # also where the slot's part is alone
+                split = next(part for part in stone.parts if "^n" in part.name)
             yield from [split.name] if abs(split.value) > self.floor.force else []
         if self.bill.group is None and drive.guide is None and drive.ram is None:
             names = [] if self.bill.driving is None else [(self.bill.driving.name, abs(self.bill.driving.value))]
@@ -125,9 +130,11 @@ class CutEquationsCheck:
         if about is None:
             yield self._wrong(f"ΣM{one.about}")
             return
-        several = () if one.link is not None else (self.bill.links,)
-        links = [(link,) for link in self.bill.links if one.link in (None, link)] or [self.bill.links]
-        tries = [list(self._held(one, self.bill.place(about), own)) for own in (*several, *links)]
+        several: tuple[tuple[int, ...], ...] = () if one.link is not None else (self.bill.links,)
+        links: list[tuple[int, ...]] = [(link,) for link in self.bill.links if one.link in (None, link)]
+        tries = [
+            list(self._held(one, self.bill.place(about), own)) for own in (*several, *(links or [self.bill.links]))
+        ]
         yield from min(tries, key=len)
 
     def _held(self, one: WrittenMoments, about: complex, links: tuple[int, ...]) -> Iterator[Wrong]:

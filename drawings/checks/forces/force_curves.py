@@ -14,6 +14,7 @@ from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.words import word
+from drawings.symbols.symbols import TICK
 from plans.model.motion import Complexes, Floats
 
 CHORD = 0.1  # mm: a third of a thin line; a curve of half degrees is no further from its chords
@@ -46,7 +47,9 @@ def numbers(plan: str, strokes: FigureStrokes, feet: Complexes, shown: int, skip
     strangers = [k for k in told if k >= len(feet) or not known[k]]
     own = [k for k in told if k not in strangers]
     yield from (on("stranger_on", plan, name=str(k)) for k in strangers)
-    off = np.array([[strokes.far(str(k), [complex(spot)]) for spot in feet[own]] for k in own]).reshape(-1, len(own))
+    off = np.array([[strokes.far(str(k), [complex(spot)]) for spot in feet[own]] for k in own]).reshape(
+        len(own), len(own)
+    )
     yield from (on("differs_on", plan, name=str(own[j])) for j in np.flatnonzero(off.diagonal() > NEAREST))
     shifts = [sum(off[j, (j + step) % len(own)] for j in range(len(own))) for step in (1, -1)]
     if own and off.trace() > min(shifts) + ALIKE:
@@ -112,14 +115,15 @@ class TurnGraph:
         for k in told:
             if not len(dots) or np.abs(dots - tips[k]).min() > FINE + self.slack / self.up:
                 yield on("differs_at", self.PLAN, name=str(k), position=int(k))
-            if not self.strokes.through(complex(feet[k]), 1j, FINE):
+            ticks = self.strokes.through(complex(feet[k]), 1j, FINE)
+            if not any(min(abs(one.start - feet[k]), abs(one.end - feet[k])) > TICK / 2 for one in ticks):
                 yield on("line", self.PLAN)
         if known.any():
             yield from numbers(self.PLAN, self.strokes, feet, self.shown, skipped)
 
     def _feet(self, zero: complex) -> Complexes:
         """Give the feet of the positions on paper."""
-        return np.asarray(zero + self.turned / self.along + 0 * self.sizes)
+        return np.asarray(zero + self.turned / self.along)
 
     def _dense(self, zero: complex) -> Complexes:
         """Give the places between positions that the curve must go through."""

@@ -6,15 +6,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import permutations
 from typing import NamedTuple
 
+import numpy as np
+
 from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
 from drawings.checks.forces.scheme_forces import ASKEW, Floor
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
-from drawings.checks.labelled import NEAREST
+from drawings.checks.labelled import NEAREST, along
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredPoint
 from plans.checks.force_bill import ActingCouple, ActingForce, ForceBill
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.primary import BALANCING, DRIVING
+from plans.model.kinetostatics import NOTHING
 from plans.model.mechanism import FRAME
 
 PLAN = "lever"
@@ -41,16 +44,23 @@ class LeverForces(NamedTuple):
             if abs(speed) > 0 and letter not in seen and point not in self._expected.mechanism.links[FRAME].points:
                 yield on("missing_on", PLAN, name=letter)
         yield from self._rods(laid)
-        arrows = list(laid.arrows)
-        for force, image in self._due():
-            one = self._arrow(force, laid.on(image), arrows)
-            if one is not None:
-                arrows.remove(one)
-                if self.strokes.far(self.floor.letter(force.name), one.ends(laid.on(image))[1:]) > NEAREST:
-                    yield on("letter", PLAN, name=force.name)
-            elif abs(force.value) > self.floor.force and abs(image) > 0:
+        arrows, due = list(laid.arrows), list(self._due())
+        least = NOTHING * max((abs(image) for _, image in due), default=0.0)
+        fit = [
+            {one: self._far(force, one) for one in self._fitting(force, laid.on(image), arrows)} for force, image in due
+        ]
+        found = _matched([[one for one, far in own.items() if far <= NEAREST] for own in fit], {})
+        lettered = set(found)
+        found = _matched([list(own) for own in fit], found)
+        yield from (on("letter", PLAN, name=due[k][0].name) for k in found if k not in lettered)
+        for k, (force, image) in enumerate(due):
+            if k not in found and abs(force.value) > self.floor.force and abs(image) > least:
                 yield on("missing_on", PLAN, name=force.name)
-        yield from (on("stranger_on", PLAN, name="→") for _ in arrows)
+        yield from (on("stranger_on", PLAN, name="→") for one in arrows if one not in found.values())
+
+    def _far(self, force: ActingForce, arrow: Arrow) -> float:
+        """Give how far the letter of a force is from an arrow, mm."""
+        return self.strokes.far(self.floor.letter(force.name), along(arrow.start, arrow.tip))
 
     @property
     def _expected(self) -> ExpectedForces:
@@ -67,11 +77,16 @@ class LeverForces(NamedTuple):
             for force in bill.known:
                 if not force.name.startswith("R_"):
                     yield force, -1j * bill.speed(force.link, force.at)
-            for couple in (one for one in bill.couples if not _paired(one.name)):
+            for couple in (one for one in bill.couples if not self._paired(one.name)):
                 yield from self._halves(couple, bill)
             if bill.group is None and self._expected.mechanism.drive.ram is None:
                 driving = bill.driving or self._by_moment(bill)
                 yield driving, -1j * bill.speed(driving.link, driving.at)
+
+    def _paired(self, name: str) -> bool:
+        """Tell whether a couple is the moment of a pair, or of the drive: neither hangs on the lever."""
+        loads = {one.name for one in self._expected.loading.moments}
+        return name == BALANCING or (name not in loads and name[2:].replace(",", "").isdigit())
 
     def _by_moment(self, bill: ForceBill) -> ActingForce:
         """Give the force at the crank's end that has the balancing moment."""
@@ -84,7 +99,8 @@ class LeverForces(NamedTuple):
         """Give both forces of a couple, at the points that its letter names; where it has none, at any two."""
         head = self.floor.letter(couple.name)
         start, end = next((line for line in self._lines(couple.link) if self._lettered(head, line)), ("", ""))
-        turning = abs(float(self._expected.motion.links[couple.link].omega[self._expected.k])) > 0
+        omega = np.abs(self._expected.motion.links[couple.link].omega)
+        turning = bool(omega[self._expected.k] > NOTHING * np.nanmax(omega, initial=0.0))
         if not start and turning and abs(couple.moment) > self.floor.moment:
             yield ActingForce(couple.name, couple.link, 0j, self.floor.force * 2 + abs(couple.moment)), 1 + 0j
         if start:
@@ -94,7 +110,7 @@ class LeverForces(NamedTuple):
                 (start, -1j * couple.moment / arm.conjugate()),
             ):
                 place, written = bill.place(name), f"{couple.name}/{start}{end}"
-                yield ActingForce(written, couple.link, place, value), -1j * bill.speed(couple.link, place)
+                yield ActingForce(written, couple.link, place, value), self._expected.image(name)
 
     def _lettered(self, head: str, line: tuple[str, str]) -> bool:
         return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))
@@ -103,19 +119,13 @@ class LeverForces(NamedTuple):
         """Give the pairs of points that a couple of a link may stand at: any two, for a block carries no line."""
         yield from permutations(self._expected.motion.points, 2)
 
-    def _arrow(self, force: ActingForce, spot: complex, arrows: Sequence[Arrow]) -> Arrow | None:
+    def _fitting(self, force: ActingForce, spot: complex, arrows: Sequence[Arrow]) -> list[Arrow]:
+        """Give the arrows that a force at a place of the paper may be."""
         if not abs(force.value) > 0:
-            return None
+            return []
         way = force.value / abs(force.value)
-        fit = [
-            one
-            for one in arrows
-            if abs(one.way - way) <= ASKEW
-            and one.aside(spot) <= FINE
-            and min(abs(end - spot) for end in one.ends(spot)) <= FAR
-        ]
-        letter = self.floor.letter(force.name)
-        return min(fit, key=lambda one: self.strokes.far(letter, one.ends(spot)[1:]), default=None)
+        held = (one for one in arrows if abs(one.way - way) <= ASKEW and one.aside(spot) <= FINE)
+        return [one for one in held if min(abs(end - spot) for end in one.ends(spot)) <= FAR]
 
     def _rods(self, laid: LaidScheme) -> Iterator[Wrong]:
         """Hold that a line joins each image with the pole or with another one, and that legs run from the pole."""
@@ -131,6 +141,20 @@ class LeverForces(NamedTuple):
             yield on("missing_on", PLAN, name="p")
 
 
-def _paired(name: str) -> bool:
-    """Tell whether a couple is the moment of a pair, or of the drive: neither hangs on the lever."""
-    return name == BALANCING or name[2:].replace(",", "").isdigit()
+def _matched(fit: Sequence[Sequence[Arrow]], begun: Mapping[int, Arrow]) -> dict[int, Arrow]:
+    """Give each force an arrow of its own of those that fit it, where there is one, beside those that have theirs."""
+    owner = {one: k for k, one in begun.items()}
+
+    def take(k: int, tried: set[Arrow]) -> bool:
+        for one in fit[k]:
+            if one not in tried:
+                tried.add(one)
+                if one not in owner or take(owner[one], tried):
+                    owner[one] = k
+                    return True
+        return False
+
+    for k in range(len(fit)):
+        if k not in owner.values():
+            take(k, set())
+    return {k: one for one, k in owner.items()}

@@ -141,7 +141,7 @@ class PolygonChain:
         """The two sides of known direction that close the polygon, by their names; none where one closes it alone."""
         if self.bill.group is not None and self.bill.group.kind == "RPR":
             return {}
-        found = {}
+        found: dict[str, complex] = {}
         for one in self.bill.bearings:
             part = next((part for part in one.parts if part.name in self._drawn and "^n" in part.name), None)
             found |= {one.name: one.value} if part is None else {part.name: part.value}

@@ -66,8 +66,8 @@ class SchemeLinks:
     def _joined(self, start: complex, end: complex, link: int, laid: LaidScheme) -> bool:
         """Tell whether a line goes from one place to another, but for what symbols hide of it."""
         length = abs(end - start)
-        if length <= 2 * FINE:
-            return True
+        if not length > 2 * FINE:
+            return length <= 2 * FINE  # a scheme without a place has no length
         one, other = ((ends - start) / (end - start) for ends in laid.ends)
         along = np.maximum(np.abs(one.imag), np.abs(other.imag)) * length <= FINE
         inside = np.clip(np.sort(np.array([one.real, other.real])[:, along], axis=0), 0, 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from drawings.checks.forces import scheme_drive
 from drawings.checks.forces.laid_scheme import laid_scheme, links_of
 from drawings.checks.forces.scheme_forces import Floor, SchemeForces
 from drawings.checks.forces.scheme_links import SchemeLinks
@@ -31,4 +32,5 @@ class LoadingSchemes(NamedTuple):
         links = SchemeLinks(group.name, bill)
         laid = laid_scheme(group, mu, links.points)
         yield from links.faults(laid)
+        yield from scheme_drive.faults(group.name, laid, bill)
         yield from SchemeForces(group.name, laid, bill, self.floor).faults()

@@ -19,7 +19,6 @@ from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
 from drawings.checks.graphs.figure_strokes import scales as figure_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
-from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
@@ -28,7 +27,8 @@ from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.model.motion import Floats
-from plans.words.words import Message
+
+TURN = 360.0  # degrees
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class SheetCurves:
         """The position of the sheet."""
         return int(self.leaf.metadata["position"])
 
-    def faults(self) -> Iterator[Message]:
+    def faults(self) -> Iterator[Wrong]:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
@@ -79,7 +79,7 @@ class SheetCurves:
         drive, told, scales = study.mechanism.drive, balancing_quantity(study.mechanism.drive), figure_scales(group)
         symbol = force_letter(told.name, study.language).split("_")[0]
         none = np.zeros(0)
-        turn = word(study.language, "balancing graph") in group.texts
+        turn = self._whole(group)
         dense = (self._between.turned, self._between.balancing) if turn else (none, none)
         quantity = force_letter(told.name, study.language), told.unit
         axis = ("φ", "°") if drive.turns else ("s", "m")
@@ -95,12 +95,22 @@ class SheetCurves:
             way = motion.points[study.mechanism.drive.end].r
             return np.asarray(np.abs(way - way[0]))
         turned = np.degrees(study.sense * (motion.phi - motion.phi[0])) % 360.0
-        if word(study.language, "balancing graph") in group.texts:
+        if self._whole(group):
             return np.asarray(turned)
         one = next((one for one in self.measured.vectors if one.plan == BALANCING and one.position is not None), None)
         axis = next((one.start for one in group.pointings if abs((one.tip - one.start).imag) <= FINE), 0j)
-        begin = turned[one.position] - (one.start - axis).real * mu if one is not None and one.position else 0.0
+        begin = (
+            turned[one.position] - (one.start - axis).real * mu if one is not None and one.position is not None else 0.0
+        )
         return np.asarray((turned - begin + FINE) % 360.0 - FINE)
+
+    def _whole(self, group: FigureStrokes) -> bool:
+        """Tell whether a graph is drawn over a whole turn: there its axis bears a tick."""
+        axis = next((one.start for one in group.pointings if abs((one.tip - one.start).imag) <= FINE), None)
+        if axis is None or not self.statics.study.mechanism.drive.turns:
+            return False
+        end = axis + TURN / self.leaf.metadata["scales"][BALANCING]
+        return bool(group.through(end, 1j, FINE))
 
     def _hodograph(self, key: str, letter: str) -> Iterator[Wrong]:
         """Hold one hodograph, with its curve between the positions."""
@@ -117,7 +127,7 @@ class SheetCurves:
             plan, group, at, pole.scale, one.force, between, self.slack, self.position, letter
         ).faults()
 
-    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
+    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Wrong]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]
         told += [(one.plan, one.name, one.value, one.scale) for one in self.measured.points]
         for own, name, value, scale in told:

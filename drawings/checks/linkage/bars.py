@@ -84,7 +84,8 @@ def _hold(
     spots = [one.pieces.at(SHARES).ravel() for one in due]
     whole: Complexes = np.concatenate([*spots, np.zeros(0, dtype=np.complex128)])
     missing = plan.clear(whole) & (drawn.nearest(whole) > plan.near)
-    for row, own in zip(due, np.split(missing, np.cumsum([len(one) for one in spots])[:-1]), strict=True):
+    parts = np.split(missing, np.cumsum([len(one) for one in spots])[:-1]) if due else []
+    for row, own in zip(due, parts, strict=True):
         if own.any():
             yield on(key, POSITIONS.plan, link=row.link, position=row.position)
     every = [one.pieces for one in due] + ([] if more is None else [more])
@@ -121,13 +122,13 @@ def _circle(plan: LaidPlan) -> Iterator[Message]:
     arcs = [one for one in plan.strokes(OTHERS) if isinstance(one, Arc)]
     low, high = study.span
     spots = pivot + radius * np.exp(1j * np.linspace(low, high, AROUND))
-    there = np.array([[_holds(arc, complex(spot), plan.near) for arc in arcs] for spot in spots]).reshape(AROUND, -1)
+    there = np.array([[holds(arc, complex(spot), plan.near) for arc in arcs] for spot in spots]).reshape(AROUND, -1)
     wrong = any(abs(arc.centre - pivot) > plan.near or abs(arc.radius - radius) > plan.near for arc in arcs)
     if wrong or (plan.clear(spots) & ~there.any(axis=1)).any():
         yield on("circle", POSITIONS.plan, name=drive.end)
 
 
-def _holds(arc: Arc, spot: complex, near: float) -> bool:
+def holds(arc: Arc, spot: complex, near: float) -> bool:
     """Tell whether a place lies on an arc."""
     off, slack = spot - arc.centre, near / max(arc.radius, near)
     turn = (math.atan2(off.imag, off.real) - arc.start_angle + slack) % math.tau

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 
+from drawings.checks.linkage.link_bars import hanging
 from drawings.figures.linkage.masses import NEAR
 from drawings.figures.linkage.ties import nearest
 from drawings.measure.measure import Measured
@@ -93,6 +94,8 @@ class LaidMechanism:
                 way = slide.way(link)
                 far = 2 * self.reach * way.direction
                 yield self.on(link, way.through - far), self.on(link, way.through + far)
+                spot, foot = hanging(mechanism, slide)
+                yield self.on(link, spot), self.on(link, foot)
         for slide in mechanism.slides:
             if slide.slider == link:  # a block off its point has a rod from there, square to the line
                 pin = mechanism.links[link].points[slide.point]

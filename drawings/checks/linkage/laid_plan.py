@@ -97,7 +97,12 @@ class LaidPlan:
         known = [(spot, radius + ROOM) for spot, radius in found if np.isfinite(spot)]
         return np.array([spot for spot, _ in known]), np.array([radius for _, radius in known])
 
-    def clear(self, spots: Complexes) -> Flags:
-        """Tell of spots whether they are clear of the symbols of the shown position; a gap is not."""
+    @property
+    def symbol(self) -> float:
+        """How far the largest symbol reaches from its middle, mm."""
+        return float(self._symbols[1].max(initial=0.0))
+
+    def clear(self, spots: Complexes, by: float = 0.0) -> Flags:
+        """Tell of spots whether they are clear of the symbols of the shown position, by so many mm; a gap is not."""
         middles, radii = self._symbols
-        return np.asarray(np.isfinite(spots) & (np.abs(spots[:, None] - middles) > radii).all(axis=1))
+        return np.asarray(np.isfinite(spots) & (np.abs(spots[:, None] - middles) > radii + by).all(axis=1))

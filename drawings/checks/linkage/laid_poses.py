@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Iterator, Sequence
-from itertools import combinations, pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from drawings.checks.linkage.laid import Ground
-from drawings.figures.linkage.masses import is_centre
+from drawings.checks.linkage.link_bars import bars, flat, hanging
 from plans.analytic.balance.mass_centre import placed
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
-
-STRAIGHT = 1e-9  # share of a link's length: points of a link that are so near to one line lie on it
-
 
 Flags: TypeAlias = npt.NDArray[np.bool_]
 
@@ -121,44 +116,5 @@ class LaidPoses(NamedTuple):
         lying = [ends for ends in bars(self.mechanism, link) if flat(slide, ends)]
         if lying:
             return [Segments(self.on(link, end), block) for ends in lying for end in ends]
-        point, foot = hanging(slide, jointed(self.mechanism, link))
+        point, foot = hanging(self.mechanism, slide)
         return [Segments(self.on(link, point), self.on(link, foot)), Segments(self.on(link, foot), block)]
-
-
-def bars(mechanism: Mechanism, link: int) -> list[tuple[complex, complex]]:
-    """Give the bars of a link in its own frame: one through points on a line, else the sides about its points."""
-    spots = jointed(mechanism, link)
-    if len(spots) < 2:
-        return []
-    first, last = max(combinations(spots, 2), key=lambda pair: abs(pair[1] - pair[0]))
-    if all(_off(spot, first, last) <= STRAIGHT * abs(last - first) for spot in spots):
-        return [(first, last)]
-    middle = sum(spots) / len(spots)
-    around = sorted(spots, key=lambda spot: cmath.phase((spot - middle) / (last - first)))
-    return list(pairwise([*around, around[0]]))
-
-
-def jointed(mechanism: Mechanism, link: int) -> list[complex]:
-    """Give the points that the bars of a link run through, in its own frame; a mass centre is a mark beside them."""
-    points = mechanism.links[link].points
-    joints = [spot for name, spot in points.items() if not is_centre(name) or name in mechanism.hinges]
-    return list(dict.fromkeys(joints if len(joints) > 1 else points.values()))
-
-
-def flat(slide: Slide, ends: tuple[complex, complex]) -> bool:
-    """Tell whether a bar of the owner lies on its slide's line."""
-    way = slide.on_owner
-    return all(_off(end, way.through, way.through + way.direction) <= STRAIGHT * abs(ends[1] - ends[0]) for end in ends)
-
-
-def hanging(slide: Slide, spots: Sequence[complex]) -> tuple[complex, complex]:
-    """Give the first of a link's points that are nearest to a slot's line, and its foot on the line."""
-    way = slide.on_owner
-    off = [abs(((spot - way.through) / way.direction).imag) for spot in spots]
-    size = max(abs(spot - way.through) for spot in spots)
-    point = next(spot for spot, away in zip(spots, off, strict=True) if away <= min(off) + STRAIGHT * size)
-    return point, way.through + ((point - way.through) / way.direction).real * way.direction
-
-
-def _off(spot: complex, start: complex, end: complex) -> float:
-    return abs(((spot - start) * (end - start).conjugate()).imag) / abs(end - start)

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on
+from drawings.lettering.extent import bounds
 from drawings.lettering.words import fixed
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Leaf, Line, Text
+from drawings.paper.strokes import Fill, Leaf, Line, Text
 from plans.analytic.kinematics import Analysis
 from plans.linkage.strokes import other_sliders
 from plans.linkage.travel import frame_slide
@@ -18,7 +20,7 @@ from plans.model.mechanism import FRAME, Output, Slide
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
-SETS = 4  # strokes of a dimension that are looked at: its text, its line, both extension lines
+ABOVE = 2.0  # sizes of its letters that a number stands off its line at the most
 
 
 class DueStroke(NamedTuple):
@@ -27,21 +29,34 @@ class DueStroke(NamedTuple):
     text: str
     ends: tuple[complex, complex]
 
-    def is_drawn(self, text: Text, line: Line, *extensions: Line) -> bool:
-        """Tell whether a dimension is of it: its text, its line along the guide, its extension lines from the ends."""
+    def is_drawn(self, text: Text, line: Line, heads: Sequence[Fill], *extensions: Line) -> bool:
+        """Tell whether a dimension is of it: its text, its line, its heads, its extension lines from the ends."""
         along = (self.ends[1] - self.ends[0]) / abs(self.ends[1] - self.ends[0])
         level = abs(((line.end - line.start) * along.conjugate()).imag) <= EXACT
         feet = sorted(((one.start - self.ends[0]) * along.conjugate()).real for one in extensions)
         square = all(abs(((one.end - one.start) * along.conjugate()).real) <= EXACT for one in extensions)
         size = abs(self.ends[1] - self.ends[0])
-        return text.plain == self.text and level and square and abs(feet[0]) <= EXACT and abs(feet[1] - size) <= EXACT
+        right = text.plain == self.text and abs(feet[0]) <= EXACT and abs(feet[1] - size) <= EXACT
+        return right and level and square and self._lined(text, line, heads, along)
+
+    def _lined(self, text: Text, line: Line, heads: Sequence[Fill], along: complex) -> bool:
+        """Tell whether the line goes from foot to foot, its number on it, and both heads point at the feet."""
+        own = [((spot - self.ends[0]) / along) for spot in (line.start, line.end, middle(text))]
+        size, (low, high) = abs(self.ends[1] - self.ends[0]), sorted(one.real for one in own[:2])
+        reaches = low <= EXACT and high >= size - EXACT
+        above = 0.0 < abs(own[2].imag - own[0].imag) <= ABOVE * text.size and low <= own[2].real <= high
+        tips = sorted((_tip(head, along, self.ends[0]) for head in heads), key=lambda one: one[0].real)
+        pointed = len(tips) == 2 and all(
+            abs(tip - complex(foot, own[0].imag)) <= EXACT for (tip, _), foot in zip(tips, (0.0, size), strict=True)
+        )
+        return reaches and above and pointed and abs(tips[0][1] + tips[1][1]) <= EXACT
 
 
 def faults(leaf: Leaf, laid: LaidMechanism, road: Analysis) -> Iterator[Message]:
     """See that each slider's stroke has its dimension, and that no other dimension stands there."""
     drawn = [stroke for group in named(leaf, "stroke") for stroke in group.strokes]
     begins = [k for k, stroke in enumerate(drawn) if isinstance(stroke, Text)]
-    sets = [drawn[k : k + SETS] for k in begins]
+    sets = [drawn[k:end] for k, end in pairwise([*begins, len(drawn)])]
     expected = list(_strokes(laid, road))
     for one in expected:
         if not any(_is(one, dimension) for dimension in sets):
@@ -52,9 +67,23 @@ def faults(leaf: Leaf, laid: LaidMechanism, road: Analysis) -> Iterator[Message]
 
 def _is(one: DueStroke, dimension: Sequence[object]) -> bool:
     match dimension:
-        case [Text() as text, Line() as line, Line() as first, Line() as second]:
-            return one.is_drawn(text, line, first, second)
+        case [Text() as text, Line() as line, Line() as first, Line() as second, *heads]:
+            return one.is_drawn(text, line, [head for head in heads if isinstance(head, Fill)], first, second)
     return False
+
+
+def middle(text: Text) -> complex:
+    """Give the middle of a lettering."""
+    left, bottom, right, top = bounds(text)
+    return complex(left + right, bottom + top) / 2
+
+
+def _tip(head: Fill, along: complex, origin: complex) -> tuple[complex, int]:
+    """Give the sharp corner of a head along a line and across it, and which way it points."""
+    spots = [(spot - origin) / along for spot in head.points]
+    tip = max(spots, key=lambda spot: min(abs(spot - other) for other in spots if other != spot))
+    back = sum(spot for spot in spots if spot != tip) / 2
+    return tip, 1 if (tip - back).real > 0 else -1
 
 
 def _strokes(laid: LaidMechanism, road: Analysis) -> Iterator[DueStroke]:

@@ -21,6 +21,7 @@ from plans.model.motion import Extremes
 from plans.model.order import POSITIONS
 from plans.words.words import Message, word
 
+ROOMY, HEADS = 0.45, 5.0  # share of a rocker's arm, and heads along the arc there, at which a swing has room
 INDICES = ("index.work", "index.idle")  # of the crank's angle over either stroke
 
 
@@ -39,7 +40,11 @@ class Sector(NamedTuple):
 
     def text(self, language: str) -> str:
         """Write it with its size, as lettering is read."""
-        return Text(0j, f"{self.letter} = {fixed(math.degrees(abs(self.sweep)), language)}°").plain
+        return Text(0j, f"{self.letter} = {self.size(language)}").plain
+
+    def size(self, language: str) -> str:
+        """Write its size alone."""
+        return f"{fixed(math.degrees(abs(self.sweep)), language)}°"
 
 
 class Arrow(NamedTuple):
@@ -65,13 +70,31 @@ def faults(leaf: Leaf, laid: LaidMechanism, extremes: Extremes | None) -> Iterat
     for name, sectors, halves in (("phases", _phases(laid, extremes), 1), ("swing", _swing(laid, extremes), 2)):
         arrows = list(_arrows(leaf, name))
         shown = [(one, _radius(one, arrows, halves)) for one in sectors]
-        if len(arrows) != halves * sum(radius is not None for _, radius in shown):
+        due = bool(sectors) and not arrows and _must(name, laid, sectors)
+        if due or len(arrows) != halves * sum(radius is not None for _, radius in shown):
             yield on("arc", POSITIONS.plan, name=name)
         for one, radius in shown:
             text = one.text(laid.study.language)
             spot = one.centre + cmath.rect(radius or 0.0, one.middle)
             if radius is not None and not distance(labels.get(text, ()), (spot,)) <= NEAREST:
                 yield on("arc", POSITIONS.plan, name=text)
+
+
+def _must(name: str, laid: LaidMechanism, sectors: list[Sector]) -> bool:
+    """Tell whether arcs must be there: phases where the strokes differ or count, a swing that has room for them."""
+    study = laid.study
+    if name == "swing":
+        arm = max(abs(laid.on(study.output.link, own) - sectors[0].centre) for own in _tips(laid))
+        return ROOMY * arm * abs(sectors[0].sweep) >= HEADS * HEAD[0]
+    asked = study.scene.has(("output", "working"))
+    both = study.travel is not None and len(study.travel.rests) == 2
+    return asked or (both and len({one.size(study.language) for one in sectors}) > 1)
+
+
+def _tips(laid: LaidMechanism) -> list[complex]:
+    """Give the output's point whose places are numbered, in its own frame."""
+    own = laid.mechanism.links[laid.study.output.link].points
+    return [own[laid.study.output.point]] if laid.study.output.point else [own[name] for name in list(own)[-1:]]
 
 
 def _arrows(leaf: Leaf, name: str) -> Iterator[Arrow]:

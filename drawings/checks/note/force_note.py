@@ -7,6 +7,7 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from drawings.checks.forces.report_tables import ForceTables
 from drawings.checks.note.analysed_forces import AnalysedForces
 from drawings.checks.note.lines import held, part
 from drawings.checks.precise import precise
@@ -28,3 +29,9 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     due = equations(statics, comparison, drawn_scales(leaves), values, drafting)
     yield from held(part(text, word(language, "report.force_equations")), islice(due, 1, None), MOST_ALLOWED)
     yield from report_of(text, comparison, language)
+
+
+def report_faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
+    """Hold a whole report: the note, and the tables of forces over the positions."""
+    yield from faults(text, study, leaves)
+    yield from ForceTables(text, study["forces"], study.comparison("forces")).faults()

@@ -19,7 +19,7 @@ from plans.forces.primary import BALANCING, DRIVING
 
 NAME = "equations-lever"
 ARM = 4  # digits of an arm
-NARROWEST = 30.0  # sizes of the letters: in a narrower column every term has a line of its own
+NARROWEST = 20.0  # sizes of the letters: in a narrower column every term has a line of its own
 WIDEST = "0,08888"  # of an arm before it is known how large the lever is drawn
 
 

@@ -119,17 +119,35 @@ def _slotted(
 def _crossing(
     bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
 ) -> tuple[list[Bar], list[Corner]]:
-    """Lay a bar along a slot's line on which no other lies: it hangs on the first of the points nearest to it."""
-    least, size = min(abs(along(way, spot).imag) for spot in spots), max(abs(along(way, spot)) for spot in spots)
-    point = next(spot for spot in spots if abs(along(way, spot).imag) <= least + FLAT * size)
-    step = along(way, point)
-    foot = way.through + step.real * way.direction
-    tied = abs(step.imag) > FLAT * max(abs(point - foot), high - low)
-    at, rest = (foot, [*bars, (point, foot)]) if tied else (point, bars)
-    arms = [side for side, goes in ((-way.direction, low < step.real), (way.direction, high > step.real)) if goes]
-    others = [(end - at) / abs(end - at) for bar in rest if at in bar for end in bar if end != at]
-    slot = _piece(way, min(low, step.real), max(high, step.real))
-    return [*rest, slot], [Corner(at, arm, other) for arm in arms for other in others]
+    """Lay a bar along a slot's line on which no other lies, and tie it to the link where it meets none of it."""
+    spot, foot = _hung(spots, way)
+    rest = bars if spot == foot else [*bars, (spot, foot)]
+    place = along(way, foot).real
+    arms = [side for side, goes in ((-way.direction, low < place), (way.direction, high > place)) if goes]
+    others = [(end - foot) / abs(end - foot) for bar in rest if _holds(bar, foot) for end in bar if end != foot]
+    slot = _piece(way, min(low, place), max(high, place))
+    return [*rest, slot], [Corner(foot, arm, other) for arm in arms for other in others]
+
+
+def _hung(spots: Sequence[complex], way: Way) -> Bar:
+    """Give the spot of a link that a slot hangs on, and where on the slot's line: the same where the line meets it."""
+    off = [abs(along(way, spot).imag) for spot in spots]
+    slack = FLAT * max(abs(along(way, spot)) for spot in spots)
+    point = next(spot for spot, away in zip(spots, off, strict=True) if away <= min(off) + slack)
+    if min(off) <= slack:
+        return point, point
+    for start, end in _body(spots)[0]:
+        first, last = along(way, start).imag, along(way, end).imag
+        if first * last < 0:
+            crossed = start + (end - start) * first / (first - last)
+            return crossed, crossed
+    return point, way.through + along(way, point).real * way.direction
+
+
+def _holds(bar: Bar, spot: complex) -> bool:
+    """Tell whether a spot lies on a bar, or on the line of one beyond its end."""
+    run = bar[1] - bar[0]
+    return abs(((spot - bar[0]) * run.conjugate()).imag) <= FLAT * abs(run) ** 2
 
 
 def along(way: Way, spot: complex) -> complex:

@@ -1,6 +1,6 @@
 """The crank's angles over the working and the idle stroke, as arcs about its pivot (фазовые углы).
 
-They are drawn where they differ, where the scene says which stroke is the working one, or has loads that depend on it.
+They are drawn where they differ as they are told, and where the scene says which stroke is the working one.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from drawings.figures.linkage.rotation import NUMBERS, OUTER
 from drawings.lettering.words import fixed
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import turning_arrow
-from plans.linkage.extreme import EQUAL, ExtremePositions
+from plans.linkage.extreme import ExtremePositions
 from plans.linkage.study import LinkageStudy
 from plans.words.words import word
 
@@ -72,12 +72,13 @@ def sized(letter: str, angle: float, language: str) -> str:
 
 
 def _asked(study: LinkageStudy) -> bool:
-    return study.scene.has(("output", "working")) or any(form.counts_stroke for form in study.scene.forms)
+    return study.scene.has(("output", "working"))
 
 
 def _differ(travel: ExtremePositions) -> bool:
-    """Tell whether there are two strokes over a turn, of angles that differ."""
-    return len(travel.rests) == 2 and travel.extremes.overlap > EQUAL
+    """Tell whether there are two strokes over a turn, of angles that differ in the digits that are written."""
+    first, second = (fixed(abs(math.degrees(arc)), "en") for arc in travel.extremes.angles)
+    return len(travel.rests) == 2 and first != second
 
 
 def _radius(crank: float, factor: float) -> float:

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.hand_error import SlippingHand, slopes
+from geometry.span import Span
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
 from plans.checks.hand.quantity import SLIP, Slipping, Told, errors_by_hand
-from plans.checks.parts import Masses, Span, findings, spans
+from plans.checks.parts import Masses, findings, spans
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME

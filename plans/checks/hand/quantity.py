@@ -10,8 +10,7 @@ import numpy as np
 from geometry.board import Mark, between
 from geometry.hand_error import SlippingHand, slopes
 from geometry.scatter import Slopes, number_error, size_error
-from plans.checks.parts import Span
-from plans.linkage.plan import Reading
+from geometry.span import Reading, Span
 from plans.model.motion import Floats
 
 SLIP = 0.2  # mm to either side: a fair hand's

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from geometry.hand_error import SlippingHand, slopes
+from geometry.span import Span
 from plans.checks.hand.quantity import MOST_SIDES, SLIP, Slipping, Told, errors_by_hand
-from plans.checks.parts import Span
 from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.letters import unbalance_letters
 from plans.rotor.study import RotorStudy

@@ -164,12 +164,6 @@ class ForceForm(TechniqueForm):
         yield from (point_of(end) for ends in hung for end in ends)
         yield from (name for force in loads.forces if isinstance(force.direction, tuple) for name in force.direction)
 
-    @property
-    def counts_stroke(self) -> bool:
-        """Whether a load changes over the stroke of the output."""
-        loads = self.loads or LoadsTable()
-        return any(load.changes and not load.owns_stroke for load in (*loads.forces, *loads.moments))
-
     def fit(self, scene: Scene) -> None:
         """See that a run with forces has room for its positions."""
         if FORCES in scene.sheets:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from geometry.board import Mark
+from geometry.span import Reading
 from plans.linkage.groups.vectors import Turning
-from plans.linkage.plan import Image, Plan, Reading
+from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
 from plans.words.words import because
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.meet import Sizes
+from geometry.span import Reading
 from plans.linkage.groups import crank_line, guide
 from plans.linkage.groups.vectors import Sliding, Slotted, Vector
-from plans.linkage.plan import Image, Plan, Reading
+from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
 from plans.model.motion import Floats
 from plans.words.words import because

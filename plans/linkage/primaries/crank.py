@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from geometry.span import Reading
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
-from plans.linkage.plan import Image, Plan, Reading
+from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Complexes
 from plans.model.rates import Rates

@@ -159,4 +159,17 @@ COUNT = one(count_positions, lambda: {**forms.whole(1), "maximum": POSITIONS_LIM
 POSITIONS = either(list, many(ANGLE, Check(position_list, least=1, most=POSITIONS_LIMIT)), COUNT)
 SPEED = f.not_negative(units.VELOCITY)
 ACCELERATION = f.number(units.ACCELERATION)
-SPEEDS = f.positive(units.VELOCITY)
+
+
+def law_speed(value: object) -> Decimal:
+    """Read a speed of a law over the way, m/s: at rest the drive would never leave its place, nor reach it.
+
+    >>> law_speed("20 mm/s")
+    Decimal('0.020')
+    """
+    if units.quantity(value, units.VELOCITY) == 0:
+        raise wrong("law_at_rest")
+    return units.positive(value, units.VELOCITY)
+
+
+SPEEDS = one(law_speed, partial(forms.quantity, units.VELOCITY, exclusiveMinimum=0), units.VELOCITY.si)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on
 from drawings.lettering.words import number
 from drawings.page.drafting import Drafting

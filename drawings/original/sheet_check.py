@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,13 +11,11 @@ from drawings.checks import verify
 from drawings.collation.collate import Collation, Hidden, collate
 from drawings.collation.edit import Edit
 from drawings.collation.items import inside
-from drawings.commands.original import Original, Originals
 from drawings.eye.sheet import SeenSheet, see
 from drawings.files.standing import flaws
+from drawings.original.originals import Original, Originals
 from drawings.paper.limits import OverLimit, SheetRefused
-from drawings.sheets.table import SHEETS
 from geometry.errors import DraftError
-from plans.techniques import named
 from plans.words.words import Message, message
 
 # What the self-check of a sheet may meet where the sheet is not laid out as it expects.
@@ -123,11 +119,9 @@ def _edits(collation: Collation, other: bool) -> Iterator[Finding]:
 
 
 def _analysis(seen: SeenSheet, original: Original, originals: Originals, clean: bool) -> Iterator[Finding]:
-    """Tell what the analysis finds wrong with what is measured and seen, by the self-check of such a sheet."""
-    measured = seen.measured._replace(metadata=original.leaf.metadata)
-    leaf = replace(seen.leaf, metadata=original.leaf.metadata)
+    """Tell what the self-check of such a sheet finds in it by the analysis, beyond what it finds in the original."""
     try:
-        wrong = verify.wrongs(measured, leaf, partial(named(SHEETS[original.kind].faults), study=originals.study))
+        wrong = [one for one in originals.wrongs(original, seen) if one not in originals.usual(original)]
     except UNFOLLOWED:
         if clean:
             raise

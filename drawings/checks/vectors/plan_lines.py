@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks.linkage.laid_poses import Flags, Segments
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
 from drawings.checks.linkage.position_marks import EXACT
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on
 from drawings.paper.strokes import Fill, Group, Line
 from drawings.paper.walk import groups

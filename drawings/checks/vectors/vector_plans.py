@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.linkage import coriolis_rules, plan_headings, plan_lines
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
+from drawings.checks.vectors import coriolis_rules, plan_headings, plan_lines
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from plans.words.words import Message
 
 

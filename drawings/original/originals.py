@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from drawings.checks import verify
 from drawings.checks.agreement import agree
-from drawings.commands.edition import leaves_of, placed_sheets, stem_of
+from drawings.checks.wrong import Wrong
 from drawings.eye.sheet import SeenSheet, see
 from drawings.lettering.lettering import lettered
 from drawings.measure.seal import digest
+from drawings.original.edition import leaves_of
+from drawings.original.sheet_paths import placed_sheets, stem_of
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
+from drawings.sheets.table import SHEETS
 from plans.scene.scene import read_scene
 from plans.study import Study
+from plans.techniques import named
 
 
 class Original(NamedTuple):
@@ -39,6 +45,7 @@ class Originals:
         self.study = Study(read_scene(scene))
         self._drawn: dict[str, bytes] = {}
         self._seen: dict[str, SeenSheet] = {}
+        self._usual: dict[str, list[Wrong]] = {}
 
     @property
     def language(self) -> str:
@@ -71,6 +78,18 @@ class Originals:
         if sheet.name not in self._seen:
             self._seen[sheet.name] = see(self.drawn(sheet))
         return self._seen[sheet.name]
+
+    def wrongs(self, sheet: Original, seen: SeenSheet) -> list[Wrong]:
+        """List what the self-check of a sheet finds wrong with what is seen of a written one."""
+        data = sheet.leaf.metadata
+        faults = partial(named(SHEETS[sheet.kind].faults), study=self.study)
+        return verify.wrongs(seen.measured._replace(metadata=data), replace(seen.leaf, metadata=data), faults)
+
+    def usual(self, sheet: Original) -> list[Wrong]:
+        """List what it finds in the sheet as it must be: nothing, or what it cannot read of any such sheet."""
+        if sheet.name not in self._usual:
+            self._usual[sheet.name] = self.wrongs(sheet, self.seen(sheet))
+        return self._usual[sheet.name]
 
     def of(self, name: str, data: Mapping[str, Any]) -> tuple[Original, ...]:
         """Give the sheets that a written one may be: by its data and by its name, and all if by neither."""

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from drawings.checks.graphs.figure_strokes import FigureStrokes
 from drawings.checks.labelled import NEAREST
-from drawings.checks.linkage.laid_vectors import LaidVectorPlan
 from drawings.checks.linkage.position_marks import EXACT
+from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.paper.strokes import Arc

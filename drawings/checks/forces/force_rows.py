@@ -1,0 +1,51 @@
+"""The self-check of a force sheet's table and title block: every row, in its unit (таблица, основная надпись)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from drawings.checks import reading
+from drawings.checks.forces.scheme_forces import Floor
+from drawings.checks.graphs.figure_strokes import read
+from drawings.checks.wrong import Wrong
+from drawings.lettering.words import word
+from drawings.page.page import BLOCK
+from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups, texts
+from plans.checks.comparison import Finding
+from plans.checks.force_comparison import ForceComparison
+from plans.forces.statics import Statics
+from plans.words.words import message
+
+
+def row_names(comparison: ForceComparison, floor: Floor) -> dict[str, Finding]:
+    """Give the findings of forces by the letters of their rows."""
+    found = {}
+    for one in comparison.of("forces"):
+        name, _, how = one.name.partition(" ")
+        by = f" ({word(floor.language, f'by {how}')})" if how else ""
+        found[f"{read(floor.letter(name))}{by}"] = one
+    return found
+
+
+def rows(leaves: Sequence[Leaf], comparison: ForceComparison, floor: Floor) -> Iterator[Wrong]:
+    """Hold that the tables of one position have every row that is more than rounding, each with its unit."""
+    named, nothing = row_names(comparison, floor), dict(zip(("N", "N*m"), comparison.analysis.nothing, strict=True))
+    heads = [row[0].plain for leaf in leaves for one in reading.value_tables(leaf) for row in reading.rows(one)]
+    seen = dict(head.rsplit(", ", 1) for head in heads if ", " in head)
+    for name, one in named.items():
+        if name in seen and seen[name] != word(floor.language, one.unit):
+            yield message("wrong.row_cell", text=seen[name], name=name)
+        elif name not in seen and np.nanmax(np.abs(one.analysis), initial=0.0) > 2 * nothing[one.unit]:
+            yield message("wrong.row_missing", name=name)
+
+
+def title(leaf: Leaf, statics: Statics) -> Iterator[Wrong]:
+    """Hold that the title block says what the sheet is of, and what it shows."""
+    language = statics.study.language
+    told = "".join(text.plain for one in groups(leaf.groups) if one.name == BLOCK for text in texts((one,)))
+    for due in (statics.study.scene.heading(language), word(language, "forces sheet title")):
+        if read(due).replace(" ", "") not in told.replace(" ", "").replace("\N{NO-BREAK SPACE}", ""):
+            yield message("wrong.missing", name=due)

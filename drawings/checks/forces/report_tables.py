@@ -1,0 +1,148 @@
+"""The self-check of the tables of forces in a report: every number of every position (проверка таблиц отчёта)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.reading import reads
+from drawings.lettering import words as lettering
+from drawings.lettering.words import number
+from plans.checks.force_comparison import ForceComparison
+from plans.forces.cut import indices
+from plans.forces.primary import balancing_quantity
+from plans.forces.statics import Statics
+from plans.words.words import Message, message, word
+
+DIGITS = 10  # of a reaction in the report; of what balances the drive six
+FEW = 6
+GRAVITY, BODY = "report.gravity", "report.body"
+_MATH = re.compile(r"[$\\{}_]|text")
+
+
+class Column(NamedTuple):
+    """A column of a table over the positions: how its head begins, its values and what these may be out."""
+
+    head: str
+    values: np.ndarray
+    slack: np.ndarray
+
+
+class ForceTables(NamedTuple):
+    """The report beside force sheets."""
+
+    text: str
+    statics: Statics
+    comparison: ForceComparison
+
+    def faults(self) -> Iterator[Message]:
+        """Hold the reactions and what balances the drive in every position, and what is given."""
+        yield from self._table(list(self._reactions()), DIGITS)
+        yield from self._table(list(self._balancing()), FEW)
+        yield from self._given()
+
+    @property
+    def _language(self) -> str:
+        return self.statics.study.language
+
+    def _letter(self, name: str) -> str:
+        return _bare(lettering.letter(self._language, name))
+
+    def _reactions(self) -> Iterator[Column]:
+        found, own = self.comparison.analysis, self.statics.form.sheet.reactions
+        allowed = {one.name: one.allowed for one in self.comparison.of("forces")}
+        told = balancing_quantity(self.statics.study.mechanism.drive)
+        strokes = self.statics.over(self.comparison.motion.road.extremes)
+        given = self.statics.given(found, self.comparison.motion.analysis, strokes)
+        largest = max(np.nanmax(one, initial=0.0) for name, one in allowed.items() if name.startswith(told.name))
+        yield Column(self._letter(told.name), given, np.full(len(given), largest + told.share * found.nothing[1]))
+        for one in sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker)):
+            index = indices(one.giver, one.taker)
+            slack = next((slack for name, slack in allowed.items() if name == f"R_{index}"), np.zeros(len(one.force)))
+            yield Column(self._letter(f"{own}_{{{index}}}"), one.force, slack + found.nothing[0])
+            moment = allowed.get(f"M_{index}")
+            if moment is not None and one.moment is not None and np.nanmax(np.abs(one.moment)) > 2 * found.nothing[1]:
+                yield Column(self._letter(f"M_{{{index}}}"), one.moment, moment + found.nothing[1])
+
+    def _balancing(self) -> Iterator[Column]:
+        told, none = balancing_quantity(self.statics.study.mechanism.drive), self.comparison.analysis.nothing[1]
+        own = [one for one in self.comparison.of("forces") if one.name.partition(" ")[0] == told.name]
+        for one in (own[:1] * 2 + own[1:]) if own else ():
+            yield Column(self._letter(told.name), np.real(one.analysis), one.allowed + none)
+
+    def _table(self, columns: Sequence[Column], digits: int) -> Iterator[Message]:
+        """Hold the table whose heads are those of the columns."""
+        if not columns:
+            return
+        for lines in self._tables():
+            heads = [_bare(cell) for cell in _cells(lines[0])]
+            first = word(self._language, "table.position")
+            if heads[0] == _bare(first) and _alike(heads[1:], [one.head for one in columns]):
+                yield from self._rows([_cells(line) for line in lines[2:]], columns, digits)
+                return
+        yield message("wrong.missing", name=", ".join(one.head for one in columns))
+
+    def _tables(self) -> Iterator[list[str]]:
+        run: list[str] = []
+        for line in [*self.text.splitlines(), ""]:
+            if line.startswith("|"):
+                run.append(line)
+            elif run:
+                yield run
+                run = []
+
+    def _rows(self, rows: Sequence[Sequence[str]], columns: Sequence[Column], digits: int) -> Iterator[Message]:
+        count = len(columns[0].values)
+        if [row[0] for row in rows] != [str(k) for k in range(count)]:
+            yield message("wrong.row_missing", name=word(self._language, "table.position"))
+        for k, row in enumerate(rows[:count]):
+            for one, cell in zip(columns, row[1:], strict=False):
+                if not self._reads(cell, one.values[k], float(one.slack[k]), digits):
+                    yield message("wrong.row_cell", text=cell, name=f"{one.head}, {row[0]}")
+
+    def _reads(self, cell: str, value: complex, slack: float, digits: int) -> bool:
+        if np.isnan(value):
+            return cell == word(self._language, "table.gap")
+        parts = (value.real, value.imag) if np.iscomplexobj(value) else (float(np.real(value)),)
+        texts = cell.split("; ")
+        pairs = zip(texts, parts, strict=False)
+        return len(texts) == len(parts) and all(reads(text, part, slack, digits) for text, part in pairs)
+
+    def _given(self) -> Iterator[Message]:
+        """Hold what is given of masses and loads."""
+        due, machine = list[str](), self.statics.machine
+        for link, body in machine.bodies.items():
+            centre = {"x": self._number(body.centre.real), "y": self._number(body.centre.imag)}
+            given = {"mass": self._number(body.mass), "inertia": self._number(body.inertia)}
+            due.append(word(self._language, BODY, link=link, **given, **centre))
+        if machine.gravity:
+            gravity = {"x": self._number(machine.gravity.real), "y": self._number(machine.gravity.imag)}
+            due.append(word(self._language, GRAVITY, **gravity))
+        sizes: Mapping[str, float] = {one.name: one.size for one in machine.forces if one.diagram is None}
+        for name, size in sizes.items():
+            ending = f": {self._number(size)} {lettering.word(self._language, 'N')}"
+            if not any(line.startswith(f"- {name} ") and line.endswith(ending) for line in self.text.splitlines()):
+                yield message("wrong.missing", name=f"{name}{ending}")
+        yield from (message("wrong.missing", name=line) for line in due if line not in self.text)
+
+    def _number(self, value: float) -> str:
+        return number(value, self._language)
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def _bare(text: str) -> str:
+    """Write a head without its marks of math: the letters that are read."""
+    return _MATH.sub("", text)
+
+
+def _alike(heads: Sequence[str], due: Sequence[str]) -> bool:
+    """Tell whether heads begin as they should, one for one."""
+    return len(heads) == len(due) and all(
+        re.match(rf"{re.escape(name)}(?:\W|$)", head) for head, name in zip(heads, due, strict=True)
+    )

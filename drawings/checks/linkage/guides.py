@@ -1,0 +1,90 @@
+"""The self-check of the guides of the frame on a plan of positions: axes, ticks, ground (направляющие)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from drawings.checks.linkage.laid_plan import LaidPlan
+from drawings.checks.linkage.laid_poses import Segments
+from drawings.checks.wrong import on
+from drawings.symbols.symbols import BLOCK, HATCH, TICK
+from plans.model.mechanism import FRAME, Slide
+from plans.model.order import POSITIONS
+from plans.words.words import Message
+
+AXES, GROUNDS = "guides", "grounds"  # the names of their groups
+SHARES = np.linspace(0.0, 1.0, 17)  # of a block's travel, where its axis is looked for
+PAST = 17.0  # mm of an axis past the outermost places of its block
+HATCHES = 2  # lines of hatching that a ground has at the least
+HALF = 14.5  # mm: half the length of a ground
+
+
+def faults(plan: LaidPlan) -> Iterator[Message]:
+    """See that each guide of the frame has its axis, a tick at each place of its block, and ground beside it."""
+    slides = [slide for slide in plan.laid.mechanism.slides if slide.owner == FRAME]
+    drawn, grounds = plan.lines(AXES), plan.lines(GROUNDS)
+    known = [_axis(plan, slide) for slide in slides]
+    for slide, axis in zip(slides, known, strict=True):
+        whole = axis.at(SHARES).ravel()
+        due = plan.clear(whole) & (drawn.nearest(whole) > plan.near)
+        if due.any() or not _ticked(plan, slide, drawn):
+            yield on("guide", POSITIONS.plan, name=slide.point)
+        if not _grounded(plan, slide, grounds):
+            yield on("ground", POSITIONS.plan, name=slide.point)
+    ticks = Segments.joined([_ticks(plan, slide) for slide in slides])
+    if not (Segments.joined([*(_lengthened(one, plan) for one in known), ticks]).holds(drawn, plan.near)).all():
+        yield on("line", POSITIONS.plan)
+
+
+def _axis(plan: LaidPlan, slide: Slide) -> Segments:
+    """Give the travel of a block on paper."""
+    way, through = slide.on_owner.direction, complex(plan.poses.on(FRAME, slide.on_owner.through)[0])
+    low, high = plan.travel(slide)
+    return Segments(np.array([through + low * way]), np.array([through + high * way]))
+
+
+def _lengthened(axis: Segments, plan: LaidPlan) -> Segments:
+    """Give an axis as far as it may be drawn; how far blocks come is known where the crank turns freely."""
+    run = axis.ends - axis.starts
+    past = PAST if plan.way is not None else plan.leaf.width
+    more = past * run / np.maximum(np.abs(run), 1e-9)
+    return Segments(axis.starts - more, axis.ends + more)
+
+
+def _ticks(plan: LaidPlan, slide: Slide) -> Segments:
+    """Give ticks as long as they are drawn at the most, at all places of a block."""
+    across, spots = 1j * slide.on_owner.direction * TICK, plan.poses.block(slide)
+    return Segments(spots - across, spots + across).known()
+
+
+def _ticked(plan: LaidPlan, slide: Slide, drawn: Segments) -> bool:
+    """Tell whether a tick stands across the guide at each place of the block that is clear of symbols."""
+    spots = plan.poses.block(slide)
+    runs = drawn.ends - drawn.starts
+    square = np.abs((runs * np.conj(slide.on_owner.direction)).real) <= plan.near
+    middles = ((drawn.starts + drawn.ends) / 2)[square]
+    due = spots[plan.clear(spots)]
+    if not due.size:
+        return True
+    return bool(middles.size and (np.abs(due[:, None] - middles).min(axis=1) <= plan.near).all())
+
+
+def _grounded(plan: LaidPlan, slide: Slide, drawn: Segments) -> bool:
+    """Tell whether ground stands along the shown block, hatched on the side away from it."""
+    way, spot = slide.on_owner.direction, complex(plan.poses.block(slide)[plan.position])
+    if not np.isfinite(spot):
+        return True
+    ends = np.array([(one - spot) * np.conj(way) for one in drawn]).reshape(2, -1)
+    level, runs = ends.imag, ends[1] - ends[0]
+    flat = (np.abs(runs.imag) <= plan.near) & (np.abs(ends.real).min(axis=0) <= HALF)
+    bases = level[0][flat & (np.abs(level[0]) <= BLOCK[1] / 2 + plan.near) & (np.abs(level[0]) > plan.near)]
+    for base in bases.tolist():
+        feet = np.abs(level[0] - base) <= plan.near
+        into = (level[1] - base) * np.sign(base)
+        if (
+            feet & (into > plan.near) & (into <= HATCH) & (np.abs(ends.real).max(axis=0) <= HALF + HATCH)
+        ).sum() >= HATCHES:
+            return True
+    return False

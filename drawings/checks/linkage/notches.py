@@ -1,0 +1,54 @@
+"""The self-check of the notches by which the shown position is constructed: centre, radius, place (засечки)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from drawings.checks.linkage.bars import holds
+from drawings.checks.linkage.laid_plan import LaidPlan
+from drawings.checks.wrong import on
+from drawings.paper.strokes import Arc
+from plans.model.dyad import Dyad
+from plans.model.order import POSITIONS
+from plans.words.words import Message
+
+NOTCHES = "notches"  # the name of their group
+SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)  # of an arc: of one that a symbol cuts its middle is not its meeting
+
+
+def faults(plan: LaidPlan) -> Iterator[Message]:
+    """See that each group's point is notched by what turns about its hinges, and that no other arc stands there."""
+    arcs = [one for one in plan.strokes(NOTCHES) if isinstance(one, Arc)]
+    known = [one for one in _laid(plan) if not math.isnan(one[2].real)]
+    for name, centre, spot in known:
+        if not any(_notched(arc, centre, spot, plan) for arc in arcs):
+            yield on("notch", POSITIONS.plan, name=name)
+    if known and not all(any(_about(arc, centre, spot, plan) for _, centre, spot in known) for arc in arcs):
+        yield on("notch", POSITIONS.plan, name=NOTCHES)
+
+
+def _laid(plan: LaidPlan) -> Iterator[tuple[str, complex, complex]]:
+    """Give each notch by its tip's letter, with its centre and its meeting on paper."""
+    for start, name in _due(plan):
+        centre, spot = (complex(plan.poses.point(one)[plan.position]) for one in (start, name))
+        yield name, centre, spot
+
+
+def _due(plan: LaidPlan) -> Iterator[tuple[str, str]]:
+    """Give centre and tip of each notch: both arms of an RRR group, the rod of an RRP one."""
+    for group in plan.laid.study.groups:
+        if isinstance(group, Dyad) and isinstance(group.inner, str):
+            outer = [one for one in group.outer if isinstance(one, str)]
+            yield from ((start, group.inner) for start in outer)
+
+
+def _about(arc: Arc, centre: complex, spot: complex, plan: LaidPlan) -> bool:
+    return abs(arc.centre - centre) <= plan.near and abs(arc.radius - abs(spot - centre)) <= plan.near
+
+
+def _notched(arc: Arc, centre: complex, spot: complex, plan: LaidPlan) -> bool:
+    """Tell whether an arc about a centre goes through its meeting, or up to the symbol that stands there."""
+    if not _about(arc, centre, spot, plan):
+        return False
+    return holds(arc, spot, plan.near) or min(abs(arc.at(share) - spot) for share in (0.0, 1.0)) <= plan.symbol

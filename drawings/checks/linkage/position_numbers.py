@@ -1,0 +1,130 @@
+"""The self-check of the numbers of positions: at the crank, at the output, at each slider (нумерация положений)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.labelled import Label, labels_of
+from drawings.checks.linkage.laid_plan import LaidPlan
+from drawings.checks.wrong import on
+from drawings.paper.strokes import Group, Text
+from plans.linkage.travel import frame_slide
+from plans.model.mechanism import FRAME, Output
+from plans.model.motion import Complexes
+from plans.model.order import POSITIONS
+from plans.words.words import Message
+
+LINKS = "links"  # the group of the numbers of links, among the letters of the plan
+NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
+FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
+NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
+ROOMY = 12.0  # mm between positions on the crank's circle: none of their numbers crowds another
+MOST = 0.34  # share of the numbers that may stand nearer to another position's place where places crowd
+ENDS = 2  # numbers at the output at the least: those of its extremes
+
+
+class Numbered(NamedTuple):
+    """Places that bear numbers: by the scene's positions (N,), and of extremes that fall between two of them."""
+
+    places: Complexes
+    between: tuple[tuple[int, complex], ...] = ()
+
+
+def faults(plan: LaidPlan) -> Iterator[Message]:
+    """See that each number stands at a place of its position, and that none is missing where there is room."""
+    crank, *tracks = _numbered(plan)
+    labels = list(_labels(plan))
+    at_crank, at_tracks, strays = set[int](), 0, 0
+    for text, label in labels:
+        found = NUMBER.fullmatch(text)
+        if found is None:
+            yield on("position_number", POSITIONS.plan, name=text)
+            continue
+        number, middle = int(found[1]), _middle(label)
+        own = [_own(one, number, bool(found[2]), middle) for one in (crank, *tracks)]
+        best = int(np.argmin(own))
+        near, apart = min(_nearest(one, middle, own[best]) for one in (crank, *tracks))
+        crowded = own[best] > near + NEARER
+        if not own[best] <= FAR or (crowded and apart >= ROOMY):
+            yield on("position_number", POSITIONS.plan, name=text)
+        if not best:
+            at_crank.add(number)
+        at_tracks += best > 0
+        strays += crowded
+    if strays > MOST * len(labels):
+        yield on("position_number", POSITIONS.plan, name=str(strays))
+    steps = np.abs(np.diff(crank.places))
+    if steps.size and steps.min() >= ROOMY:
+        missing = set(range(len(crank.places))) - at_crank
+        yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in sorted(missing))
+    if tracks and at_tracks < ENDS <= len(crank.places):
+        yield on(
+            "position_number", POSITIONS.plan, name=plan.laid.study.output.point or str(plan.laid.study.output.link)
+        )
+
+
+def _labels(plan: LaidPlan) -> Iterator[tuple[str, Label]]:
+    """Give the numbers among the letters of the plan, but those of links and on trajectories."""
+    for group in plan.leaf.groups:
+        if any(isinstance(one, Group) and one.name == LINKS for one in group.strokes):
+            own = tuple(one for one in group.strokes if isinstance(one, Text) or not one.name)  # type: ignore[union-attr]
+            for text, labels in labels_of(own).items():
+                yield from ((text, label) for label in labels if text[:1].isdigit())
+
+
+def _middle(label: Label) -> complex:
+    left, bottom, right, top = label.place
+    return complex(left + right, bottom + top) / 2
+
+
+def _own(one: Numbered, number: int, between: bool, middle: complex) -> float:
+    """Give how far a number is from its own place, mm; infinity where it has none."""
+    spots = [spot for k, spot in one.between if k == number] if between else [*one.places[number : number + 1]]
+    return min((abs(middle - spot) for spot in spots if np.isfinite(spot)), default=np.inf)
+
+
+def _nearest(one: Numbered, middle: complex, own: float) -> tuple[float, float]:
+    """Give how far a number is from the nearest place, and that at the least from the number's own, mm."""
+    spots = one.places[np.isfinite(one.places)]
+    if not spots.size:
+        return math.inf, math.inf
+    near = float(np.abs(middle - spots).min())
+    return near, own - near
+
+
+def _numbered(plan: LaidPlan) -> Iterator[Numbered]:
+    """Give the places at the crank, then those of the output and of each other slider on the frame."""
+    laid, study = plan.laid, plan.laid.study
+    own = [] if plan.told is None else [*plan.told.phi]
+    points, slides = [], [slide for slide in laid.mechanism.slides if slide.owner == FRAME]
+    out = study.output
+    for slide in slides:
+        point = (out.point or slide.point) if slide.slider == out.link else slide.point
+        points.append(point)
+        if slide.slider != out.link and plan.told is not None:
+            found = plan.road.extremes(Output(slide.slider, slide.point))
+            own += [] if found is None else [*found.phi]
+    if frame_slide(laid.mechanism, out.link) is None:
+        fixed = laid.mechanism.links[FRAME].points
+        free = [name for name in laid.mechanism.links[out.link].points if name not in fixed]
+        points += [out.point] if out.point in free else free[-1:]
+    motion = plan.road.freely(np.array(own)) if own else None
+    extremes = None if motion is None else plan.poses._replace(motion=motion)
+    before = [_before(plan, phi) for phi in own]
+    pivot, ends = complex(plan.poses.point(laid.mechanism.drive.pivot)[0]), plan.crank_ends
+    arms = [(ends[0] - pivot) * np.exp(1j * (phi - laid.motion.phi[0])) for phi in own]
+    yield Numbered(ends, tuple(zip(before, (pivot + arm for arm in arms), strict=True)))
+    for point in dict.fromkeys(points):
+        beside = () if extremes is None else tuple(zip(before, extremes.point(point).tolist(), strict=True))
+        yield Numbered(plan.poses.point(point), beside)
+
+
+def _before(plan: LaidPlan, phi: float) -> int:
+    """Give the position that comes before a crank angle, as the crank turns."""
+    ahead = np.mod(plan.laid.study.sense * (phi - plan.laid.motion.phi), 2 * np.pi)
+    return int(np.argmin(ahead))

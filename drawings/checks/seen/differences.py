@@ -1,0 +1,171 @@
+"""Differences between what was laid out and what is seen: every line and letter is there, and nothing else (сверка)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from itertools import zip_longest
+
+from drawings.checks.wrong import Wrong
+from drawings.collation.collate import Hidden, collate
+from drawings.collation.items import inside
+from drawings.eye.letters import NEAR
+from drawings.eye.sheet import SeenSheet
+from drawings.paper.limits import CURVE_QUANTUM, DECIMALS, QUANTUM
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.walk import flat
+from geometry.curve import CubicPiece, Piece, RoundPiece
+from plans.words.words import message
+
+WRITTEN = 0.5000001 * 10.0**-DECIMALS  # mm: how far a written number is from the one that is meant
+LETTERED = 1.5e-3  # mm: letters begin at thousandths of a millimetre, and are set by thousandths
+# Of texts in a viewer's fonts: their narrowing is written with four decimals, of a place on an A1.
+TYPESET = 0.1
+
+NEVER = ("hidden", "clipped", "unread")  # why a stroke is unseen that no pen of ours would write so
+# mm: an arc is found by two of its points and its radius, each of which was rounded.
+ARCHED = 2 * QUANTUM
+_BETWEEN = 8  # of an arc: no two of its points are more than an eighth of a turn apart
+
+
+def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
+    """Tell where a sheet that was seen is not as it was laid out, of which all strokes are the plainest."""
+    there = seen.written
+    if not any(one.reason in NEVER for one in seen.unseen) and _same_paper(laid, there) and same(laid, there):
+        return
+    hidden = [Hidden(item, one.reason) for one in seen.unseen for item in inside(one.stroke, one.group)]
+    told = collate(_rounded(laid, there), seen.leaf, hidden)
+    yield from told.whole
+    yield from (one.told for one in told.edits)
+    if told.clean:
+        yield message("wrong.unlike", name=next(_unlike(laid, there), ""))
+
+
+def _unlike(laid: Leaf, there: Leaf) -> Iterator[str]:
+    """Name the groups that differ in what no line of them shows: their names, titles, data, their order."""
+    even = _even(laid)
+    pairs = zip_longest(laid.groups, there.groups, fillvalue=Group(()))
+    return (own.name or other.name for own, other in pairs if not _same(own, other, even))
+
+
+def _rounded(laid: Leaf, there: Leaf) -> Leaf:
+    """Give what was laid out as it is rounded where it was written right, so that nothing is told of roundings."""
+    texts = [one for one in flat(there.groups) if isinstance(one, Text)]
+    shapes = [one for one in flat(there.groups) if isinstance(one, Fill | Arc)]
+    even = _even(laid)
+
+    def rounded(stroke: Stroke) -> Stroke:
+        match stroke:
+            case Group():
+                return replace(stroke, strokes=tuple(map(rounded, stroke.strokes)))
+            case Text():
+                at = next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at)
+                turned = (one.rotation for one in texts if one.at == at and _same_turn(stroke, one))
+                return replace(stroke, at=at, rotation=next(turned, stroke.rotation))
+            case Fill() | Arc():
+                return next((one for one in shapes if _same(stroke, one, even)), stroke)
+            case Polyline((start, end), False):
+                return Line(start, end, stroke.style)
+        return stroke
+
+    return replace(laid, groups=tuple(replace(one, strokes=tuple(map(rounded, one.strokes))) for one in laid.groups))
+
+
+def same(laid: Leaf, there: Leaf) -> bool:
+    """Tell whether two leaves have the same groups, and in them the same strokes, one by one in their order."""
+    even = _even(laid)
+    return len(laid.groups) == len(there.groups) and all(
+        _same(own, other, even) for own, other in zip(laid.groups, there.groups, strict=True)
+    )
+
+
+def _even(laid: Leaf) -> float:
+    """Give how far lettering may begin from where it must, mm."""
+    return TYPESET if laid.lettering == "text" else LETTERED
+
+
+def _same_paper(laid: Leaf, there: Leaf) -> bool:
+    sizes = abs(laid.width - there.width) <= WRITTEN and abs(laid.height - there.height) <= WRITTEN
+    return sizes and (laid.title, laid.description) == (there.title, there.description)
+
+
+def _same(laid: Stroke, there: Stroke, even: float) -> bool:
+    """Tell whether two strokes are one and the same to the eye."""
+    match laid, there:
+        case Group(), Group():
+            return _same_group(laid, there, even)
+        case Text(), Text():
+            return _same_text(laid, there, even)
+        case Line(), Line():
+            ends = abs(laid.start - there.start) <= QUANTUM and abs(laid.end - there.end) <= QUANTUM
+        case Circle(), Circle():
+            ends = abs(laid.centre - there.centre) <= QUANTUM and abs(laid.radius - there.radius) <= WRITTEN
+        case Fill(), Fill():
+            ends = _together(laid.points, there.points) or _together(laid.points[::-1], there.points)
+        case Polyline(), Line():  # a chain of two points is a line
+            ends = _together(laid.points, (there.start, there.end)) and not laid.closed
+        case Polyline(), Polyline():
+            ends = _together(laid.points, there.points) and laid.closed == there.closed
+        case Arc(), Arc():
+            ends = _together(_along(laid), _along(there), ARCHED)
+        case Curve(), Curve():
+            ends = _same_curve(laid, there)
+        case _:
+            return False
+    return ends and _same_style(laid.style, there.style)
+
+
+def _same_group(laid: Group, there: Group, even: float) -> bool:
+    if (laid.name, laid.title) != (there.name, there.title) or laid.data != there.data:
+        return False
+    if len(laid.strokes) != len(there.strokes):
+        return False
+    return all(_same(own, other, even) for own, other in zip(laid.strokes, there.strokes, strict=True))
+
+
+def _same_text(laid: Text, there: Text, even: float) -> bool:
+    return (
+        laid.runs == there.runs
+        and laid.slanted == there.slanted
+        and abs(laid.at - there.at) <= even
+        and abs(laid.size - there.size) <= 10 * WRITTEN
+        and _same_turn(laid, there)
+        and _same_style(laid.style, there.style)
+    )
+
+
+def _same_turn(laid: Text, there: Text) -> bool:
+    """Tell whether two texts are turned alike: a letter's points are rounded, which turns a small one most."""
+    turned = math.radians((laid.rotation - there.rotation + 180) % 360 - 180)
+    return abs(turned) <= 4 * NEAR / laid.size
+
+
+def _same_curve(laid: Curve, there: Curve) -> bool:
+    if laid.closed != there.closed or len(laid.pieces) != len(there.pieces):
+        return False
+    return all(
+        _together(_spots(own), _spots(other), CURVE_QUANTUM)
+        for own, other in zip(laid.pieces, there.pieces, strict=True)
+    )
+
+
+def _spots(piece: Piece) -> tuple[complex, ...]:
+    return tuple(piece) if isinstance(piece, CubicPiece) else _along(piece)
+
+
+def _along(arc: Arc | RoundPiece) -> tuple[complex, ...]:
+    """Give points of an arc by which it is held: its ends, and between them."""
+    return tuple(arc.at(k / _BETWEEN) for k in range(_BETWEEN + 1))
+
+
+def _together(laid: Sequence[complex], there: Sequence[complex], within: float = QUANTUM) -> bool:
+    return len(laid) == len(there) and all(abs(a - b) <= within for a, b in zip(laid, there, strict=True))
+
+
+@lru_cache(maxsize=1024)
+def _same_style(laid: LineStyle, there: LineStyle) -> bool:
+    """Tell whether two lines are of one pen: width, dashes, colour, filling, ends."""
+    sizes = zip_longest((laid.width, *laid.dash), (there.width, *there.dash), fillvalue=-1.0)
+    return all(abs(a - b) <= WRITTEN for a, b in sizes) and laid[2:] == there[2:]

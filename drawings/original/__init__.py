@@ -1,0 +1,1 @@
+"""Originals (подлинники): the sheets that a scene gives, and written sheets held against them."""
