@@ -85,11 +85,9 @@ class ProfileWork:
 
     def _outward(self, turned: float) -> complex:
         """Give the direction of a turned axis, or of the ray through a turned pivot."""
-        lines = self.lines
-        if lines.expected.cam.rocks:
-            ray = lines.crossing(turned, lines.ring) - lines.origin
-            return ray / abs(ray)
-        return complex(lines.expected.ways(1j, turned))
+        expected = self.lines.expected
+        pivot = expected.sizes.pivot
+        return complex(expected.ways(pivot / abs(pivot) if expected.cam.rocks else 1j, turned))
 
     def _hatching(self, line: Line) -> bool:
         """Tell whether a line is of the hatching of a stand or of the guide, or of the guide itself."""
@@ -213,7 +211,7 @@ class ProfileWork:
     def _arrowed(self, name: str, start: complex, end: complex) -> bool:
         """Tell whether a size has its arrow at an end: from within, or of e from outside."""
         backs = [back for tip, back in self.work.tips if abs(tip - end) <= CHORDED]
-        runs = [(back - end) / (start - end) for back in backs]
+        runs = [(back - end) / (start - end) for back in backs if start != end]
         return any(abs(run.imag) <= 10 * LEAN and (run.real > 0 or name == "e") for run in runs)
 
     def _due(self) -> Iterator[str]:

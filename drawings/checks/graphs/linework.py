@@ -113,6 +113,8 @@ class Linework:
     def _arrowed(self, start: complex, tip: complex) -> bool:
         """Tell whether a dimension's line has its arrow at an end, within where there is room for two."""
         length = abs(tip - start)
+        if not length:
+            return False
         own = [back for end, back in self.tips if abs(end - tip) <= FLUSH]
         if length <= 3 * ARROW_LENGTH * self.symbol + FLUSH:
             return any(abs(((back - tip) / (tip - start)).imag) <= LEAN for back in own)
@@ -122,7 +124,8 @@ class Linework:
     def tips(self) -> tuple[tuple[complex, complex], ...]:
         """The tips of straight arrowheads, and the middles of their backs."""
         triangles = (one for one in self.strokes.heads if len(one.points) == 3)
-        return tuple((one.points[0], (one.points[1] + one.points[2]) / 2) for one in triangles)
+        found = ((one.points[0], (one.points[1] + one.points[2]) / 2) for one in triangles)
+        return tuple((tip, back) for tip, back in found if tip != back)
 
     def headed(self, tip: complex) -> bool:
         """Tell whether an arrowhead stands at a place, along a line that is drawn."""
