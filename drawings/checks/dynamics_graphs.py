@@ -54,7 +54,9 @@ def graphs(
     shared = frozenset(k for one in found if one.name != INERTIA for k in one.told)
     for graph in found:
         yield from graph.faults(shared if graph.name != INERTIA else frozenset(), drafting.language)
-        if graph.marks:
+        if graph.marks and not np.isfinite(graph.length):
+            yield message("wrong.scale", text="μφ")
+        elif graph.marks:
             yield from GraphStrokes(graph.name, graph.group, graph.laid, expected, graph.names, drafting).faults()
     names = {graph.name: graph for graph in found}
     if MOMENTS in names and WORKS in names:
