@@ -59,9 +59,9 @@ def arrow(ink: Inventory, one: MeasuredVector, letter: str) -> None:
         )
 
 
-def spot(ink: Inventory, at: complex, letter: str, name: str) -> None:
+def spot(ink: Inventory, at: complex, letter: str, name: str, radius: float | None = None) -> None:
     """Tick off a place that is marked by a circle, and its letter."""
-    ink.circle(at, on("missing_on", ink.plan, name=name))
+    ink.circle(at, on("missing_on", ink.plan, name=name), radius)
     ink.letter(read(letter), [at], on("letter", ink.plan, name=name))
 
 
