@@ -10,14 +10,14 @@ import numpy as np
 
 from drawings.checks.dynamics.loop_strokes import LoopStrokes
 from drawings.checks.dynamics_expected import KNOWN, Expected
-from drawings.checks.dynamics_graphs import edge_names, has, part, vertices, written
+from drawings.checks.dynamics_graphs import edge_names, has, part, written
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics.strips import MARKED
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
-from drawings.paper.strokes import Circle, Group, Leaf
+from drawings.paper.strokes import Circle, Group, Leaf, Polyline
 from drawings.paper.walk import walk
 from plans.model.dynamics import Flywheel
 from plans.words.words import message
@@ -108,7 +108,8 @@ class _Loop:
     def _curve(self) -> Iterator[Wrong]:
         """See that a point stands at each edge that is marked, and that the curve goes through all of them."""
         dots = np.array([one.centre for one in walk((self.group,)) if isinstance(one, Circle)])
-        curve, names = np.array(list(vertices(self.group))), edge_names(self.expected)
+        chains = [one.points for one in walk((self.group,)) if isinstance(one, Polyline)]  # its axes are no part of it
+        curve, names = np.array([spot for chain in chains for spot in chain]), edge_names(self.expected)
         marked = {one.position for one in self.measured.points if one.plan == LOOP}
         for k, place in enumerate(self.places[:-1]):
             spot = self.origin + place
