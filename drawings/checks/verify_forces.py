@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.checks import reading
+from drawings.checks import reading, table_grid
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
@@ -25,6 +25,7 @@ from drawings.checks.forces.sheet_curves import SheetCurves
 from drawings.checks.forces.written_equations import WrittenEquations
 from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.linkage import accord, by_hand
+from drawings.checks.linkage.value_rows import TABLE
 from drawings.checks.reading import plain, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import Wrong, on
@@ -126,6 +127,8 @@ class _Check:
             self.leaf, self.comparison.exact, self.comparison.motion.kappa, self.statics.study.language
         )
         yield from by_hand.wrong_headings(self.leaf, tuple(FIGURES.values()))
+        for table in reading.value_tables(self.leaf):
+            yield from table_grid.faults(table, TABLE, by_hand.HEADS, self.statics.study.language)
 
     def plans(self) -> Iterator[Wrong]:
         """Hold the force plans and the lever's images."""

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from drawings.checks import reading, rotor_tables, rotor_told
 from drawings.checks.linkage import accord, by_hand
+from drawings.checks.rotor import rotor_polygons, rotor_views
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import MOST
@@ -44,8 +45,13 @@ def check(
     for plan in leaf.metadata["figures"]:
         if plan in (along.NAME, across.NAME):
             yield from _points(measured, plan, expected)
+            view = rotor_views.along if plan == along.NAME else rotor_views.across
+            yield from view(leaf, plan, rotor, comparison.analysis, drafting)
         else:
             yield from _vectors(measured, plan, expected)
+            own = [one for one in measured.vectors if one.plan == plan]
+            sides, closed = expected.shown(plan), expected.closed(plan)
+            yield from rotor_polygons.polygon(leaf, plan, sides, closed, own, drafting, expected.loose(plan))
     yield from reading.marked_scales(leaf)
     yield from rotor_tables.results(leaf, comparison, drafting)
     yield from _by_hand(measured, leaf, study, comparison, drafting)
@@ -92,9 +98,20 @@ class Expected:
         closing = letters(planes[0 if plan == COUPLES else -1].name)
         if len(vectors.keys() - {closing}) <= MOST:
             return vectors
-        results = {letters(plane.name) for plane in planes} & vectors.keys()
+        results = [name for plane in planes if (name := letters(plane.name)) in vectors]
         masses = (value for name, value in vectors.items() if name not in results)
         return {sum_letters(plan): sum(masses), **{name: vectors[name] for name in results}}
+
+    def closed(self, plan: str) -> bool:
+        """Tell whether the given vectors of a polygon close by themselves."""
+        whole = self.balance.couple if plan == COUPLES else self.balance.corrections[-1].moment
+        return whole.vanishes
+
+    def loose(self, plan: str) -> float:
+        """Give how far rounding can have moved a corner of a polygon, kg*m or kg*m2."""
+        arm = abs(self.rotor.arm(self.rotor.planes[0].place)) if plan == COUPLES else 1.0
+        slack = self.balance.corrections[0].moment.slack if plan == COUPLES else self.slack
+        return slack * arm
 
     @property
     def distinct(self) -> frozenset[str]:

@@ -43,7 +43,10 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     own = _extreme_positions(plan)
     thin = [k for k in _thin(plan) if k not in own and k != plan.position]
     yield from _hold(plan, SHOWN, rows_of(plan.poses, [plan.position]), "link_missing", slots_of(plan))
-    yield from _hold(plan, OTHERS, rows_of(plan.poses, thin), "link_missing", _stroke(plan), SHORT)
+    # An extreme that is all but a position may be drawn as both.
+    beside = [row.pieces for row in rows_of(plan.poses, [k for k in own if k is not None])]
+    more = Segments.joined([*beside, *_stroke(plan)])
+    yield from _hold(plan, OTHERS, rows_of(plan.poses, thin), "link_missing", more, SHORT)
     if extremes is not None:
         which = [k for k in range(2) if own[k] != plan.position]
         yield from _hold(plan, EXTREME, rows_of(extremes, which), "link_extreme")
@@ -109,10 +112,10 @@ def slots_of(plan: LaidPlan) -> Segments:
     return Segments.of(iter(found)).known()
 
 
-def _stroke(plan: LaidPlan) -> Segments | None:
+def _stroke(plan: LaidPlan) -> list[Segments]:
     """Give the stroke of a primary link that slides."""
     ends = plan.crank_ends
-    return Segments(ends[:1], ends[-1:]) if plan.laid.mechanism.drive.pushed else None
+    return [Segments(ends[:1], ends[-1:])] if plan.laid.mechanism.drive.pushed else []
 
 
 def _circle(plan: LaidPlan) -> Iterator[Message]:
