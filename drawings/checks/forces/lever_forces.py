@@ -104,13 +104,27 @@ class LeverForces(NamedTuple):
         if not start and turning and abs(couple.moment) > self.floor.moment:
             yield ActingForce(couple.name, couple.link, 0j, self.floor.force * 2 + abs(couple.moment)), 1 + 0j
         if start:
-            arm = bill.place(end) - bill.place(start)
-            for name, value in (
-                (end, 1j * couple.moment / arm.conjugate()),
-                (start, -1j * couple.moment / arm.conjugate()),
-            ):
-                place, written = bill.place(name), f"{couple.name}/{start}{end}"
-                yield ActingForce(written, couple.link, place, value), self._expected.image(name)
+            yield from self._hung(couple, (start, end), bill)
+
+    def _hung(
+        self, couple: ActingCouple, line: tuple[str, str], bill: ForceBill
+    ) -> Iterator[tuple[ActingForce, complex]]:
+        """Give the halves of a couple at a line's ends, which turn as its link does about the one or the other of them.
+
+        A block or a slot turns as what it slides along: then one end of the line is a point of that, and has an image
+        of its own.
+        """
+        start, end = map(bill.place, line)
+        force = 1j * couple.moment / (end - start).conjugate()
+        written = f"{couple.name}/{''.join(line)}"
+        halves = (ActingForce(written, couple.link, end, force), ActingForce(written, couple.link, start, -force))
+        turned = float(self._expected.motion.links[couple.link].omega[self._expected.k]) * (end - start)
+        first, last = map(self._expected.image, line)
+        laid = self._laid()
+        yield from max(
+            (tuple(zip(halves, ends, strict=True)) for ends in ((first + turned, first), (last, last - turned))),
+            key=lambda hung: sum(bool(self._fitting(half, laid.on(image), laid.arrows)) for half, image in hung),
+        )
 
     def _lettered(self, head: str, line: tuple[str, str]) -> bool:
         return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))

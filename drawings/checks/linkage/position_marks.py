@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from drawings.checks.linkage.laid import LaidMechanism, within
 from drawings.checks.wrong import on
@@ -11,6 +11,7 @@ from drawings.figures.linkage.link_numbers import BESIDE
 from drawings.figures.linkage.masses import is_centre
 from drawings.figures.linkage.position_letters import LINKS
 from drawings.figures.linkage.position_plan import TIES
+from drawings.page.page import page_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
@@ -19,6 +20,7 @@ from plans.model.mechanism import FRAME
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+HIDING = max(2 * DOUBLE[0], abs(complex(*BLOCK)))  # mm that a symbol hides of a line at the most
 EXACT = 4 * QUANTUM  # mm: the sheet's origin and scale are read off marks that are rounded twice
 
 
@@ -73,9 +75,10 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
 
 def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each mass centre off its link is tied to it."""
+    symbol = page_of(laid.study.scene).hand.symbol
     lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
-        if laid.apart(link, spot) > MASS and not any(_joins(line, spot, link, laid) for line in lines):
+        if laid.apart(link, spot) > MASS * symbol and not _joins(lines, spot, link, laid):
             yield on("tie", POSITIONS.plan, name=name)
 
 
@@ -92,12 +95,29 @@ def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:
         yield name, number, laid.on(number, own)
 
 
-def _joins(line: Line, spot: complex, link: int, laid: LaidMechanism) -> bool:
-    """Tell whether a line runs from a link, or from a hinge or block of it, to the symbol of its mass centre."""
-    start, end = sorted((line.start, line.end), key=lambda one: -abs(one - spot))
-    off = ((spot - start) * (end - start).conjugate()).imag / abs(end - start)
-    return (
-        abs(off) <= EXACT
-        and abs(end - spot) <= MASS + EXACT
-        and laid.apart(link, start) <= max(DOUBLE[0], abs(complex(*BLOCK)) / 2)
-    )
+def _joins(lines: Sequence[Line], spot: complex, link: int, laid: LaidMechanism) -> bool:
+    """Tell whether a line runs from a link, or from a hinge or block of it, to the symbol of its mass centre.
+
+    What it crosses may part it: from the mass centre on each piece begins where a symbol may hide the end of the last.
+    """
+    for last in (one for one in lines if _far(one, spot) <= MASS + EXACT):
+        way = (last.start - last.end) / abs(last.start - last.end)
+        own = [one for one in lines if all(_aside(end, spot, way) <= EXACT for end in (one.start, one.end))]
+        for side in (1, -1):
+            reached = 0.0
+            runs = sorted(sorted(((end - spot) / way).real * side for end in (one.start, one.end)) for one in own)
+            for near, far in runs:
+                reached = max(reached, far) if near <= reached + HIDING else reached
+            if reached > 0 and laid.apart(link, spot + side * reached * way) <= HIDING / 2:
+                return True
+    return False
+
+
+def _far(line: Line, spot: complex) -> float:
+    """Give how far a spot is from the nearer end of a line, mm."""
+    return min(abs(line.start - spot), abs(line.end - spot))
+
+
+def _aside(end: complex, spot: complex, way: complex) -> float:
+    """Give how far a place is from the line through a spot in a direction, mm."""
+    return abs(((end - spot) / way).imag)
