@@ -78,7 +78,7 @@ def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     symbol = page_of(laid.study.scene).hand.symbol
     lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
-        if laid.apart(link, spot) > MASS * symbol and not _joins(lines, spot, link, laid):
+        if laid.apart(link, spot) > _hidden(laid, link, spot) * symbol and not _joins(lines, spot, link, laid):
             yield on("tie", POSITIONS.plan, name=name)
 
 
@@ -111,6 +111,12 @@ def _joins(lines: Sequence[Line], spot: complex, link: int, laid: LaidMechanism)
             if reached > 0 and laid.apart(link, spot + side * reached * way) <= HIDING / 2:
                 return True
     return False
+
+
+def _hidden(laid: LaidMechanism, link: int, spot: complex) -> float:
+    """Give how long a tie is that symbols hide whole: the mass centre's, and that of a point that it starts at."""
+    foot = min(abs(one - spot) for one in laid.corners(link)) <= laid.apart(link, spot) + EXACT
+    return MASS + (HIDING / 2 if foot else 0.0)
 
 
 def _far(line: Line, spot: complex) -> float:
