@@ -10,7 +10,7 @@ from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import schemes
 from drawings.checks.balance.balance_told import notes
 from drawings.checks.documents import title_block
-from drawings.checks.vectors.plan_headings import ratio
+from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.wrong import Wrong
 from drawings.figures.balance import moment_graph, shaking_hodograph, share_graph, static_polygon
 from drawings.figures.balance.balance_table import COSTS, WEIGHTS

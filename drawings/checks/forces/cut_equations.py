@@ -111,7 +111,9 @@ class CutEquationsCheck:
             yield from (part.name for part in one.parts if "^t" in part.name and self._seen(part, written))
         if self.bill.group is not None and self.bill.group.kind == "RPR":
             stone = self.bill.bearings[0]
-            split = next((part for part in stone.parts if "^n" in part.name and self._seen(part, written)), stone.whole)
+            split = stone.whole
+            if any(self._letter(part.name) in written for part in stone.parts):  # also where the slot's part is alone
+                split = next(part for part in stone.parts if "^n" in part.name)
             yield from [split.name] if abs(split.value) > self.floor.force else []
         if self.bill.group is None and drive.guide is None and drive.ram is None:
             names = [] if self.bill.driving is None else [(self.bill.driving.name, abs(self.bill.driving.value))]

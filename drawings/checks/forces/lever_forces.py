@@ -104,27 +104,29 @@ class LeverForces(NamedTuple):
         if not start and turning and abs(couple.moment) > self.floor.moment:
             yield ActingForce(couple.name, couple.link, 0j, self.floor.force * 2 + abs(couple.moment)), 1 + 0j
         if start:
-            yield from self._hung(couple, (start, end), bill)
+            arm = bill.place(end) - bill.place(start)
+            carrier = self._carrier(couple.link, (start, end), bill)
+            for name, value in (
+                (end, 1j * couple.moment / arm.conjugate()),
+                (start, -1j * couple.moment / arm.conjugate()),
+            ):
+                place, written = bill.place(name), f"{couple.name}/{start}{end}"
+                yield ActingForce(written, couple.link, place, value), -1j * bill.speed(carrier, place)
 
-    def _hung(
-        self, couple: ActingCouple, line: tuple[str, str], bill: ForceBill
-    ) -> Iterator[tuple[ActingForce, complex]]:
-        """Give the halves of a couple at a line's ends, which turn as its link does about the one or the other of them.
+    def _carrier(self, link: int, line: tuple[str, str], bill: ForceBill) -> int:
+        """Give the link that two points are taken of: one that turns with the couple's, whose images both are there."""
+        turning, pole = [link], self._laid().on(0j)
+        for own in turning:  # links that slide in one another turn alike: the list grows by those that are met
+            slides = self._expected.mechanism.slides
+            met = [other for one in slides for other in (one.slider, one.owner) if own in (one.slider, one.owner)]
+            turning += [one for one in dict.fromkeys(met) if one not in turning and one != FRAME]
+        spots = [pole, *(one.at for one in self.points)]
+        return next((one for one in turning if self._imaged(one, line, bill, spots)), link)
 
-        A block or a slot turns as what it slides along: then one end of the line is a point of that, and has an image
-        of its own.
-        """
-        start, end = map(bill.place, line)
-        force = 1j * couple.moment / (end - start).conjugate()
-        written = f"{couple.name}/{''.join(line)}"
-        halves = (ActingForce(written, couple.link, end, force), ActingForce(written, couple.link, start, -force))
-        turned = float(self._expected.motion.links[couple.link].omega[self._expected.k]) * (end - start)
-        first, last = map(self._expected.image, line)
-        laid = self._laid()
-        yield from max(
-            (tuple(zip(halves, ends, strict=True)) for ends in ((first + turned, first), (last, last - turned))),
-            key=lambda hung: sum(bool(self._fitting(half, laid.on(image), laid.arrows)) for half, image in hung),
-        )
+    def _imaged(self, link: int, line: tuple[str, str], bill: ForceBill, spots: Sequence[complex]) -> bool:
+        """Tell whether both points, taken of a link, have their images on the lever."""
+        ends = [self._laid().on(-1j * bill.speed(link, bill.place(name))) for name in line]
+        return all(min(abs(spot - end) for spot in spots) <= FINE for end in ends)
 
     def _lettered(self, head: str, line: tuple[str, str]) -> bool:
         return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))

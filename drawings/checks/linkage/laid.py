@@ -111,6 +111,11 @@ class LaidMechanism:
         """Give how far a spot on paper is from a link, mm; NaN where the link has no place."""
         return min(_apart(*piece, spot) for piece in self.pieces(link))
 
+    def foot(self, link: int, spot: complex) -> complex:
+        """Give the place of a link that is nearest to a spot on paper."""
+        feet = [start if start == end else nearest(start, end, spot) for start, end in self.pieces(link)]
+        return min(feet, key=lambda foot: abs(foot - spot))
+
 
 def within(corners: Sequence[complex], spot: complex) -> bool:
     """Tell whether a place lies in the plate whose corners these are: they lie all round it.

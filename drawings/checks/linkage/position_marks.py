@@ -5,21 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from drawings.checks.linkage.laid import LaidMechanism, within
 from drawings.checks.wrong import on
 from drawings.figures.linkage.link_numbers import BESIDE
 from drawings.figures.linkage.masses import is_centre
 from drawings.figures.linkage.position_letters import LINKS
 from drawings.figures.linkage.position_plan import TIES
-from drawings.page.page import page_of
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
-from drawings.paper.walk import groups
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Text
+from drawings.paper.walk import flat, groups
 from drawings.symbols.symbols import BLOCK, DOUBLE, MASS, STAND
 from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+SYMBOLS = "pairs", "shown-position"  # the groups of the symbols of pairs and mass centres, and of blocks
+WAY = np.linspace(0.0, 1.0, 201)  # places on the way to a mass centre, closer than the thinnest line is wide
 HIDING = max(2 * DOUBLE[0], abs(complex(*BLOCK)))  # mm that a symbol hides of a line at the most
 EXACT = 4 * QUANTUM  # mm: the sheet's origin and scale are read off marks that are rounded twice
 
@@ -75,11 +79,28 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
 
 def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each mass centre off its link is tied to it."""
-    symbol = page_of(laid.study.scene).hand.symbol
     lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
-        if laid.apart(link, spot) > _hidden(laid, link, spot) * symbol and not _joins(lines, spot, link, laid):
+        tied = _joins(lines, spot, link, laid)
+        if not tied and laid.apart(link, spot) > MASS and not _covered(leaf, laid.foot(link, spot), spot):
             yield on("tie", POSITIONS.plan, name=name)
+
+
+def _covered(leaf: Leaf, foot: complex, spot: complex) -> bool:
+    """Tell whether symbols of pairs cover all of the way from a link to its mass centre, so that no tie is seen."""
+    way: Complexes = np.asarray(foot + WAY * (spot - foot), dtype=np.complex128)
+    strokes = [stroke for name in SYMBOLS for group in named(leaf, name) for stroke in flat((group,))]
+    off = [np.abs(way - one.centre) - one.radius for one in strokes if isinstance(one, Circle)]
+    off += [_outside(one.points, way) for one in strokes if isinstance(one, Polyline) and one.closed]
+    return bool((np.min([np.full(len(way), np.inf), *off], axis=0) <= EXACT).all())
+
+
+def _outside(corners: Sequence[complex], way: Complexes) -> Floats:
+    """Give how far places are beyond the farthest side of a block, mm; less than nothing inside it."""
+    sides = list(zip(corners, [*corners[1:], corners[0]], strict=True))
+    turned = 1j if sum((start.conjugate() * end).imag for start, end in sides) < 0 else -1j
+    units = [(start, turned * (end - start) / abs(end - start)) for start, end in sides if start != end]
+    return np.asarray(np.max([((way - start) * unit.conjugate()).real for start, unit in units], axis=0))
 
 
 def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:
@@ -111,12 +132,6 @@ def _joins(lines: Sequence[Line], spot: complex, link: int, laid: LaidMechanism)
             if reached > 0 and laid.apart(link, spot + side * reached * way) <= HIDING / 2:
                 return True
     return False
-
-
-def _hidden(laid: LaidMechanism, link: int, spot: complex) -> float:
-    """Give how long a tie is that symbols hide whole: the mass centre's, and that of a point that it starts at."""
-    foot = min(abs(one - spot) for one in laid.corners(link)) <= laid.apart(link, spot) + EXACT
-    return MASS + (HIDING / 2 if foot else 0.0)
 
 
 def _far(line: Line, spot: complex) -> float:

@@ -63,10 +63,15 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     if steps.size and steps.min() >= ROOMY:
         missing = set(range(len(crank.places))) - at_crank
         yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in sorted(missing))
-    if tracks and at_tracks < ENDS and _roomy(plan):
+    if _roomy(plan) and at_tracks < min(ENDS, max((_known(one) for one in tracks), default=0)):
         yield on(
             "position_number", POSITIONS.plan, name=plan.laid.study.output.point or str(plan.laid.study.output.link)
         )
+
+
+def _known(one: Numbered) -> int:
+    """Count the positions in which a point has a place."""
+    return int(np.isfinite(one.places).sum())
 
 
 def _roomy(plan: LaidPlan) -> bool:

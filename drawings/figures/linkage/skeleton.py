@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
@@ -207,17 +207,29 @@ def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
     if study.travel is not None:
         turn = CrankPositions(np.array(study.travel.extremes.phi), np.array(study.travel.directions))
         extremes = poses(study.mechanism, study.sweep.positions(turn), 2)
-    return Skeletons(study, motion, numbered, _way(study, numbered), extremes, shown)
+    way = _way(study, [numbered] if extremes is None else [numbered, extremes])
+    return Skeletons(study, motion, numbered, way, extremes, shown)
 
 
-def _way(study: LinkageStudy, numbered: Poses) -> Poses:
+def _way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
     nodes = np.linspace(*_whole(study), NODES + 1)
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
-    box = np.array(list(numbered.points.values()))
+    known = [values for own in drawn for values in own.points.values()]
+    box = np.concatenate([*known, _round(study)])
     free, box = study.reached(nodes), box[~np.isnan(box)]
     points = {name: _near(np.where(free, values, np.nan), box) for name, values in dense.points.items()}
     return Poses(dense.links, points, dense.turns)
+
+
+def _round(study: LinkageStudy) -> Complexes:
+    """Give the sides of the drive's whole circle: one listed position alone does not tell how far the links come."""
+    drive = study.mechanism.drive
+    if not drive.turns:
+        return np.empty(0, dtype=np.complex128)
+    pivot = study.mechanism.links[FRAME].points[drive.pivot]
+    radius = abs(complex(PRIMARIES[drive.kind].ends(study.mechanism, study.turn)[0]) - pivot)
+    return np.asarray(pivot + radius * np.array([1, 1j, -1, -1j]))
 
 
 def _whole(study: LinkageStudy) -> tuple[float, float]:
@@ -239,7 +251,7 @@ def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
 
 
 def _near(path: Complexes, places: Complexes) -> Complexes:
-    """Break a path where it runs far off the numbered positions, as a tangent mechanism's does to infinity."""
+    """Break a path where it runs far off the positions that are drawn, as a tangent mechanism's does to infinity."""
     if not places.size:
         return path
     middle = complex(places.real.min() + places.real.max(), places.imag.min() + places.imag.max()) / 2

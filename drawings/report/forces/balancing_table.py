@@ -8,12 +8,12 @@ import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
-from drawings.report.markdown import header, quantity, row
+from drawings.report.markdown import header, row
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.primary import BalancingQuantity
 from plans.model.kinetostatics import FORCES
-from plans.words.words import word
+from plans.words.words import term, word
 
 DIGITS = 6
 LEVER = "lever"
@@ -28,7 +28,7 @@ def balancing_table(comparison: ForceComparison, told: BalancingQuantity, langua
     letter = lettering.letter(language, told.name)
     first, *others = found
     heads = [word(language, f"report.{key}", letter=letter, unit=unit) for key in ("by_plans", "by_equilibrium")]
-    heads += [f"{quantity(one.name, language)}, {unit}" for one in others]
+    heads += [f"{letter} {_way(one, language)}, {unit}" for one in others]
     columns = [first.construction, first.analysis, *(_own(one) for one in others)]
     yield word(language, "report.what_balances")
     yield from header([word(language, "table.position"), *heads])
@@ -36,6 +36,11 @@ def balancing_table(comparison: ForceComparison, told: BalancingQuantity, langua
     for k in range(len(comparison.construction.phi)):
         yield row([str(k), *(_cell(float(np.real(column[k])), least, language) for column in columns)])
     yield ""
+
+
+def _way(one: Finding, language: str) -> str:
+    """Tell in words which way finds it; it has one letter in all columns."""
+    return term(language, "quantity_part", one.name.partition(" ")[2])
 
 
 def _own(one: Finding) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
