@@ -99,9 +99,8 @@ class SchemeLinks:
             way, at = self._line(slide, laid)
             if slide.owner == link:
                 far.append(at + way * ((spot - at) * way.conjugate()).real)
-                far.append(
-                    _nearest(*(laid.on(self.bill.on(link, end)) for end in hanging(self.mechanism, slide)), spot)
-                )
+                start, foot = (laid.on(self.bill.on(link, end)) for end in hanging(self.mechanism, slide))
+                far.append(_nearest(start, foot, spot))
             if slide.slider == link:  # a block off its pin has a rod from there
                 pin = laid.on(self.bill.place(slide.point))
                 far.append(_nearest(pin, at + way * ((pin - at) * way.conjugate()).real, spot))
