@@ -25,7 +25,6 @@ PAPER = {
     "scales": ("common", "each"),
     "notation": ("mu", "mu", "mu", "K"),
 }
-OWN = re.compile(rf"^({'|'.join((*PAPER, 'plans', 'forces', 'orientation'))}) = .*$", re.MULTILINE)
 SHEETS = re.compile(r"^sheets = .*$", re.MULTILINE)
 HEAD = re.compile(r"^\[sheet\].*$", re.MULTILINE)
 POSITIONS = ((), (0,), (1,), (2, 5), (1, 4, 7))  # that are shown; of few positions the first

@@ -9,6 +9,7 @@ import numpy as np
 
 from drawings.checks.forces.laid_scheme import FINE, LaidScheme
 from drawings.checks.linkage.laid import within
+from drawings.checks.linkage.link_bars import hanging
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.link_numbers import BESIDE
 from drawings.figures.linkage.ties import nearest
@@ -93,10 +94,16 @@ class SchemeLinks:
     def _apart(self, link: int, spot: complex, laid: LaidScheme) -> float:
         """Give how far a place on paper is from a link."""
         own = [laid.on(self.bill.place(name)) for name in self.mechanism.links[link].points]
-        far = [nearest(one, other, spot) if one != other else one for one in own for other in own]
-        for slide in (one for one in self.mechanism.slides if one.owner == link):
+        far = [_nearest(one, other, spot) for one in own for other in own]
+        for slide in self.mechanism.slides:
             way, at = self._line(slide, laid)
-            far.append(at + way * ((spot - at) * way.conjugate()).real)
+            if slide.owner == link:
+                far.append(at + way * ((spot - at) * way.conjugate()).real)
+                start, foot = (laid.on(self.bill.on(link, end)) for end in hanging(self.mechanism, slide))
+                far.append(_nearest(start, foot, spot))
+            if slide.slider == link:  # a block off its pin has a rod from there
+                pin = laid.on(self.bill.place(slide.point))
+                far.append(_nearest(pin, at + way * ((pin - at) * way.conjugate()).real, spot))
         return min(abs(one - spot) for one in far)
 
     def _line(self, slide: Slide, laid: LaidScheme) -> tuple[complex, complex]:
@@ -137,6 +144,11 @@ class SchemeLinks:
                 return
         if FRAME not in self.bill.links:
             yield on("missing_on", self.plan, name=self.mechanism.drive.pivot)
+
+
+def _nearest(start: complex, end: complex, spot: complex) -> complex:
+    """Give the place of a line that is nearest to a place; of one without length its start."""
+    return start if start == end else nearest(start, end, spot)
 
 
 def _between(start: complex, end: complex, spot: complex) -> bool:

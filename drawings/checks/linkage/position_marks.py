@@ -24,6 +24,7 @@ from plans.words.words import Message
 
 SYMBOLS = "pairs", "shown-position"  # the groups of the symbols of pairs and mass centres, and of blocks
 WAY = np.linspace(0.0, 1.0, 201)  # places on the way to a mass centre, closer than the thinnest line is wide
+HIDING = max(2 * DOUBLE[0], abs(complex(*BLOCK)))  # mm that a symbol hides of a line at the most
 EXACT = 4 * QUANTUM  # mm: the sheet's origin and scale are read off marks that are rounded twice
 
 
@@ -80,7 +81,7 @@ def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each mass centre off its link is tied to it."""
     lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
-        tied = any(_joins(line, spot, link, laid) for line in lines)
+        tied = _joins(lines, spot, link, laid)
         if not tied and laid.apart(link, spot) > MASS and not _covered(leaf, laid.foot(link, spot), spot):
             yield on("tie", POSITIONS.plan, name=name)
 
@@ -115,12 +116,29 @@ def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:
         yield name, number, laid.on(number, own)
 
 
-def _joins(line: Line, spot: complex, link: int, laid: LaidMechanism) -> bool:
-    """Tell whether a line runs from a link, or from a hinge or block of it, to the symbol of its mass centre."""
-    start, end = sorted((line.start, line.end), key=lambda one: -abs(one - spot))
-    off = ((spot - start) * (end - start).conjugate()).imag / abs(end - start)
-    return (
-        abs(off) <= EXACT
-        and abs(end - spot) <= MASS + EXACT
-        and laid.apart(link, start) <= max(DOUBLE[0], abs(complex(*BLOCK)) / 2)
-    )
+def _joins(lines: Sequence[Line], spot: complex, link: int, laid: LaidMechanism) -> bool:
+    """Tell whether a line runs from a link, or from a hinge or block of it, to the symbol of its mass centre.
+
+    What it crosses may part it: from the mass centre on each piece begins where a symbol may hide the end of the last.
+    """
+    for last in (one for one in lines if _far(one, spot) <= MASS + EXACT):
+        way = (last.start - last.end) / abs(last.start - last.end)
+        own = [one for one in lines if all(_aside(end, spot, way) <= EXACT for end in (one.start, one.end))]
+        for side in (1, -1):
+            reached = 0.0
+            runs = sorted(sorted(((end - spot) / way).real * side for end in (one.start, one.end)) for one in own)
+            for near, far in runs:
+                reached = max(reached, far) if near <= reached + HIDING else reached
+            if reached > 0 and laid.apart(link, spot + side * reached * way) <= HIDING / 2:
+                return True
+    return False
+
+
+def _far(line: Line, spot: complex) -> float:
+    """Give how far a spot is from the nearer end of a line, mm."""
+    return min(abs(line.start - spot), abs(line.end - spot))
+
+
+def _aside(end: complex, spot: complex, way: complex) -> float:
+    """Give how far a place is from the line through a spot in a direction, mm."""
+    return abs(((end - spot) / way).imag)
