@@ -9,12 +9,14 @@ from functools import cached_property
 
 import numpy as np
 
+from drawings.checks.dynamics.graph_strokes import GraphStrokes, Laid
 from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, WORKS, Expected
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics.strips import MARKED
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
+from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline
 from drawings.paper.walk import groups, texts, walk
 from plans.model.dynamics import TURN
@@ -39,7 +41,9 @@ def written(group: Group) -> dict[str, float]:
     return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs}
 
 
-def graphs(measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str], language: str) -> Iterator[Wrong]:
+def graphs(
+    measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str], drafting: Drafting
+) -> Iterator[Wrong]:
     """Hold every graph that a sheet must show."""
     parts = {name: one for name in due if (one := part(leaf, name)) is not None}
     angle = next(
@@ -49,7 +53,11 @@ def graphs(measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str
     yield from (message("wrong.missing", name=name) for name in due if part(leaf, name) is None)
     shared = frozenset(k for one in found if one.name != INERTIA for k in one.told)
     for graph in found:
-        yield from graph.faults(shared if graph.name != INERTIA else frozenset(), language)
+        yield from graph.faults(shared if graph.name != INERTIA else frozenset(), drafting.language)
+        if graph.marks and not np.isfinite(graph.length):
+            yield message("wrong.scale", text="μφ")
+        elif graph.marks:
+            yield from GraphStrokes(graph.name, graph.group, graph.laid, expected, graph.names, drafting).faults()
     names = {graph.name: graph for graph in found}
     if MOMENTS in names and WORKS in names:
         yield from _pole(leaf, names[MOMENTS], names[WORKS])
@@ -135,6 +143,11 @@ class _Graph:
         for letter, mu in stated.items():
             if number(found.get(letter, 0.0), language) != number(mu, language):
                 yield message("wrong.scale", text=f"μ_{letter}")
+
+    @property
+    def laid(self) -> Laid:
+        """Where it lies on paper."""
+        return Laid(self.zero, self.length, self.mu, self.along, self.rise, self.told)
 
     @property
     def zero(self) -> complex:

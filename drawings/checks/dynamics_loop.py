@@ -8,12 +8,15 @@ from functools import cached_property
 
 import numpy as np
 
+from drawings.checks.dynamics.loop_strokes import LoopStrokes
 from drawings.checks.dynamics_expected import KNOWN, Expected
 from drawings.checks.dynamics_graphs import edge_names, has, part, vertices, written
+from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics.strips import MARKED
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf
 from drawings.paper.walk import walk
 from plans.model.dynamics import Flywheel
@@ -26,14 +29,19 @@ SEGMENTS = ("o1l", "o1k")
 SHORT = 1.0  # mm: a segment that is shorter may have no dimension
 
 
-def loop(measured: Measured, leaf: Leaf, expected: Expected, language: str) -> Iterator[Wrong]:
+def loop(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold the loop that a sheet must show."""
     group = part(leaf, LOOP)
     if group is None:
         yield message("wrong.missing", name=LOOP)
         return
     shown = _Loop(group, measured, expected)
-    yield from shown.faults(language)
+    yield from shown.faults(drafting.language)
+    if np.isfinite(shown.scales).all() and not np.isnan(shown.origin):
+        tangents, names = [one for one in measured.vectors if one.plan == LOOP], edge_names(expected)
+        yield from LoopStrokes(
+            group, shown.origin, shown.scales, shown.places, expected, names, tangents, shown.near + FLUSH, drafting
+        ).faults()
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks import cyclogram_charts, cyclogram_told, reading
+from drawings.checks.cyclogram.cyclogram_bars import BarStrokes
+from drawings.checks.cyclogram.cyclogram_rings import RingStrokes
 from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cyclogram import bar_chart, characteristic_plan, circular_chart
@@ -34,19 +36,29 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
 def check(measured: Measured, leaf: Leaf, study: CyclogramStudy, comparison: CyclogramComparison) -> Iterator[Wrong]:
     """Hold what a sheet shows against the analysis: the figures that its data name, table, notes, scales."""
     found, drafting = comparison.analysis, drafting_of(study.scene)
-    rows = rows_of(found, study.cams)
+    rows, numbered = rows_of(found, study.cams), [one.turned for one in found.positions]
     if characteristic_plan.NAME in leaf.metadata["figures"]:
         yield from _places(measured, leaf, study, found)
         yield from cyclogram_told.dimensions(leaf, found, drafting)
     if bar_chart.NAME in leaf.metadata["figures"]:
         yield from cyclogram_charts.bars(measured, rows, found.positions[0].turned)
+        own = tuple(one for one in leaf.groups if one.name in _chart(bar_chart.NAME))
+        vectors = [one for one in measured.vectors if one.plan == bar_chart.NAME]
+        yield from BarStrokes(own, rows, numbered, vectors, drafting).faults()
     if circular_chart.NAME in leaf.metadata["figures"]:
         yield from cyclogram_charts.rings(leaf, rows, found.sense)
         yield from cyclogram_charts.names(leaf, rows, drafting)
+        own = tuple(one for one in leaf.groups if one.name in _chart(circular_chart.NAME))
+        yield from RingStrokes(own, rows, numbered, found.sense, drafting).faults()
     yield from reading.marked_scales(leaf)
     yield from cyclogram_charts.angles(leaf, rows, drafting)
     yield from cyclogram_told.table(leaf, found, drafting)
     yield from cyclogram_told.notes(leaf, comparison, study.cams, drafting)
+
+
+def _chart(name: str) -> tuple[str, str]:
+    """Name the groups of a chart: its lines, and the letters beside them."""
+    return name, f"{name}-letters"
 
 
 def _places(measured: Measured, leaf: Leaf, study: CyclogramStudy, found: Cyclogram) -> Iterator[Wrong]:

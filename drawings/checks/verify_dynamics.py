@@ -46,9 +46,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         return
     for plate in PLATES.keys() & set(shown):
         due = [*PLATES[plate], *([SPEEDS] if expected.omega is not None and plate in (WHOLE, GRAPHS, LOWER) else [])]
-        yield from graphs(measured, leaf, expected, due, drafting.language)
+        yield from graphs(measured, leaf, expected, due, drafting)
         if plate in (WHOLE, ENERGY):
-            yield from loop(measured, leaf, expected, drafting.language)
+            yield from loop(measured, leaf, expected, drafting)
             yield from equations(leaf, expected, drafting)
     if TACHOGRAM in shown:
         yield from tachogram(measured, leaf, comparison.construction.run, drafting)

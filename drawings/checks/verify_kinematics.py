@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from drawings.checks import reading
 from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.documents import title_block
+from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.linkage import (
     bars,
     centre_images,
@@ -77,7 +78,7 @@ def _page(measured: Measured, leaf: Leaf, study: LinkageStudy) -> Iterator[Wrong
     """Hold the paper and the title block; its scale is that of the plan of positions."""
     at, kind = ground(measured), leaf.metadata["sheet"]
     subtitle = drafting_of(study.scene).word("sheet title" if kind == KIND else POSITIONS.plan)
-    scale = "" if at is None else plan_headings.ratio(at.scale, study.language)
+    scale = "" if at is None else ratio(at.scale, study.language)
     yield from title_block.faults(leaf, study.scene, kind, subtitle, scale)
 
 
@@ -163,7 +164,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         return
     laid = LaidMechanism(study, comparison.analysis, leaf.metadata["shown"], at)
     seen = {mark.name: mark for mark in measured.points if mark.plan == POSITIONS.plan}
-    allowed = max(float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan))
+    roads = [float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan)]
+    allowed = max((one for one in roads if math.isfinite(one)), default=0.0)  # a gap has but its frame
     for name, (link, own) in laid.centres.items():
         mark, true = seen.get(name), laid.true(link, own)
         if mark is None and not math.isnan(true.real):

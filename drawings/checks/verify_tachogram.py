@@ -12,8 +12,8 @@ from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics.tachogram import CLOSE, LEAST, NAME, NUMBERS, told
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
-from drawings.paper.strokes import Group, Leaf, Text
-from drawings.paper.walk import groups, texts
+from drawings.paper.strokes import Group, Leaf, Polyline, Text
+from drawings.paper.walk import groups, texts, walk
 from plans.model.motion import Complexes
 from plans.model.run import Run
 from plans.words.words import message
@@ -28,7 +28,7 @@ def tachogram(measured: Measured, leaf: Leaf, run: Run | None, drafting: Draftin
         yield message("wrong.missing", name=NAME)
         return
     yield from _numbers(group, run, drafting)
-    scales, curve = written(group), np.array(list(vertices(group)))
+    scales, curve = written(group), _corners(group)
     across, up = scales.get("t", NONE), scales.get("ω", NONE)
     if not (np.isfinite(across) and np.isfinite(up) and curve.size):
         yield message("wrong.scale", text="μ_t, μ_ω")
@@ -38,6 +38,12 @@ def tachogram(measured: Measured, leaf: Leaf, run: Run | None, drafting: Draftin
     off = [np.abs(curve - place).min() > near for place in places]
     yield from [on("curve", NAME)] if any(off) else []
     yield from _ends(measured, run, places, up)
+
+
+def _corners(group: Group) -> Complexes:
+    """Give the corners of the curve: of the longest chain."""
+    chains = [one.points for one in walk((group,)) if isinstance(one, Polyline)]
+    return np.array(max(chains, key=len, default=tuple(vertices(group))))
 
 
 def _numbers(group: Group, run: Run, drafting: Drafting) -> Iterator[Wrong]:

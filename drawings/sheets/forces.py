@@ -99,7 +99,9 @@ class _ForceSheet:
 
     def _column(self, cut: Cut) -> Iterator[Exhibit | Caption]:
         """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
-        yield from (self._scheme(cut), self._equations(cut), self._polygon(cut))
+        yield from (self._scheme(cut), self._equations(cut))
+        if self._shown(cut).forces:
+            yield self._polygon(cut)
         for shown in self._details[cut.label]:
             room = force_polygon.measure(shown, shown.plan, self.drafting)
             least, most = (size * self.drafting.hand.letter for size in (force_detail.LETTERS, force_detail.MOST))
@@ -107,12 +109,15 @@ class _ForceSheet:
             draw = partial(force_polygon.draw, shown, room, drafting=self.drafting)
             yield Exhibit(Panel(room, together=cut.label), draw)
 
+    def _shown(self, cut: Cut) -> force_polygon.ForcePolygon:
+        return force_polygon.polygon(self.plan, cut, self.position)
+
     @cached_property
     def _details(self) -> dict[str, tuple[force_polygon.ForcePolygon, ...]]:
         """The enlarged details of each cut's polygon, lettered through all of them."""
         found: dict[str, tuple[force_polygon.ForcePolygon, ...]] = {}
         for cut in self.plan.cuts:
-            shown = force_polygon.polygon(self.plan, cut, self.position)
+            shown = self._shown(cut)
             room, before = force_polygon.measure(shown, "", self.drafting), sum(map(len, found.values()))
             found[cut.label] = force_detail.details(shown, room, self.drafting, before)
         return found
@@ -131,7 +136,7 @@ class _ForceSheet:
         return Caption(Panel(passage.block(), together=cut.label), partial(passage.write, hand=self.drafting.hand))
 
     def _polygon(self, cut: Cut) -> Exhibit:
-        shown = force_polygon.polygon(self.plan, cut, self.position)
+        shown = self._shown(cut)
         details = self._details[cut.label]
         room = force_polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting, details)
         draw = partial(force_polygon.draw, shown, room, drafting=self.drafting, details=details)

@@ -1,6 +1,6 @@
 """The sheet of balancing is held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
 
-The table is tests/cases/balance_faults.toml.
+The tables are tests/cases/balance_faults.toml and, line by line, balance_line_faults.toml.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
 from tests.parts import some
 
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "balance_faults.toml")
+LINES = drawing_faults(ROOT / "tests" / "cases" / "balance_line_faults.toml")
 PAPERS = (("A1", "en", "GOST"), ("A3", "ru", "ISO"), ("A2", "ru", "GOST"), ("A2", "en", "ISO"))
 
 
@@ -63,7 +64,7 @@ def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None
         checked(leaf, study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 14), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 14), *some(LINES, 16)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A1")
     assert study.comparison("balance").worst <= 1.0
@@ -75,9 +76,18 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru"))
 
 
+@pytest.mark.parametrize("fault", some(LINES, len(LINES)), ids=lambda fault: fault.name)
+def test_a_planted_fault_withholds_a_russian_sheet(fault: DrawingFault, tmp_path: Path) -> None:
+    study = study_of(fault.scene, "A2", "ru", "ISO")
+    assert study.comparison("balance").worst <= 1.0
+    with planted(fault), pytest.raises(SelfCheckFailed):
+        for leaf in leaves(study):
+            checked(leaf, study, tmp_path)
+
+
 def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
     assert len(FAULTS) >= 15
-    for fault in FAULTS:
+    for fault in (*FAULTS, *LINES):
         assert fault.text
 
 

@@ -33,6 +33,7 @@ from tests.drawings.slips import Change, changed, dropped, note, reworded, row_d
 from tests.parts import some
 
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "bank_faults.toml")
+LINES = drawing_faults(ROOT / "tests" / "cases" / "bank_line_faults.toml")
 PAPERS = (("A1", "en", "GOST"), ("A3", "ru", "ISO"), ("A4", "en", "ISO"), ("A2", "ru", "GOST"))
 
 
@@ -58,7 +59,7 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
     assert all_checked(study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 14), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 14), *some(LINES, 8)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
@@ -70,7 +71,7 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
 
 def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
     assert len(FAULTS) >= 15
-    for fault in FAULTS:
+    for fault in (*FAULTS, *LINES):
         assert fault.text
 
 

@@ -1,6 +1,6 @@
 """The sheets of a cam are held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
 
-The table is tests/cases/cam_drawing_faults.toml.
+The tables are tests/cases/cam_drawing_faults.toml, and cam_line_faults.toml of lines, arrows and words.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from tests.parts import some
 GALLERY = ROOT / "drawings" / "gallery"
 CAMS = ("feed-cam", "rocker-cam", "valve-cam", "tappet-cam", "copying-cam", "table-cam", "flat-rocker-cam", "automaton")
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "cam_drawing_faults.toml")
+LINES = drawing_faults(ROOT / "tests" / "cases" / "cam_line_faults.toml")
 # A diagram so small that the arcs of both limits of the rise would lie on one place.
 CROWDED = """
 title = "Crowded"
@@ -135,7 +136,7 @@ def test_limits_whose_angles_crowd_have_each_its_own_letter(tmp_path: Path) -> N
     checked(leaf, "cam", study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 36), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 36), *some(LINES, 24)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0
@@ -164,5 +165,5 @@ def test_a_face_has_its_reach_and_contact_beyond_it_is_ringed(fault: tuple[str, 
 
 
 def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
-    for fault in FAULTS:
+    for fault in (*FAULTS, *LINES):
         assert fault.text

@@ -52,7 +52,8 @@ def check(scene: str, folder: Path) -> None:
     for leaf in leaves["forces"]:
         path = folder / "sheet.svg"
         path.write_bytes(svg(lettered(leaf)))
-        sheets.append((verify(path, leaf, lambda one, other: verify_forces.faults(one, other, own)), leaf))
+        seen = verify(path, leaf, lambda one, other: verify_forces.faults(one, other, own))
+        sheets.append((seen.measured, leaf))
     text = report(own, leaves)
     verify_set(verify_forces.set_faults(sheets, own))
     verify_report(faults_of(text, own, leaves))

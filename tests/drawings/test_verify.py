@@ -10,9 +10,10 @@ import pytest
 from drawings.checks.verify import SelfCheckFailed
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
+from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import leaves
-from plans.scene.scene import read_scene
+from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.memo import verify_motion
 from tests.drawings.slips import Change, changed, dropped, rewritten, stretched
@@ -81,11 +82,16 @@ def test_a_fault_withholds_the_sheet(checked: tuple[Study, Leaf], tmp_path: Path
 
 
 def test_a_scale_may_be_written_as_k(checked: tuple[Study, Leaf], tmp_path: Path) -> None:
-    study, leaf = checked
-    other = changed(leaf, rewritten("μ_v = 0.01 (m/s)/mm", "K_v = 100 mm/(m/s)"))
-    assert other != leaf
+    text = SHAPER.read_text("utf-8").replace("[sheet]", '[sheet]\nnotation = "K"')
+    study = Study(parse_scene(text))
+    leaf = leaves(study)[0]
+    assert "K_v = 100 mm/(m/s)" in {one.content for one in texts(leaf.groups)}
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
+    assert verify_motion(tmp_path / "sheet.svg", leaf, study).vectors
+    other = changed(leaf, rewritten("K_v = 100 mm/(m/s)", "μ_v = 0.01 (m/s)/mm"))
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(other)))
-    assert verify_motion(tmp_path / "sheet.svg", other, study).vectors
+    with pytest.raises(SelfCheckFailed, match="scale"):
+        verify_motion(tmp_path / "sheet.svg", other, study)
 
 
 def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(checked: tuple[Study, Leaf], tmp_path: Path) -> None:

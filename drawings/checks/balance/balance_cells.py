@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from drawings.checks import reading
 from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.documents import ruled
 from drawings.checks.wrong import Wrong, within
 from drawings.figures.balance.balance_table import COSTS, DIGITS, NONE, PLACES, SHARE_DIGITS, WEIGHTS
 from drawings.lettering.balance_letters import FORCE, MOMENT, counterweight
@@ -143,6 +144,7 @@ def _table(leaf: Leaf, name: str, heads: Sequence[str], rows: Mapping[str, Seque
     seen = dict.fromkeys(due, False)
     for part in parts:
         yield from _heads(part, name, heads)
+        yield from ruled.faults(part, name, [Text(0j, head).plain for head in heads])
         for row, *cells in _rows(part)[1:]:
             if row not in due or seen[row]:
                 yield within("stranger_in", name, text=row)

@@ -38,11 +38,11 @@ def schemes(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Hold the schemes that stand on a sheet."""
     for state in expected.states:
         if SCHEME + state in leaf.metadata["figures"]:
-            yield from _Scheme(leaf, expected, state).faults()
+            yield from Scheme(leaf, expected, state).faults()
 
 
 @dataclass(frozen=True)
-class _Scheme:
+class Scheme:
     """A scheme on a sheet, with what it must show."""
 
     leaf: Leaf
@@ -51,14 +51,17 @@ class _Scheme:
 
     @property
     def plan(self) -> str:
+        """The name of its figure."""
         return SCHEME + self.state
 
     @cached_property
     def part(self) -> Group | None:
+        """Its figure."""
         return marks.figure(self.leaf, self.plan)
 
     @cached_property
     def mu(self) -> float:
+        """Its scale, m/mm."""
         return marks.scale(self.expected.measured, self.plan)
 
     @cached_property
@@ -78,6 +81,7 @@ class _Scheme:
         return self.origin + place / self.mu
 
     def faults(self) -> Iterator[Wrong]:
+        """Hold it."""
         yield from marks.titled(self.part, self.plan, self._title)
         yield from self._points()
         yield from self._vectors()

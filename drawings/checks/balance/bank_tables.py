@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from drawings.checks import reading
 from drawings.checks.balance.bank_expected import Body, Expected
+from drawings.checks.documents import ruled
 from drawings.checks.linkage import accord
 from drawings.checks.linkage import by_hand as hand
 from drawings.checks.rotor_tables import Cell
@@ -47,6 +48,9 @@ def by_hand(leaf: Leaf, bank: BankStudy, expected: Expected, drafting: Drafting)
     both = (bank_by_hand(bank, scales, slopes) for slopes in (hand_error.slopes, draughtsman.slopes))
     yield from hand.wrong_results(leaf, RESULTS, due, hand.Told(*both) if polygons else None, drafting.language)
     yield from accord.apart(leaf, told, drafting.language, polygons)
+    heads = [Text(0j, drafting.word(key)).plain for key in (hand.HEADS if polygons else hand.HEADS[:-1])]
+    for part in (one for one in groups(leaf.groups) if one.name.removeprefix(f"{RESULTS}-").isdigit()):
+        yield from ruled.faults(part, RESULTS, heads)
 
 
 def _largest(one: Finding) -> float:
@@ -77,6 +81,8 @@ def _compared(one: Finding) -> bool:
 
 def _table(leaf: Leaf, name: str, due: Mapping[str, list[Cell]], heading: list[str]) -> Iterator[Wrong]:
     own = [one for one in groups(leaf.groups) if one.name.removeprefix(f"{name}-").isdigit()]
+    for part in own:
+        yield from ruled.faults(part, name, heading)
     seen, headed = set[str](), 0
     for first, *cells in ([text.plain for text in row] for group in own for row in reading.rows(group)):
         if [first, *cells] == heading:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from drawings.checks.forces.headings import scale_text
 from drawings.checks.graphs.figure_strokes import FLUSH, read
 from drawings.checks.graphs.inventory import Inventory
-from drawings.checks.vectors.plan_headings import ratio
+from drawings.checks.graphs.scale_line import ratio, scale_text
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
@@ -60,9 +59,9 @@ def arrow(ink: Inventory, one: MeasuredVector, letter: str) -> None:
         )
 
 
-def spot(ink: Inventory, at: complex, letter: str, name: str) -> None:
+def spot(ink: Inventory, at: complex, letter: str, name: str, radius: float | None = None) -> None:
     """Tick off a place that is marked by a circle, and its letter."""
-    ink.circle(at, on("missing_on", ink.plan, name=name))
+    ink.circle(at, on("missing_on", ink.plan, name=name), radius)
     ink.letter(read(letter), [at], on("letter", ink.plan, name=name))
 
 

@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.balance import balance_axes, balance_cells, balance_curves, balance_graphs, balance_lines, ruled
+from drawings.checks.balance import (
+    balance_axes,
+    balance_cells,
+    balance_curves,
+    balance_graphs,
+    balance_lines,
+    scheme_lines,
+)
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import schemes
 from drawings.checks.balance.balance_told import notes
 from drawings.checks.documents import title_block
-from drawings.checks.vectors.plan_headings import ratio
+from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.wrong import Wrong
 from drawings.figures.balance import moment_graph, shaking_hodograph, share_graph, static_polygon
-from drawings.figures.balance.balance_table import COSTS, WEIGHTS
 from drawings.figures.balance.scheme import BEFORE, SCHEME
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
@@ -36,8 +42,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from balance_graphs.shares(leaf, expected)
     yield from balance_cells.weights(leaf, expected)
     yield from balance_cells.costs(leaf, expected)
-    for table in (WEIGHTS, COSTS):
-        yield from ruled.faults(leaf, table)
+    yield from scheme_lines.schemes(leaf, expected)
     yield from balance_lines.polygon(leaf, expected)
     yield from balance_lines.shaking(leaf, expected)
     yield from balance_axes.rocking(leaf, expected)

@@ -8,12 +8,13 @@ from drawings.checks import reading
 from drawings.checks.balance import (
     bank_curves,
     bank_layouts,
+    bank_lines,
     bank_marks,
+    bank_strokes,
     bank_tables,
     bank_titles,
     bank_told,
     bank_views,
-    ruled,
 )
 from drawings.checks.balance.bank_expected import Expected
 from drawings.checks.balance.bank_titles import GRAPHS
@@ -22,7 +23,6 @@ from drawings.checks.linkage.by_hand import wrong_scales
 from drawings.checks.wrong import Wrong
 from drawings.figures.bank import shaft, star
 from drawings.figures.bank.bank_polygon import plan_of
-from drawings.figures.bank.bank_table import COMPENSATORS, ORDERS, RESULTS
 from drawings.figures.rotor.letters import MOST
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
@@ -45,8 +45,6 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from bank_tables.by_hand(leaf, bank, expected, drafting)
     yield from wrong_scales(measured, leaf, tuple(FIGURES.values()))
     yield from title_block.faults(leaf, study.scene, KIND, drafting.word("bank sheet title"), "")
-    for table in (ORDERS, COMPENSATORS, RESULTS):
-        yield from ruled.faults(leaf, table)
 
 
 def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
@@ -62,6 +60,9 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
     yield from bank_views.faults(leaf, expected, drafting, figures)
     yield from bank_curves.faults(measured, leaf, expected, drafting, figures)
     yield from bank_layouts.faults(measured, leaf, expected, drafting, figures)
+    yield from bank_lines.polygons(measured, leaf, expected, drafting, figures)
+    yield from bank_lines.curves(measured, leaf, expected, drafting, figures)
+    yield from bank_strokes.faults(leaf, expected, drafting, figures)
     yield from bank_titles.faults(leaf, expected, drafting, figures)
     yield from bank_tables.faults(leaf, expected, drafting)
     yield from bank_told.faults(leaf, expected, drafting)

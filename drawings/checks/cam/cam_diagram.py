@@ -163,23 +163,36 @@ class SizeDiagram:
         angle = self.expected.cam.sense * one.side * one.angle
         return [_middle(arc) for arc in self.strokes.arcs for line in lines if _between(arc, line, angle)]
 
+    def ruled(self) -> Iterator[tuple[Line, complex]]:
+        """Give the rulers that touch, each with the follower's way there."""
+        spots = [one.value for one in self.measured.points if one.plan == NAME and one.name.startswith("T_")]
+        spots += [] if self.expected.cam.rocks else [*self._near_start()]
+        for limit in self.limits:
+            for spot in spots:
+                lean = self.expected.cam.rising * spot / abs(spot) if self.expected.cam.rocks else 1.0 + 0j
+                yield from ((line, 1j * lean) for line in self._ruled(limit, spot))
+
     def _ruled(self, one: Limit, spot: complex) -> Iterator[Line]:
         """Give the rulers through a point of the diagram at a limit: against the follower's way there by its angle."""
         cam = self.expected.cam
         lean = cam.rising * spot / abs(spot) if cam.rocks else 1.0
         way = 1j * lean * cmath.exp(1j * cam.sense * one.side * one.angle)
-        if abs(self._beyond(one, spot)) <= RULED:
+        if abs(self.beyond(one, spot)) <= RULED:
             # Near O1 the rounding of the point turns the way of K: along a ruler it is off by so much.
             turned = self.measured.quantum / (abs(spot) / self.mu) * LONGEST if cam.rocks else 0.0
             yield from self.strokes.through(self.origin + spot / self.mu, way, RULED + turned)
 
-    def _beyond(self, one: Limit, spot: complex) -> float:
+    def beyond(self, one: Limit, spot: complex) -> float:
         """Give how far the diagram goes beyond a ruler on paper, mm; of a rocker whether it is touched at all."""
         cam = self.expected.cam
         if cam.rocks:
             return 0.0 if self.known.off(np.array([spot]))[0] <= NEARBY else math.inf
-        t, most = math.tan(one.angle), self._touch(one).value
+        t, most = math.tan(one.angle), self._touches[one].value
         return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle) / self.mu
+
+    @cached_property
+    def _touches(self) -> Mapping[Limit, Peak]:
+        return {one: self._touch(one) for one in self.limits}
 
     def _touch(self, one: Limit) -> Peak:
         """Give where a ruler touches the diagram of a follower that translates: side*S' - S tan α is the greatest."""
@@ -190,7 +203,7 @@ class SizeDiagram:
     def _near_start(self) -> Iterator[complex]:
         """Give the touches that are too near to A for letters of their own."""
         for one in self.limits:
-            touch = self._touch(one)
+            touch = self._touches[one]
             at = touch.stretch.at(np.array([touch.share]))
             spot = complex(-self.expected.cam.sense * at.slope[0], at.s[0])
             if abs(spot) <= LEAST * self.mu + RULED * self.mu:

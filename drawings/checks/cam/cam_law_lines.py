@@ -81,7 +81,7 @@ def _words(work: Linework, one: LawGraph, above: LawGraph | None, drafting: Draf
     scales = [written_scale(f"{{{row.letter}}}", one.mu, unit, drafting)] if row.most else []
     if above is None:
         scales.append(written_scale(turn, one.along, turned, drafting))
-    elif row.most:  # told as far as it was read with the pole
+    elif row.most and above.row.most:
         number = KEYS[::-1].index(row.key)
         distance = one.mu / (above.mu * above.along)
         scales.append(f"H_{number} = {drafting.number(distance)} {drafting.word('mm')}")

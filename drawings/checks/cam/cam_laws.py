@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -174,6 +175,9 @@ def diagrams(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
     found = graphs(measured, leaf, expected, drafting)
     if len(found) < len(expected_rows(expected)):
         yield message("wrong.missing", name=named(expected.cam))
+        return
+    if math.isnan(found[0].along):  # nothing says where a turn of the cam lies
+        yield message("wrong.scale", text="μ_x" if expected.cam.translates else "μ_φ")
         return
     shared = frozenset(k for one in found for k in (*one.marks, *one.numbered))
     for one in found:

@@ -171,16 +171,16 @@ class ProfileLines:
         return [one for one in self.strokes.turnings if abs(one.centre - self.origin) <= NEAR]
 
     @property
-    def _ring(self) -> float:
+    def ring(self) -> float:
         """The radius of the arcs of the phases, mm: the outermost."""
         return max((one.radius for one in self._turnings), default=0.0)
 
     def _phases(self) -> Iterator[Wrong]:
         """Hold the arcs of the phases: an arrow's tip at either end of each, its letter beside its middle."""
-        cam, ring = self.expected.cam, self._ring
+        cam, ring = self.expected.cam, self.ring
         arrows = [one for one in self._turnings if one.radius >= ring - NEAR]
         for number, phase in enumerate(cam.phases):
-            start, end = (self._crossing(turned, ring) for turned in (phase.start, phase.end))
+            start, end = (self.crossing(turned, ring) for turned in (phase.start, phase.end))
             middle = self.origin + (start - self.origin) * cmath.rect(1.0, -cam.sense * phase.angle / 2)
             letter = phase_name(cam, number, self.drafting)
             if not all(any(self._leads(one, middle, tip) for one in arrows) for tip in (start, end)):
@@ -195,7 +195,7 @@ class ProfileLines:
         short = abs(tip - middle) < 2 * HEAD[0] * self.drafting.hand.symbol
         return abs(one.tip - tip) <= NEAR and (short or abs(one.start - middle) <= NEAR)
 
-    def _crossing(self, turned: float, radius: float) -> complex:
+    def crossing(self, turned: float, radius: float) -> complex:
         """Give where a turned axis, or the ray through a turned pivot, meets a circle about O on paper."""
         axis = self.expected.axis / self.mu
         start = axis / abs(axis) * radius if self.expected.cam.rocks else complex(axis.real, _leg(radius, axis.real))
@@ -203,7 +203,7 @@ class ProfileLines:
 
     def _senses(self) -> Iterator[Wrong]:
         """Hold the two arrows of rotation: that of the cam nearer to its own letter, that of the frame to the other."""
-        own = [one for one in self._turnings if one.radius < self._ring - NEAR]
+        own = [one for one in self._turnings if one.radius < self.ring - NEAR]
         letters = {self.expected.cam.sense: "ω", -self.expected.cam.sense: "−ω"}
         if sorted(one.sense for one in own) != [-1, 1]:
             yield on("sense", NAME, name="ω")

@@ -40,6 +40,10 @@ class PressureGraph:
 
     def faults(self) -> Iterator[Wrong]:
         """Hold it whole."""
+        turn = "x" if self.expected.cam.translates else "φ"
+        if turn not in self.written or math.isnan(self.mu):  # nothing says where an angle lies
+            yield message("wrong.scale", text=f"μ_{turn}")
+            return
         yield from self._scales()
         yield from self._ordinates()
         yield from self._extremes()

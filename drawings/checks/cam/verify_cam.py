@@ -20,7 +20,9 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
 from drawings.checks.cam.cam_marks import marks
 from drawings.checks.cam.cam_pressure import PressureGraph
-from drawings.checks.cam.cam_units import ratio
+from drawings.checks.cam.cam_profile_lines import ProfileWork
+from drawings.checks.cam.cam_size_lines import SizeLines
+from drawings.checks.cam.cam_units import ratio, written_scale
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.graphs.figure_strokes import figure
@@ -78,8 +80,9 @@ def check(
     if cam_laws.named(expected.cam) in shown:
         yield from cam_laws.diagrams(measured, leaf, expected, drafting)
         graphs = cam_laws.graphs(measured, leaf, expected, drafting)
-        yield from cam_law_poles.poles(leaf, graphs, expected)
-        yield from cam_law_lines.lines(leaf, graphs, expected, drafting)
+        if not any(math.isnan(one.along) for one in graphs):
+            yield from cam_law_poles.poles(leaf, graphs, expected)
+            yield from cam_law_lines.lines(leaf, graphs, expected, drafting)
     read_off = any(readings(expected.drawing))
     yield from cam_told.notes(leaf, expected, accord.due(compared, drafting.language, read_off), drafting)
     yield from reading.marked_scales(leaf)
@@ -99,7 +102,10 @@ def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         yield on("missing_on", PROFILE, name=PITCH)
     yield from wrong_marks(measured, leaf, expected.found, drafting)
     yield from marks(measured, expected, origin, mu, drafting.hand)
-    yield from ProfileLines(strokes, expected, origin, mu, drafting).faults()
+    lines = ProfileLines(strokes, expected, origin, mu, drafting)
+    yield from lines.faults()
+    title, scale = drafting.word("cam profile"), written_scale("l", mu, "m", drafting)
+    yield from ProfileWork(lines, measured, title, scale).faults()
     yield from cam_told.sizes(strokes, expected, drafting)
     yield from cam_page.headed(strokes, PROFILE, drafting.word("cam profile"), mu, drafting)
     yield from cam_told.headings(leaf, strokes, mu, expected, drafting)
@@ -114,6 +120,7 @@ def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         return
     diagram = SizeDiagram(strokes, measured, expected, *pole, drafting)
     yield from diagram.faults()
+    yield from SizeLines(diagram).faults()
     yield from cam_page.headed(strokes, DIAGRAM, diagram.title, pole[1], drafting)
     if not math.isclose(leaf.metadata["scales"][DIAGRAM], pole[1]):
         yield message("wrong.scale", text=f"{DIAGRAM} {pole[1]:g}")

@@ -56,8 +56,9 @@ def check(measured: Measured, leaf: Leaf, found: CamFound, drafting: Drafting, w
     if whole or PLAN in leaf.metadata["figures"]:
         yield from wrong(measured.profiles, PLAN, _analysed(found))
         yield from _radii(measured, exact)
-        yield from _notes(leaf, exact, drafting)
         yield from blank(leaf, exact, drafting)
+    if whole or leaf.metadata["notes"]:
+        yield from _notes(leaf, exact, drafting)
     yield from reading.marked_scales(leaf)
     yield from _table(leaf, exact, drafting, whole)
 

@@ -60,8 +60,10 @@ class ForceNotes:
             yield from [inertia] if body.inertia else []
         drive, expected = self.statics.study.mechanism.drive, self._expected.expected
         if drive.turns and drive.ram is None:
-            omega = float(expected.motion.links[drive.link].omega[expected.k])
-            yield f"ω_{{{drive.link}}} = {self._number(omega)} {word(language, 'rad/s')}"
+            turned = expected.motion.links[drive.link]
+            omega, epsilon = (float(rate[expected.k]) for rate in (turned.omega, turned.epsilon))
+            rates = {"omega": self._number(omega), **({"epsilon": self._number(epsilon)} if epsilon else {})}
+            yield word(language, "crank" if epsilon else "even crank", link=drive.link, **rates)
         lengths = self.statics.study.form.mechanism.lengths
         for name, length in lengths.items() if len(lengths) <= MOST_LENGTHS else ():
             yield f"l_{{{name}}} = {self._number(1000 * float(length))}"

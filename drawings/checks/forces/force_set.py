@@ -29,13 +29,17 @@ class ForceSet(NamedTuple):
     def faults(self, leaves: Sequence[Leaf], first: bool) -> Iterator[Wrong]:
         """Hold that the sheets have all figures, rows and notes; the first ones of a set the graph too."""
         names = {one.name for leaf in leaves for one in leaf.groups}
-        due = [name for links in self.bills for name in self._of("-".join(map(str, links)))]
+        due = [name for bill in self.bills.values() for name in self._of(bill)]
         due += [f"hodograph-{key}" for key in self.statics.form.sheet.hodographs]
         due += [BALANCING] if first else []
         yield from (message("wrong.missing", name=name) for name in due if name not in names)
         yield from rows(leaves, self.comparison, self.floor)
         yield from ForceNotes(notes_of(leaves), self.statics, self.bills, self.floor).faults()
 
-    def _of(self, label: str) -> tuple[str, ...]:
-        """Name the figures of a cut."""
-        return f"scheme-{label}-{self.position}", f"forces-{label}-{self.position}", f"equations-{label}"
+    def _of(self, bill: ForceBill) -> tuple[str, ...]:
+        """Name the figures of a cut; one on which no force acts has no polygon."""
+        label = "-".join(map(str, bill.links))
+        scheme, polygon = (f"{kind}-{label}-{self.position}" for kind in ("scheme", "forces"))
+        acting = [*bill.known, *([] if bill.driving is None else [bill.driving]), *(one.whole for one in bill.bearings)]
+        loaded = any(abs(one.value) > self.floor.force for one in acting)
+        return scheme, f"equations-{label}", *([polygon] if loaded else [])

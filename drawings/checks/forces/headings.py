@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
+from drawings.checks.graphs.scale_line import scale_text
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
-from drawings.lettering.words import number, word
+from drawings.lettering.words import word
 from drawings.paper.strokes import Group, Leaf
 from plans.forces.cut import indices
 from plans.model.mechanism import Drive
@@ -92,20 +93,6 @@ class Headings(NamedTuple):
     @property
     def _how(self) -> tuple[str, str]:
         return self.floor.language, self.notation
-
-
-def scale_text(mu: float, letter: str, unit: str, how: tuple[str, str]) -> str:
-    """Write a scale as it must begin, in a language and a notation.
-
-    >>> scale_text(0.02, "v", "m/s", ("en", "mu")), scale_text(0.0025, "l", "m", ("ru", "K"))
-    ('μv = 0.02 (m/s)/mm', 'Kl = 400 мм/м')
-    """
-    language, notation = how
-    true, mm = word(language, unit), word(language, "mm")
-    true = f"({true})" if "/" in true else true
-    if notation == "K":
-        return read(f"K_{letter} = {number(1 / mu, language)} {mm}/{true}")
-    return read(f"μ_{letter} = {number(mu, language)} {true}/{mm}")
 
 
 def _ratio(one: str, other: str, mu: float) -> bool:

@@ -105,12 +105,28 @@ class LeverForces(NamedTuple):
             yield ActingForce(couple.name, couple.link, 0j, self.floor.force * 2 + abs(couple.moment)), 1 + 0j
         if start:
             arm = bill.place(end) - bill.place(start)
+            carrier = self._carrier(couple.link, (start, end), bill)
             for name, value in (
                 (end, 1j * couple.moment / arm.conjugate()),
                 (start, -1j * couple.moment / arm.conjugate()),
             ):
                 place, written = bill.place(name), f"{couple.name}/{start}{end}"
-                yield ActingForce(written, couple.link, place, value), self._expected.image(name)
+                yield ActingForce(written, couple.link, place, value), -1j * bill.speed(carrier, place)
+
+    def _carrier(self, link: int, line: tuple[str, str], bill: ForceBill) -> int:
+        """Give the link that two points are taken of: one that turns with the couple's, whose images both are there."""
+        turning, pole = [link], self._laid().on(0j)
+        for own in turning:  # links that slide in one another turn alike: the list grows by those that are met
+            slides = self._expected.mechanism.slides
+            met = [other for one in slides for other in (one.slider, one.owner) if own in (one.slider, one.owner)]
+            turning += [one for one in dict.fromkeys(met) if one not in turning and one != FRAME]
+        spots = [pole, *(one.at for one in self.points)]
+        return next((one for one in turning if self._imaged(one, line, bill, spots)), link)
+
+    def _imaged(self, link: int, line: tuple[str, str], bill: ForceBill, spots: Sequence[complex]) -> bool:
+        """Tell whether both points, taken of a link, have their images on the lever."""
+        ends = [self._laid().on(-1j * bill.speed(link, bill.place(name))) for name in line]
+        return all(min(abs(spot - end) for spot in spots) <= FINE for end in ends)
 
     def _lettered(self, head: str, line: tuple[str, str]) -> bool:
         return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.forces.laid_scheme import FINE, LaidScheme
+from drawings.checks.linkage.laid import within
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.link_numbers import BESIDE
 from drawings.figures.linkage.ties import nearest
@@ -84,7 +85,8 @@ class SchemeLinks:
                     dot = group.strokes[-1]
                     led = dot if isinstance(dot, Circle) and dot is not circle else None
                     spot, room = (circle.centre, circle.radius + BESIDE) if led is None else (led.centre, 0.0)
-                    if self._apart(link, spot, laid) <= room + HIDDEN / 2 + FINE:
+                    own = [laid.on(self.bill.place(name)) for name in self.mechanism.links[link].points]
+                    if self._apart(link, spot, laid) <= room + HIDDEN / 2 + FINE or (led and within(own, spot)):
                         return
         yield on("link_number", self.plan, name=str(link))
 

@@ -91,6 +91,42 @@ class Inventory:
         head = self.take(Fill, lambda one: _ahead(one, tip, way, arc.radius), wrong)
         return arc.at(0.5) if head is not None else None
 
+    def dimension(self, start: complex, end: complex, wrong: Wrong) -> Line | None:
+        """Tick off a dimension of a distance: its line beside it, what leads to that, its two heads."""
+        line = self.take(Line, lambda one: self._offset(one, start, end), wrong)
+        if line is None:
+            return None
+        off = line.start - start
+        for spot in (start, end) if off else ():
+            self.take(Line, lambda one, spot=spot: self._leads(one, spot, off), wrong)  # type: ignore[misc]
+        self.heads(line.start, line.end, wrong)
+        return line
+
+    def _offset(self, one: Line, start: complex, end: complex) -> bool:
+        off = one.start - start
+        return self.at(one.end - end, off) and abs((off / (end - start)).real) * abs(end - start) <= self.near
+
+    def _leads(self, one: Line, spot: complex, off: complex) -> bool:
+        """Tell whether a line leads from a place to the line of a dimension and past it."""
+        over = (one.end - one.start) / off
+        return self.at(one.start, spot) and abs(over.imag) * abs(off) <= self.near and over.real > 1
+
+    def heads(self, start: complex, end: complex, wrong: Wrong) -> None:
+        """Tick off the heads at both ends of a dimension line: both within, or both outside with a longer line."""
+        way = end - start
+        if self.head(start, -way) is not None:
+            self.head(end, way, wrong)
+        elif self.head(start, way, wrong) is not None:
+            self.head(end, -way, wrong)
+            self.take(Line, lambda one: self._holds(one, start, end), wrong)
+
+    def _holds(self, one: Line, start: complex, end: complex) -> bool:
+        """Tell whether a line goes on beyond both ends of another one."""
+        way = (end - start) / abs(end - start)
+        ends = sorted(((spot - start) / way for spot in (one.start, one.end)), key=lambda spot: spot.real)
+        level = max(abs(spot.imag) for spot in ends) <= self.near
+        return level and ends[0].real < 0 and ends[1].real > abs(end - start)
+
     def text(self, plain: str, wrong: Wrong | None = None) -> Text | None:
         """Tick off a text wherever it stands."""
         return self.take(Text, lambda one: one.plain == plain, wrong)

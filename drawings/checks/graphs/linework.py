@@ -8,12 +8,15 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read
+from drawings.checks.labelled import along
 from drawings.checks.wrong import Wrong, on
 from drawings.paper.strokes import Arc, Group, Line, Text
 from drawings.paper.walk import groups
 from drawings.symbols.symbols import ARROW_LENGTH
+from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
 FAR = 500.0  # mm: no line of a figure goes farther beyond what it must reach
@@ -59,29 +62,33 @@ class Linework:
         leaders = {id(one.strokes[0]) for one in groups((self.strokes.group,)) if _leads(one)}
         return tuple(one for one in self.strokes.lines if id(one) not in leaders)
 
-    def ways(self, due: Sequence[Way]) -> Iterator[Wrong]:
-        """See that each line that is due is drawn along its whole length, and that no line lies elsewhere."""
-        starts, ends = (np.array([getattr(one, end) for one in self.lines], dtype=complex) for end in ("start", "end"))
-        known = np.zeros(len(self.lines), dtype=bool)
+    def ways(self, due: Sequence[Way], but: Collection[int] = ()) -> Iterator[Wrong]:
+        """See that each line that is due is drawn along its whole length, and that no line lies elsewhere.
+
+        `but` are the identities of lines that are held by themselves.
+        """
+        yield from self.missing(due)
+        lines = [one for one in self.lines if id(one) not in but]
+        known = np.zeros(len(lines), dtype=bool)
+        places = _places(lines)
         for one in due:
-            run = one.end - one.start
-            length = abs(run)
-            along = run / length if length else 1.0 + 0j
-            first, last = ((spots - one.start) * np.conj(along) for spots in (starts, ends))
-            level = np.maximum(np.abs(first.imag), np.abs(last.imag)) <= FLUSH
-            low, high = np.minimum(first.real, last.real), np.maximum(first.real, last.real)
-            within = level & (low >= -one.beyond - FLUSH) & (high <= length + one.beyond + FLUSH)
-            known |= within
-            if one.due and length - _covered(low[level], high[level], length) > one.hidden:
-                yield on("line_named", self.plan, name=one.name)
+            known |= _along(one, places).within(one)
         if not known.all():
             yield on("line", self.plan)
+
+    def missing(self, due: Sequence[Way]) -> Iterator[Wrong]:
+        """See that each line that is due is drawn, whatever else there is."""
+        places = _places(self.lines)
+        for one in (one for one in due if one.due):
+            if abs(one.end - one.start) - _along(one, places).covered(one) > one.hidden:
+                yield on("line_named", self.plan, name=one.name)
 
     def dimensions(self, due: Iterable[Dimensioned]) -> Iterator[Way | Wrong]:
         """Give the lines of dimensions, and tell of those that are missing or lack arrows or letters."""
         for one in due:
-            found = next(iter(self._level(one)), None)
-            if found is None or not self.strokes.lettered(one.letter, [(found[0] + found[1]) / 2]):
+            lettered = (ends for ends in self._level(one) if self._lettered(one.letter, ends))
+            found = next(lettered, None)
+            if found is None:
                 yield on("size", self.plan, name=one.letter)
                 continue
             yield Way(one.letter, *found, OUTER * ARROW_LENGTH * self.symbol)
@@ -90,6 +97,9 @@ class Linework:
             )
             if not all(self._arrowed(*ends) for ends in (found, found[::-1])):
                 yield on("size", self.plan, name=one.letter)
+
+    def _lettered(self, letter: str, ends: tuple[complex, complex]) -> bool:
+        return self.strokes.lettered(letter, along(*ends))
 
     def _level(self, one: Dimensioned) -> Iterator[tuple[complex, complex]]:
         """Give the lines beside a distance, as long as it is."""
@@ -103,6 +113,8 @@ class Linework:
     def _arrowed(self, start: complex, tip: complex) -> bool:
         """Tell whether a dimension's line has its arrow at an end, within where there is room for two."""
         length = abs(tip - start)
+        if not length:
+            return False
         own = [back for end, back in self.tips if abs(end - tip) <= FLUSH]
         if length <= 3 * ARROW_LENGTH * self.symbol + FLUSH:
             return any(abs(((back - tip) / (tip - start)).imag) <= LEAN for back in own)
@@ -112,7 +124,8 @@ class Linework:
     def tips(self) -> tuple[tuple[complex, complex], ...]:
         """The tips of straight arrowheads, and the middles of their backs."""
         triangles = (one for one in self.strokes.heads if len(one.points) == 3)
-        return tuple((one.points[0], (one.points[1] + one.points[2]) / 2) for one in triangles)
+        found = ((one.points[0], (one.points[1] + one.points[2]) / 2) for one in triangles)
+        return tuple((tip, back) for tip, back in found if tip != back)
 
     def headed(self, tip: complex) -> bool:
         """Tell whether an arrowhead stands at a place, along a line that is drawn."""
@@ -121,12 +134,12 @@ class Linework:
     def _lies(self, tip: complex, back: complex) -> bool:
         return bool(self.strokes.through(back, tip - back, LEAN))
 
-    def heads(self) -> Iterator[Wrong]:
-        """See that each head lies along a line or an arc, and points to where that ends."""
+    def heads(self, but: Collection[complex] = ()) -> Iterator[Wrong]:
+        """See that each head lies along a line or an arc, and points to where that ends, `but` those at some places."""
         bent = [one for one in self.strokes.plain if isinstance(one, Arc)]
         for tip, back in self.tips:
             curved = any(abs(abs(back - one.centre) - one.radius) <= FLUSH and _ends(one, back) for one in bent)
-            if not curved and not self._pointing(tip, back):
+            if not (curved or self._pointing(tip, back) or any(abs(tip - one) <= FLUSH for one in but)):
                 yield on("head", self.plan, name=f"({tip.real:.0f}, {tip.imag:.0f})")
 
     def _pointing(self, tip: complex, back: complex) -> bool:
@@ -163,12 +176,38 @@ def _ends(arc: Arc, spot: complex) -> bool:
     return min(abs(arc.at(share) - spot) for share in (0.0, 1.0)) <= FLUSH
 
 
-def _covered(low: np.ndarray, high: np.ndarray, length: float) -> float:
-    """Give how much of a line is drawn, mm, by pieces that may overlap."""
-    reached = covered = 0.0
-    for start, end in sorted(zip(low.tolist(), high.tolist(), strict=True)):
-        first, last = max(start, reached), min(end, length)
-        if last > first:
-            covered += last - first
-        reached = max(reached, min(end, length))
-    return covered
+class _Along(NamedTuple):
+    """Drawn lines by where they lie along a way: whether on it, from where and to where, mm, (n,) each."""
+
+    level: npt.NDArray[np.bool_]
+    low: Floats
+    high: Floats
+
+    def within(self, way: Way) -> npt.NDArray[np.bool_]:
+        """Tell which lines lie on the way and go no farther than it may."""
+        length = abs(way.end - way.start)
+        held = (self.low >= -way.beyond - FLUSH) & (self.high <= length + way.beyond + FLUSH)
+        return np.asarray(self.level & held)
+
+    def covered(self, way: Way) -> float:
+        """Give how much of the way is drawn, mm, by pieces that may overlap."""
+        length, reached, whole = abs(way.end - way.start), 0.0, 0.0
+        for start, end in sorted(zip(self.low[self.level].tolist(), self.high[self.level].tolist(), strict=True)):
+            whole += max(min(end, length) - max(start, reached), 0.0)
+            reached = max(reached, min(end, length))
+        return whole
+
+
+def _places(lines: Sequence[Line]) -> tuple[Complexes, Complexes]:
+    """Give where lines begin and end, mm, (n,) each."""
+    starts, ends = (np.array([getattr(one, end) for one in lines], dtype=complex) for end in ("start", "end"))
+    return starts, ends
+
+
+def _along(way: Way, places: tuple[Complexes, Complexes]) -> _Along:
+    starts, ends = places
+    run = way.end - way.start
+    back = np.conj(run / abs(run)) if run else 1.0
+    first, last = (starts - way.start) * back, (ends - way.start) * back
+    level = np.maximum(np.abs(first.imag), np.abs(last.imag)) <= FLUSH
+    return _Along(level, np.minimum(first.real, last.real), np.maximum(first.real, last.real))

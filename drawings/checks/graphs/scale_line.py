@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from drawings.checks.forces.headings import scale_text
-from drawings.lettering.words import number
+from drawings.checks.graphs.figure_strokes import read
+from drawings.lettering.words import number, word
 from drawings.page.drafting import Drafting
 
 METRE = 1000.0  # mm
@@ -17,10 +17,24 @@ def scale_line(mu: float, letter: str, unit: str, drafting: Drafting) -> str:
     ('μl = 0.0025 m/mm (1:2.5)', 'μv = 0,02 (м/с)/мм')
     """
     told = scale_text(mu, letter, unit, (drafting.language, drafting.notation))
-    return f"{told} ({_ratio(mu, drafting.language)})" if letter == "l" and drafting.notation != "K" else told
+    return f"{told} ({ratio(mu, drafting.language)})" if letter == "l" and drafting.notation != "K" else told
 
 
-def _ratio(mu: float, language: str) -> str:
+def scale_text(mu: float, letter: str, unit: str, how: tuple[str, str]) -> str:
+    """Write a scale as it must begin, in a language and a notation.
+
+    >>> scale_text(0.02, "v", "m/s", ("en", "mu")), scale_text(0.0025, "l", "m", ("ru", "K"))
+    ('μv = 0.02 (m/s)/mm', 'Kl = 400 мм/м')
+    """
+    language, notation = how
+    true, mm = word(language, unit), word(language, "mm")
+    true = f"({true})" if "/" in true else true
+    if notation == "K":
+        return read(f"K_{letter} = {number(1 / mu, language)} {mm}/{true}")
+    return read(f"μ_{letter} = {number(mu, language)} {true}/{mm}")
+
+
+def ratio(mu: float, language: str) -> str:
     """Write the ratio of a scale of lengths, m/mm: what is 1 on paper, or 1 in truth."""
     reduced = METRE * mu
     return f"1:{number(reduced, language)}" if reduced >= 1 else f"{number(1 / reduced, language)}:1"

@@ -42,11 +42,14 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     extremes = plan.extremes
     own = _extreme_positions(plan)
     thin = [k for k in _thin(plan) if k not in own and k != plan.position]
-    yield from _hold(plan, SHOWN, _rows(plan.poses, [plan.position]), "link_missing", _slots(plan))
-    yield from _hold(plan, OTHERS, _rows(plan.poses, thin), "link_missing", _stroke(plan), SHORT)
+    yield from _hold(plan, SHOWN, rows_of(plan.poses, [plan.position]), "link_missing", slots_of(plan))
+    # An extreme that is all but a position may be drawn as both.
+    beside = [row.pieces for row in rows_of(plan.poses, [k for k in own if k is not None])]
+    more = Segments.joined([*beside, *_stroke(plan)])
+    yield from _hold(plan, OTHERS, rows_of(plan.poses, thin), "link_missing", more, SHORT)
     if extremes is not None:
         which = [k for k in range(2) if own[k] != plan.position]
-        yield from _hold(plan, EXTREME, _rows(extremes, which), "link_extreme")
+        yield from _hold(plan, EXTREME, rows_of(extremes, which), "link_extreme")
     if not plan.laid.mechanism.drive.pushed:
         yield from _circle(plan)
 
@@ -67,7 +70,8 @@ def _thin(plan: LaidPlan) -> range:
     return range(0, count, max(math.ceil(steps / MANY), 1))
 
 
-def _rows(poses: LaidPoses, positions: list[int]) -> Iterator[Row]:
+def rows_of(poses: LaidPoses, positions: list[int]) -> Iterator[Row]:
+    """Give the moving links in some positions with their pieces."""
     for link in poses.mechanism.links:
         pieces = poses.bars(link) if link != FRAME else []
         for k in positions:
@@ -95,7 +99,7 @@ def _hold(
         yield on("bars", POSITIONS.plan, count=int(stray.sum()))
 
 
-def _slots(plan: LaidPlan) -> Segments:
+def slots_of(plan: LaidPlan) -> Segments:
     """Give the slots of the shown position as far as they may reach: past the outermost places of their stones."""
     found = []
     for slide in plan.laid.mechanism.slides:
@@ -108,10 +112,10 @@ def _slots(plan: LaidPlan) -> Segments:
     return Segments.of(iter(found)).known()
 
 
-def _stroke(plan: LaidPlan) -> Segments | None:
+def _stroke(plan: LaidPlan) -> list[Segments]:
     """Give the stroke of a primary link that slides."""
     ends = plan.crank_ends
-    return Segments(ends[:1], ends[-1:]) if plan.laid.mechanism.drive.pushed else None
+    return [Segments(ends[:1], ends[-1:])] if plan.laid.mechanism.drive.pushed else []
 
 
 def _circle(plan: LaidPlan) -> Iterator[Message]:

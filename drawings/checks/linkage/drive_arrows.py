@@ -21,7 +21,7 @@ ARROWS = "rotation"  # the name of their group
 def faults(plan: LaidPlan) -> Iterator[Message]:
     """See that the crank's rates have their arrows, each in its sense with its letter, and no other has."""
     turnings = [one for group in named(plan.leaf, ARROWS) for one in FigureStrokes(group).turnings]
-    due = dict(_due(plan))
+    due = dict(due_of(plan))
     labels = labels_of(plan.leaf.groups)
     for letter, sense in due.items():
         plain = Text(0j, letter).plain
@@ -32,7 +32,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         yield on("sense", POSITIONS.plan, name=str(len(turnings)))
 
 
-def _due(plan: LaidPlan) -> Iterator[tuple[str, int]]:
+def due_of(plan: LaidPlan) -> Iterator[tuple[str, int]]:
     """Give the letters of the crank's rates in the shown position with their signs."""
     link = plan.laid.mechanism.drive.link
     rates = zip("ωε", plan.road.rates(plan.laid.motion.phi), strict=True)

@@ -25,27 +25,27 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     """See that each guide of the frame has its axis, a tick at each place of its block, and ground beside it."""
     slides = [slide for slide in plan.laid.mechanism.slides if slide.owner == FRAME]
     drawn, grounds = plan.lines(AXES), plan.lines(GROUNDS)
-    known = [_axis(plan, slide) for slide in slides]
+    known = [axis_of(plan, slide) for slide in slides]
     for slide, axis in zip(slides, known, strict=True):
         whole = axis.at(SHARES).ravel()
         due = plan.clear(whole) & (drawn.nearest(whole) > plan.near)
         if due.any() or not _ticked(plan, slide, drawn):
             yield on("guide", POSITIONS.plan, name=slide.point)
-        if not _grounded(plan, slide, grounds):
+        if not grounded(plan, slide, grounds):
             yield on("ground", POSITIONS.plan, name=slide.point)
     ticks = Segments.joined([_ticks(plan, slide) for slide in slides])
-    if not (Segments.joined([*(_lengthened(one, plan) for one in known), ticks]).holds(drawn, plan.near)).all():
+    if not (Segments.joined([*(lengthened(one, plan) for one in known), ticks]).holds(drawn, plan.near)).all():
         yield on("line", POSITIONS.plan)
 
 
-def _axis(plan: LaidPlan, slide: Slide) -> Segments:
+def axis_of(plan: LaidPlan, slide: Slide) -> Segments:
     """Give the travel of a block on paper."""
     way, through = slide.on_owner.direction, complex(plan.poses.on(FRAME, slide.on_owner.through)[0])
     low, high = plan.travel(slide)
     return Segments(np.array([through + low * way]), np.array([through + high * way]))
 
 
-def _lengthened(axis: Segments, plan: LaidPlan) -> Segments:
+def lengthened(axis: Segments, plan: LaidPlan) -> Segments:
     """Give an axis as far as it may be drawn; how far blocks come is known where the crank turns freely."""
     run = axis.ends - axis.starts
     past = PAST if plan.way is not None else plan.leaf.width
@@ -71,7 +71,7 @@ def _ticked(plan: LaidPlan, slide: Slide, drawn: Segments) -> bool:
     return bool(middles.size and (np.abs(due[:, None] - middles).min(axis=1) <= plan.near).all())
 
 
-def _grounded(plan: LaidPlan, slide: Slide, drawn: Segments) -> bool:
+def grounded(plan: LaidPlan, slide: Slide, drawn: Segments) -> bool:
     """Tell whether ground stands along the shown block, hatched on the side away from it."""
     way, spot = slide.on_owner.direction, complex(plan.poses.block(slide)[plan.position])
     if not np.isfinite(spot):

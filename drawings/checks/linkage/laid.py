@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
@@ -84,10 +85,14 @@ class LaidMechanism:
         """Place a spot of a link on paper, mm; NaN at a gap."""
         return self.at.on(self.true(link, own))
 
+    def corners(self, link: int) -> list[complex]:
+        """Give the named points of a link on paper, mm."""
+        return [self.on(link, own) for own in self.mechanism.links[link].points.values()]
+
     def pieces(self, link: int) -> Iterator[Piece]:
         """Give what a link is drawn of on paper: pieces between its points, and the lines of its slots."""
         mechanism = self.mechanism
-        ends = [self.on(link, own) for own in mechanism.links[link].points.values()]
+        ends = self.corners(link)
         yield from ((start, end) for start in ends for end in ends)
         for slide in mechanism.slides:
             if slide.owner == link != FRAME:
@@ -105,6 +110,22 @@ class LaidMechanism:
     def apart(self, link: int, spot: complex) -> float:
         """Give how far a spot on paper is from a link, mm; NaN where the link has no place."""
         return min(_apart(*piece, spot) for piece in self.pieces(link))
+
+    def foot(self, link: int, spot: complex) -> complex:
+        """Give the place of a link that is nearest to a spot on paper."""
+        feet = [start if start == end else nearest(start, end, spot) for start, end in self.pieces(link)]
+        return min(feet, key=lambda foot: abs(foot - spot))
+
+
+def within(corners: Sequence[complex], spot: complex) -> bool:
+    """Tell whether a place lies in the plate whose corners these are: they lie all round it.
+
+    >>> within([0j, 4 + 0j, 2j], 1 + 0.5j), within([0j, 4 + 0j, 2j], 3 + 2j)
+    (True, False)
+    """
+    turns = sorted(math.atan2((one - spot).imag, (one - spot).real) for one in corners)
+    gaps = [*(after - before for before, after in pairwise(turns)), turns[0] + math.tau - turns[-1]]
+    return max(gaps) <= math.pi
 
 
 def _on_a_point(link: Link, own: complex) -> bool:

@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from drawings.checks.linkage.laid import LaidMechanism
+import numpy as np
+
+from drawings.checks.linkage.laid import LaidMechanism, within
 from drawings.checks.wrong import on
 from drawings.figures.linkage.link_numbers import BESIDE
 from drawings.figures.linkage.masses import is_centre
 from drawings.figures.linkage.position_letters import LINKS
 from drawings.figures.linkage.position_plan import TIES
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
-from drawings.paper.walk import groups
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Text
+from drawings.paper.walk import flat, groups
 from drawings.symbols.symbols import BLOCK, DOUBLE, MASS, STAND
 from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+SYMBOLS = "pairs", "shown-position"  # the groups of the symbols of pairs and mass centres, and of blocks
+WAY = np.linspace(0.0, 1.0, 201)  # places on the way to a mass centre, closer than the thinnest line is wide
 EXACT = 4 * QUANTUM  # mm: the sheet's origin and scale are read off marks that are rounded twice
 
 
@@ -64,6 +69,8 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
     circle, dot = number.strokes[0], number.strokes[-1]
     assert isinstance(circle, Circle)
     if isinstance(dot, Circle) and dot is not circle:
+        if link != FRAME and within(laid.corners(link), dot.centre):
+            return True
         return laid.apart(link, dot.centre) <= EXACT + (STAND[0] if link == FRAME else 0.0)
     clear = STAND[0] if link == FRAME else abs(complex(*BLOCK)) / 2
     return laid.apart(link, circle.centre) <= circle.radius + BESIDE + clear + EXACT
@@ -73,8 +80,26 @@ def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each mass centre off its link is tied to it."""
     lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
-        if laid.apart(link, spot) > MASS and not any(_joins(line, spot, link, laid) for line in lines):
+        tied = any(_joins(line, spot, link, laid) for line in lines)
+        if not tied and laid.apart(link, spot) > MASS and not _covered(leaf, laid.foot(link, spot), spot):
             yield on("tie", POSITIONS.plan, name=name)
+
+
+def _covered(leaf: Leaf, foot: complex, spot: complex) -> bool:
+    """Tell whether symbols of pairs cover all of the way from a link to its mass centre, so that no tie is seen."""
+    way: Complexes = np.asarray(foot + WAY * (spot - foot), dtype=np.complex128)
+    strokes = [stroke for name in SYMBOLS for group in named(leaf, name) for stroke in flat((group,))]
+    off = [np.abs(way - one.centre) - one.radius for one in strokes if isinstance(one, Circle)]
+    off += [_outside(one.points, way) for one in strokes if isinstance(one, Polyline) and one.closed]
+    return bool((np.min([np.full(len(way), np.inf), *off], axis=0) <= EXACT).all())
+
+
+def _outside(corners: Sequence[complex], way: Complexes) -> Floats:
+    """Give how far places are beyond the farthest side of a block, mm; less than nothing inside it."""
+    sides = list(zip(corners, [*corners[1:], corners[0]], strict=True))
+    turned = 1j if sum((start.conjugate() * end).imag for start, end in sides) < 0 else -1j
+    units = [(start, turned * (end - start) / abs(end - start)) for start, end in sides if start != end]
+    return np.asarray(np.max([((way - start) * unit.conjugate()).real for start, unit in units], axis=0))
 
 
 def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:

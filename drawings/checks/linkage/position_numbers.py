@@ -13,6 +13,7 @@ from drawings.checks.labelled import Label, labels_of
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.wrong import on
 from drawings.paper.strokes import Group, Text
+from plans.linkage.study import EXTREMES
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Output
 from plans.model.motion import Complexes
@@ -62,10 +63,37 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     if steps.size and steps.min() >= ROOMY:
         missing = set(range(len(crank.places))) - at_crank
         yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in sorted(missing))
-    if tracks and at_tracks < ENDS <= len(crank.places):
+    if _roomy(plan) and at_tracks < min(ENDS, max((_known(one) for one in tracks), default=0)):
         yield on(
             "position_number", POSITIONS.plan, name=plan.laid.study.output.point or str(plan.laid.study.output.link)
         )
+
+
+def _known(one: Numbered) -> int:
+    """Count the positions in which a point has a place."""
+    return int(np.isfinite(one.places).sum())
+
+
+def _roomy(plan: LaidPlan) -> bool:
+    """Tell whether the output's extremes, or all its places where it has none, leave each other room for a number."""
+    point = _output_point(plan)
+    if point is None:
+        return False
+    spots = (plan.extremes or plan.poses).point(point)
+    spots = spots[np.isfinite(spots)]
+    off = np.abs(spots[:, None] - spots)[np.triu_indices(len(spots), 1)]
+    return bool(off.size and off.min() >= ROOMY)
+
+
+def _output_point(plan: LaidPlan) -> str | None:
+    """Give the point of the output that bears numbers, if it has one."""
+    mechanism, out = plan.laid.mechanism, plan.laid.study.output
+    slide = frame_slide(mechanism, out.link)
+    if slide is not None:
+        return out.point or slide.point
+    fixed = mechanism.links[FRAME].points
+    free = [name for name in mechanism.links[out.link].points if name not in fixed]
+    return out.point if out.point in free else free[-1] if free else None
 
 
 def _labels(plan: LaidPlan) -> Iterator[tuple[str, Label]]:
@@ -106,13 +134,10 @@ def _numbered(plan: LaidPlan) -> Iterator[Numbered]:
     for slide in slides:
         point = (out.point or slide.point) if slide.slider == out.link else slide.point
         points.append(point)
-        if slide.slider != out.link and plan.told is not None:
+        if slide.slider != out.link and EXTREMES in study.plans:
             found = plan.road.extremes(Output(slide.slider, slide.point))
             own += [] if found is None else [*found.phi]
-    if frame_slide(laid.mechanism, out.link) is None:
-        fixed = laid.mechanism.links[FRAME].points
-        free = [name for name in laid.mechanism.links[out.link].points if name not in fixed]
-        points += [out.point] if out.point in free else free[-1:]
+    points += [point for point in (_output_point(plan),) if point is not None]
     motion = plan.road.freely(np.array(own)) if own else None
     extremes = None if motion is None else plan.poses._replace(motion=motion)
     before = [_before(plan, phi) for phi in own]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on
 from drawings.lettering.words import number
@@ -12,8 +13,6 @@ from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
 from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message, message
-
-MM = 1000.0  # in a metre: a scale of lengths is a ratio too
 
 
 def of_positions(leaf: Leaf, mu: float, drafting: Drafting) -> Iterator[Message]:
@@ -48,9 +47,3 @@ def _scale(letter: str, mu: float, unit: str, by: Drafting) -> str:
     return f"μ{letter} = {number(mu, by.language)} {true}/{mm}" + (
         f" ({ratio(mu, by.language)})" if letter == "l" else ""
     )
-
-
-def ratio(mu: float, language: str) -> str:
-    """Write a scale of lengths m/mm as the ratio that it is."""
-    times = MM * mu
-    return f"1:{number(times, language)}" if times >= 1 else f"{number(1 / times, language)}:1"

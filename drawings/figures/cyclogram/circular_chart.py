@@ -45,7 +45,8 @@ class CircleFigure:
         """Give the whole chart: positions numbered outside, what is too long for its ring lettered beside it."""
         numbers, names = tuple(self._numbers(labels)), tuple(self._names(labels))
         beside = [Group(names, BESIDE_RINGS)] if names else []
-        return *self.lines, Group((*numbers, *beside, *self._long(labels), *self._centre(labels)))
+        letters = (*numbers, *beside, *self._long(labels), *self._centre(labels))
+        return *self.lines, Group(letters, f"{NAME}-letters")
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         outer = HUB + RING * len(self.chart.rows)

@@ -47,7 +47,7 @@ class SchemeForces(NamedTuple):
 
 def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> SchemeForces:
     """List what acts on a cut in one position; what is zero there is left out."""
-    least = NOTHING * largest(cut, column)
+    least = NOTHING * largest(plan, column)
     forces = list[ShownVector]()
     for load in cut.loads:
         place = at(load.at.point, column)
@@ -74,7 +74,7 @@ def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterato
     handed = {load.name.replace("R", "M", 1): load for load in cut.loads if load.kind == REACTION}
     for couple in cut.couples:
         size = at(couple.moment.point, column).real
-        if abs(size) > NOTHING * largest(cut, column) * links.reach:
+        if abs(size) > NOTHING * largest(plan, column) * links.reach:
             body = plan.machine.bodies.get(couple.link)
             middle = links.middle(couple.link) if body is None else links.of(couple.link, body.centre)
             place = at(handed[couple.name].at.point, column) if couple.name in handed else middle

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.figures.linkage.skeleton import Poses, poses
+from drawings.figures.linkage.poses import Poses, poses
 from plans.forces.cut import INERTIA, WEIGHT, Cut
 from plans.forces.force import ForcePlan
 from plans.model.kinetostatics import NOTHING

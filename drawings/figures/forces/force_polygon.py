@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from drawings.figures.forces.force_kinds import CLOSING, WHOLE
 from drawings.figures.forces.force_letters import letter_of
+from drawings.figures.forces.leverage import largest
 from drawings.figures.linkage.vector_plan import BEYOND, LEAST
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
@@ -26,6 +28,7 @@ from geometry.board import Mark, at, between
 from geometry.meet import EPS
 from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
+from plans.model.kinetostatics import NOTHING
 
 SYMBOL, UNIT = "F", "N"
 DETAIL = "detail-"  # before a cut's links: the name of an enlarged detail of its force plan
@@ -64,14 +67,15 @@ class ForcePolygon(NamedTuple):
 
 
 def polygon(plan: ForcePlan, cut: Cut, column: int) -> ForcePolygon:
-    """Read a force polygon from its record; forces that are zero are left out."""
+    """Read a force polygon from its record; forces that are zero are left out, all where no force acts on the cut."""
     named = {side.name: _vector(side.name, side.kind, side.start, side.end, column) for side in cut.sides}
     for support in cut.reactions:
         mark = support.force
         if mark.step.op == "join":
             named.setdefault(mark.name, _vector(mark.name, WHOLE, *_ends(mark), column))
     greatest = max((abs(one.value) for one in named.values()), default=0.0)
-    kept = tuple(one for one in named.values() if not abs(one.value) <= ZERO * greatest)  # what is unknown is kept
+    least = math.inf if greatest <= NOTHING * largest(plan, column) else ZERO * greatest
+    kept = tuple(one for one in named.values() if not abs(one.value) <= least)  # what is unknown is kept
     closing = {corner for side in cut.sides if side.kind == CLOSING for corner in (side.start, side.end)}
     rays = tuple(ray for corner in cut.sides for ray in _rays(corner.start, column) if corner.start in closing)
     return ForcePolygon(cut.label, cut.group is not None, column, kept, rays)

@@ -54,15 +54,16 @@ def leverages(plan: ForcePlan, cut: Cut, column: int) -> tuple[Leverage, ...]:
     return tuple(arms)
 
 
-def largest(cut: Cut, column: int) -> float:
-    """Give the largest force of a cut, N."""
-    forces = [load.force for load in cut.loads] + [support.force for support in cut.supports]
+def largest(plan: ForcePlan, column: int) -> float:
+    """Give the largest force of all cuts of a plan, N: what is but rounding beside it is none on any of them."""
+    forces = [load.force for cut in plan.cuts for load in cut.loads]
+    forces += [support.force for cut in plan.cuts for support in cut.supports]
     return max((abs(at(force.point, column)) for force in forces), default=0.0)
 
 
 def _of(plan: ForcePlan, cut: Cut, column: int, start: int) -> Iterator[Leverage]:
     known: list[Leverage] = []
-    least = NOTHING * largest(cut, column)
+    least = NOTHING * largest(plan, column)
     letters = {mark: name for name, mark in plan.positions.letters.items()}
     for equation in cut.equations:
         about = letters.get(equation.about, equation.about.name)

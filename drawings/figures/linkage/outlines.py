@@ -12,7 +12,8 @@ from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from drawings.figures.linkage.masses import is_centre
-from drawings.figures.linkage.skeleton import Bones, Poses
+from drawings.figures.linkage.poses import Poses
+from drawings.figures.linkage.skeleton import Bones
 from plans.model.mechanism import Slide, Way
 
 # Points of a link lie on one line when none is off it by more than this share of its length: rounding of coordinates

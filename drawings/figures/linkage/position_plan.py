@@ -13,9 +13,10 @@ from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.path_ticks import path_ticks
 from drawings.figures.linkage.phases import phases
+from drawings.figures.linkage.poses import Poses
 from drawings.figures.linkage.position_letters import letters
 from drawings.figures.linkage.pushing import arrows, stroke_line
-from drawings.figures.linkage.skeleton import Poses, Skeletons
+from drawings.figures.linkage.skeleton import Skeletons
 from drawings.figures.linkage.stroke_dimension import strokes
 from drawings.figures.linkage.swing import swings
 from drawings.figures.linkage.ties import ties

@@ -15,7 +15,7 @@ from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Complexes
 
-SAME = 1e-9  # rad: a position and an extreme whose crank directions differ by less are one
+SAME = 1e-6  # rad: a position and an extreme that differ by less are one: no paper tells them apart
 
 
 class NumberedPlace(NamedTuple):

@@ -65,8 +65,12 @@ def headline(study: Study) -> str:
 
 
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
-    told = balancing_quantity(statics.study.mechanism.drive)
-    largest = greatest(statics.given(found, statics.study.motion(2)))
+    """Tell the greatest of what balances the drive; what is but rounding is none."""
+    drive = statics.study.mechanism.drive
+    told = balancing_quantity(drive)
+    given = statics.given(found, statics.study.motion(2))
+    least = told.share * found.nothing[told.unit != "N" or drive.pushed]
+    largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
     if largest is not None:
         size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
         yield word(
