@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
+import numpy as np
+
 from drawings.checks import reading
-from drawings.checks.dynamics_expected import KNOWN, Expected
+from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
 from drawings.checks.dynamics_graphs import part, written
 from drawings.checks.precise import precise, tells
-from drawings.checks.wrong import Wrong
+from drawings.checks.wrong import Wrong, within
 from drawings.figures.dynamics import dynamics_table
 from drawings.figures.dynamics import equations as written_out
 from drawings.figures.graphs.axes import Axes
@@ -26,6 +29,16 @@ from plans.model.dynamics import Flywheel, Reduced
 from plans.words.words import message
 
 LOOP = "loop"
+# What the columns of the table of the edges tell, in their order: letters and units.
+COLUMNS = (
+    ("φ", "°"),
+    ("M_{us}", "N*m"),
+    ("A_{us}", "J"),
+    ("ΔT", "J"),
+    ("ΔJ", "kg*m2"),
+    ("ω", "rad/s"),
+    ("ε", "rad/s2"),
+)
 
 
 def _due(expected: Expected, scales: Mapping[str, float], drafting: Drafting) -> list[str]:
@@ -58,7 +71,30 @@ def positions(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wr
     """Read the table of the edges back: each row that must be there, each cell to its last digit."""
     told = leaf.metadata["positions"]
     table = dynamics_table.positions(expected.task, expected.account, precise(drafting), told)
+    yield from _edges(table, expected, drafting)
     yield from _table(leaf, table, dynamics_table.DIGITS, True)
+
+
+def _edges(table: RuledTable, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold the rows that are due to the graphs of the analysis: each column is one of them, by its heading."""
+    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in COLUMNS)
+    yield from (message("wrong.told", text=text) for text, due in zip(table.heads, heads, strict=True) if text != due)
+    angles, graphs = np.degrees(expected.cycle.turned), expected.graphs
+    speeds = graphs[SPEEDS] + expected.mean if SPEEDS in graphs else None
+    after = [
+        angles,
+        *(graphs[name] for name in (MOMENTS, WORKS, SURPLUS, INERTIA)),
+        *([speeds] if speeds is not None else []),
+    ]
+    for line in table.lines:
+        cells = [reading.value(str(cell)) for cell in line.cells]
+        k = int(np.argmin(np.abs(angles - (cells[0] or 0.0))))
+        before = line.name.endswith("−0")
+        due = [angles, expected.before] if before else after
+        for text, value, column in zip(line.cells, cells, due, strict=False):
+            near = KNOWN * np.nanmax(np.abs(column), initial=0.0)
+            if value is None or not abs(value - column[k]) <= near:
+                yield message("wrong.row_cell", text=str(text), name=line.name)
 
 
 def reduction(leaf: Leaf, reduced: Reduced, drafting: Drafting) -> Iterator[Wrong]:
@@ -128,8 +164,40 @@ def notes(leaf: Leaf, expected: Expected, comparison: DynamicsComparison, drafti
     seen = " ".join(text.plain for one in groups(leaf.groups) if one.name == "notes" for text in texts((one,)))
     true = notes_of(expected, comparison, precise(drafting))
     due = " ".join(Text(0j, note).plain for note in true.all)
+    missing = [one for one in _said(expected, precise(drafting)) if _spaced(Text(0j, one).plain) not in _spaced(due)]
+    yield from (within("missing_from", "notes", name=one) for one in missing)
     if not tells(_spaced(seen), _spaced(due), (DynamicsNotes._field_defaults["digits"], PER_CENT), KNOWN):
         yield message("wrong.notes")
+
+
+def _said(expected: Expected, drafting: Drafting) -> Iterator[str]:
+    """Give what the notes must say by the analysis alone: task, work of the turn, flywheel, motion, rim."""
+    word, number, task, account, cycle = drafting.word, drafting.number, expected.task, expected.account, expected.cycle
+    asked = {"n": number(task.speed * (30 / math.pi)), "omega": number(task.speed)}
+    asked |= {} if task.delta is None else {"delta": f"1/{number(1 / task.delta)}"}
+    yield word("dynamics asked speed" if task.delta is None else "dynamics asked", **asked)
+    if cycle.net:
+        key = "work of turn" if cycle.net < 0 else "work given"
+        yield word(key, work=number(abs(cycle.net)), moment=number(abs(cycle.driving)))
+    if (own := account.flywheel) is not None and own.needed > 0:
+        parts = {"whole": own.whole, "own": own.own, "present": own.present, "inertia": own.needed}
+        yield word("flywheel adds", **{name: number(value) for name, value in parts.items()})
+        yield from _rim(expected, own.needed, drafting)
+    if (speeds := account.speeds) is not None:
+        ends = {"low": float(np.min(speeds.omega)), "high": float(np.max(speeds.omega))}
+        told = {name: number(value) for name, value in ends.items()}
+        yield word("achieved motion", delta=number(speeds.delta), **told)
+
+
+def _rim(expected: Expected, inertia: float, drafting: Drafting) -> Iterator[str]:
+    """Give what is said of a rim that fits, mm and m/s at its own shaft."""
+    own, number = wheel(inertia, expected.task.rim), drafting.number
+    if own is not None and own.fits:
+        sizes = {"diameter": own.diameter, "breadth": own.breadth, "thickness": own.thickness}
+        told = {name: number(1000 * size) for name, size in sizes.items()}
+        speed = number(abs(expected.task.speed * expected.task.rim.ratio) * own.diameter / 2)
+        added = number(100 * (own.thickness / own.diameter) ** 2)
+        yield drafting.word("rim sizes", mass=number(own.mass), speed=speed, added=added, **told)
 
 
 def _spaced(text: str) -> str:

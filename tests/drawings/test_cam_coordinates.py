@@ -27,6 +27,7 @@ from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
+from tests.drawings.planting import DrawingFault, planted
 from tests.gallery import GALLERY
 from tests.parts import some
 from tests.plans import cam_cases as cases
@@ -93,6 +94,23 @@ def test_lost_row_is_seen() -> None:
     content = written(USUAL, drawn(CASE))
     rows = content.splitlines(keepends=True)
     assert "x_mm in row 361 of profile.csv (against the analysis)" in told(b"".join(rows[:-1]), CASE)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "column"),
+    [
+        ("np.abs(points) * MM", "np.abs(points) * MM * 1.01", "radius_mm"),
+        ("-cam.sense * (found", "cam.sense * (found", "theta_deg"),
+        ("points.imag * MM", "-points.imag * MM", "y_mm"),
+        ("contour.pressure * DEGREES", "contour.pressure", "pressure_deg"),
+        ("contour.travel.s * s", "contour.travel.s * s * 1.01", "s_mm"),
+    ],
+)
+def test_a_fault_of_the_table_is_seen(right: str, wrong: str, column: str) -> None:
+    file = "drawings/figures/cam/coordinate_table.py"
+    with planted(DrawingFault(column, "", file, right, wrong, column)):
+        content = written(USUAL, drawn(CASE))
+    assert f"{column} in row" in " ".join(told(content, CASE))
 
 
 def test_row_on_a_jump_of_the_acceleration_is_of_one_side_for_both_roads() -> None:

@@ -11,12 +11,12 @@ from functools import partial
 import numpy as np
 
 from drawings.checks.wrong import Wrong
-from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, columns, read, written
+from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, THETA, read, written
 from drawings.files.enclosure import Enclosure
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamFound, Contour
+from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import message
@@ -24,6 +24,7 @@ from plans.words.words import message
 ROUNDED = 0.5 * 10.0**-DIGITS
 # Of a value: what the arithmetic of either road moves, which a radius of curvature and an angle near a pole gather.
 SHARE = 1e-9
+MM = 1000.0  # of a metre
 
 
 def enclosures(study: Study) -> Iterator[Enclosure]:
@@ -42,7 +43,7 @@ def turns(cam: Cam) -> Floats:
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
     """Hold written coordinates to the analysis: the same columns, each number rounded."""
-    exact = columns(found.cam, _analysed(found))
+    exact = dict(_due(found, _analysed(found)))
     seen = read(content)
     for column in exact.keys() ^ seen.keys():
         yield message("wrong.column", name=column, file=name)
@@ -54,6 +55,28 @@ def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
 
 def _analysed(found: CamFound) -> Contour:
     return contour(found.cam, found.sizes, found.roller, turns(found.cam))
+
+
+def _due(found: CamFound, own: Contour) -> Iterator[tuple[str, Floats]]:
+    """Give what the columns must say, (N,) each in mm or degrees: the follower's way, the curves, how they bend."""
+    cam, way = found.cam, own.travel.s
+    yield ("travel_mm", MM * own.turned) if cam.translates else ("turned_deg", np.degrees(own.turned))
+    yield ("s_deg", np.degrees(way)) if cam.rocks else ("s_mm", MM * way)
+    curves = {"": own.profile} | ({"pitch_": own.pitch} if own.profile is not own.pitch and not cam.flat else {})
+    for name, curve in (curves if own.outer is None else curves | {"outer_": own.outer}).items():
+        yield from ((f"{name}x_mm", MM * np.real(curve)), (f"{name}y_mm", MM * np.imag(curve)))
+        yield from (
+            () if cam.translates else ((f"{name}radius_mm", MM * np.abs(curve)), (f"{name}angle_deg", _turn(curve)))
+        )
+    if not cam.translates:
+        turned = _turn(own.profile)
+        yield THETA, turned[0] - turned if cam.sense > 0 else turned - turned[0]
+    yield from (("pressure_deg", np.degrees(own.pressure)), (CURVATURE, MM * own.radius))
+
+
+def _turn(curve: Points) -> Floats:
+    """Give the directions of points from O in degrees, counter-clockwise without a leap."""
+    return np.degrees(np.unwrap(np.angle(curve)))
 
 
 def _first(off: Callable[[Floats, Floats], Floats], seen: Floats, exact: Floats) -> int | None:
