@@ -10,11 +10,15 @@ from drawings.checks.labelled import unlettered
 from drawings.checks.seen.differences import differences
 from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong, on
+from drawings.collation.edit import lone
+from drawings.collation.figures import Figures
+from drawings.collation.items import items
+from drawings.eye.covering import COVERED, OUTSIDE, veiled
 from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, Text
 from geometry.errors import DraftError
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
@@ -38,7 +42,7 @@ def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[W
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
     laid = plain(leaf, seen.leaf.lettering)
-    if wrong := [*wrongs(seen.measured, laid, faults), *differences(laid, seen)]:
+    if wrong := [*wrongs(seen.measured, laid, faults), *obscured(laid, seen), *differences(laid, seen)]:
         raise SelfCheckFailed(message("check.sheet", marks=first(list(dict.fromkeys(wrong)))))
     return seen
 
@@ -47,6 +51,17 @@ def wrongs(measured: Measured, leaf: Leaf, faults: Callable[[Measured, Leaf], It
     """List what is wrong with a measured sheet."""
     wrong: list[Wrong] = [on("on", miss.key.plan, name=miss.key.name) for miss in check(measured)]
     return [*wrong, *faults(measured, leaf), *unlettered(leaf)]
+
+
+def obscured(laid: Leaf, seen: SeenSheet) -> list[Wrong]:
+    """List lettering that is covered, and whatever lies off the paper; a line may be short and end under a hinge."""
+    if not any(one.reason in (COVERED, OUTSIDE) for one in seen.unseen):
+        return []
+    figures = Figures(laid)
+    right = {id(item.stroke): item for item in items(laid)}
+    own = [(right[id(one.stroke)], one.reason) for one in veiled(laid)]
+    held = [(item, reason) for item, reason in own if reason == OUTSIDE or isinstance(item.stroke, Text)]
+    return [lone("hidden", item, figures, reason=reason).told for item, reason in held]
 
 
 def verify_enclosure(path: Path, enclosure: Enclosure) -> None:

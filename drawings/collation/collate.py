@@ -70,9 +70,18 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     gone = {id(item) for item, _ in unseen}
     pairing = Pairing([item for item in found.missing if id(item) not in gone], found.added, figures, rounding)
     copies = (edit.lone("copied", item, figures) for item in found.copies)
-    others = (edit.unseen(one.item, one.reason, figures, covered(one.item.stroke, ours)) for one in left)
+    under = {id(one.item): covered(one.item.stroke, ours) for one in left}
+    others = [edit.unseen(one.item, one.reason, figures, under[id(one.item)]) for one in left]
+    patched = {id(item) for own in under.values() for item in own}
     marks = (edit.restated(ours, theirs, figures) for ours, theirs in found.same if _restated(ours, theirs))
-    edits = (*(told for _, told in unseen), *marks, *pairing.edits(_counts(ours, figures)), *copies, *others)
+    # What a patch covers is told of the patch.
+    edits = (
+        *(told for item, told in unseen if id(item) not in patched),
+        *marks,
+        *pairing.edits(_counts(ours, figures)),
+        *copies,
+        *others,
+    )
     return Collation(edits, *_shares(ours, found.missing), (*_paper(right, there), *whole, *_told(right, there)))
 
 

@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 from drawings.measure.pathdata import NUMERAL, SPACE, numbers
 from drawings.measure.visibility import Look, share
 from drawings.paper.limits import NUMERAL_LENGTH, REACH, SheetRefused
-from drawings.paper.strokes import LineStyle
+from drawings.paper.strokes import LineStyle, Stroke
 
 # The narrowest line of ISO 128-2, mm; what is finer is no line of a drawing.
 NARROWEST = 0.13
@@ -31,11 +31,20 @@ _CLIPS = ("under a clip-path", "under a mask")  # as the reader tells it
 _UNITS = {"": 1.0, "px": 1.0, "mm": 96 / 25.4, "cm": 960 / 25.4, "in": 96.0, "pt": 96 / 72, "pc": 16.0}
 
 
+class Unseen(NamedTuple):
+    """A stroke that does not count as drawn, why, and the name of the group that it stands in."""
+
+    stroke: Stroke
+    reason: str
+    group: str
+
+
 class Ink(NamedTuple):
-    """The line of an element, and why it cannot be seen: "" if it can."""
+    """The line of an element, and why it cannot be seen: "" if it can; a `clear` filling lets show what is under it."""
 
     style: LineStyle
     unseen: str = ""
+    clear: bool = False
 
 
 @lru_cache(maxsize=1024)
@@ -47,13 +56,31 @@ def ink(look: Look, scale: float) -> Ink:
     style = LineStyle(width, _dash(look.stroke_dasharray, scale), colour, fill, _cap(look.stroke_linecap))
     if colour == _NONE:
         style = LineStyle(0.0, (), colour, fill)
+    return Ink(style, _why(look, style), fill != _NONE and _clear(look, fill))
+
+
+def _why(look: Look, style: LineStyle) -> str:
+    """Tell why what is drawn so is not seen; "" if it is."""
     if look.gone or look.visibility != "visible":
-        return Ink(style, "clipped" if look.gone in _CLIPS else "hidden")
-    if fill != _NONE and dark(fill):
-        return Ink(style)
-    if colour == _NONE or not dark(colour):
-        return Ink(style, "pale")
-    return Ink(style, "" if width >= NARROWEST else "thin")
+        return "clipped" if look.gone in _CLIPS else "hidden"
+    if style.fill != _NONE and dark(style.fill):
+        return ""
+    if style.colour == _NONE or not dark(style.colour):
+        return "pale"
+    return "" if style.width >= NARROWEST else "thin"
+
+
+def _clear(look: Look, fill: str) -> bool:
+    """Tell whether black can be told from paper under a filling."""
+    black = "#" + "".join(f"{max(part - round(255 * _left(look)), 0):02x}" for part in _parts(fill))
+    return _contrast(_parts(fill), _parts(black)) >= CONTRAST
+
+
+def _left(look: Look) -> float:
+    """Give the share of what is under a filling that shows through it."""
+    paint = look.fill.lower()
+    own = _alpha(paint) if _HEX.fullmatch(paint) else 1.0
+    return 1 - own * share(look.fill_opacity) * look.shade
 
 
 @lru_cache(maxsize=256)
@@ -63,7 +90,7 @@ def dark(colour: str) -> bool:
     >>> dark("#000000"), dark("#ffffff"), dark("#e0e0e0")
     (True, False, False)
     """
-    return (_light(_PAPER) + 0.05) / (_light(_parts(colour)) + 0.05) >= CONTRAST
+    return _contrast(_PAPER, _parts(colour)) >= CONTRAST
 
 
 def length(text: str) -> float:
@@ -115,6 +142,10 @@ def _parts(colour: str) -> tuple[int, int, int]:
 def _alpha(colour: str) -> float:
     digits = colour[1:]
     return {4: int(digits[3:4] or "f", 16) / 15, 8: int(digits[6:8] or "ff", 16) / 255}.get(len(digits), 1.0)
+
+
+def _contrast(light: tuple[int, int, int], deep: tuple[int, int, int]) -> float:
+    return (_light(light) + 0.05) / (_light(deep) + 0.05)
 
 
 def _light(parts: tuple[int, int, int]) -> float:

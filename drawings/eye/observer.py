@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
-from drawings.eye.ink import Ink, ink
+from drawings.eye.ink import Ink, Unseen, ink
 from drawings.eye.lettered import any_letters, pen_of_letters, plain_letters
 from drawings.eye.outlines import SHAPES, outlines, scale_of
 from drawings.eye.typeset import Typeset, joined, typeset
@@ -18,19 +17,13 @@ from drawings.measure.visibility import Look
 from drawings.measure.witness import Frame
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import INK, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import flat
 
 # What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
 UNREAD = frozenset(("use", "image", "foreignObject", "style", "script", "switch", "pattern", "marker", "tspan"))
 PLAIN = Ink(INK)
+UNPAINTED = ("hidden", "clipped")  # why a stroke is unseen that hides nothing itself
 _SAID = "data-text"
-
-
-class Unseen(NamedTuple):
-    """A stroke that does not count as drawn, why, and the name of the group that it stands in."""
-
-    stroke: Stroke
-    reason: str
-    group: str
 
 
 @dataclass
@@ -53,6 +46,8 @@ class Observer:
     def __init__(self) -> None:
         self.open: list[_Open] = []
         self.unseen: list[Unseen] = []
+        self.clear: set[int] = set()  # strokes, by their ids, whose filling hides nothing
+        self.gone: set[int] = set()  # and those that are not painted at all
         self.description, self.lettering = "", "strokes"
         self.paper = Viewport(0.0, 0.0, STAY, ())
         self.root = _Open(Frame("svg", STAY, Look(), ""), {})
@@ -155,6 +150,9 @@ class Observer:
 
     def _add(self, outer: _Open, strokes: tuple[Stroke, ...], seen: Ink) -> None:
         outer.strokes += strokes
+        own = [id(part) for part in flat(strokes)]
+        self.clear.update(own if seen.clear else ())
+        self.gone.update(own if seen.unseen in UNPAINTED else ())
         if seen.unseen:
             self.unseen += [Unseen(stroke, seen.unseen, self._group) for stroke in strokes]
 

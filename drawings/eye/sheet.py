@@ -6,7 +6,9 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from drawings.eye.observer import Observer, Unseen
+from drawings.eye.covering import veiled
+from drawings.eye.ink import Unseen
+from drawings.eye.observer import Observer
 from drawings.measure.measure import Measured, measure
 from drawings.paper.strokes import Group, Leaf, Stroke
 
@@ -25,9 +27,21 @@ def see(source: bytes) -> SeenSheet:
     observer = Observer()
     measured = measure(source, observer)
     whole = _leaf(observer, measured)
-    hidden = {id(one.stroke) for one in observer.unseen}
-    leaf = replace(whole, groups=tuple(_kept(whole.groups, hidden))) if hidden else whole
-    return SeenSheet(leaf, tuple(observer.unseen), whole, measured)
+    gone = {id(one.stroke) for one in observer.unseen}
+    under = (one for one in veiled(whole, observer.clear, observer.gone) if id(one.stroke) not in gone)
+    unseen = (*observer.unseen, *under)
+    return SeenSheet(without(whole, [one.stroke for one in unseen]), unseen, whole, measured)
+
+
+def uncovered(leaf: Leaf) -> Leaf:
+    """Give a leaf without what is covered or off the paper."""
+    return without(leaf, [one.stroke for one in veiled(leaf)])
+
+
+def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
+    """Give a leaf without some of its strokes."""
+    hidden = {id(one) for one in strokes}
+    return replace(leaf, groups=tuple(_kept(leaf.groups, hidden))) if hidden else leaf
 
 
 def _leaf(observer: Observer, measured: Measured) -> Leaf:
@@ -47,7 +61,9 @@ def _kept(groups: Iterable[Group], hidden: Collection[int]) -> Iterator[Group]:
 
 def _visible(strokes: Iterable[Stroke], hidden: Collection[int]) -> Iterator[Stroke]:
     for stroke in strokes:
+        if id(stroke) in hidden:
+            continue
         if isinstance(stroke, Group):
             yield from _kept((stroke,), hidden)
-        elif id(stroke) not in hidden:
+        else:
             yield stroke

@@ -10,13 +10,18 @@ from typing import Any, NamedTuple
 
 from drawings.checks import verify
 from drawings.checks.agreement import agree
+from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong
-from drawings.eye.sheet import SeenSheet, see
+from drawings.collation.items import items
+from drawings.collation.matching import match
+from drawings.eye.sheet import SeenSheet, see, without
 from drawings.lettering.lettering import lettered
 from drawings.measure.seal import digest
 from drawings.original.edition import leaves_of
 from drawings.original.sheet_paths import placed_sheets, stem_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.limits import QUANTUM
+from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import read_scene
@@ -45,7 +50,6 @@ class Originals:
         self.study = Study(read_scene(scene))
         self._drawn: dict[str, bytes] = {}
         self._seen: dict[str, SeenSheet] = {}
-        self._usual: dict[str, list[Wrong]] = {}
 
     @property
     def language(self) -> str:
@@ -80,19 +84,35 @@ class Originals:
         return self._seen[sheet.name]
 
     def wrongs(self, sheet: Original, seen: SeenSheet) -> list[Wrong]:
-        """List what the self-check of a sheet finds wrong with what is seen of a written one."""
+        """List what the self-check of a sheet finds wrong with what is seen of a written one.
+
+        What is there as it must be is taken with all its digits, as it was laid out before it was rounded.
+        """
         data = sheet.leaf.metadata
         faults = partial(named(SHEETS[sheet.kind].faults), study=self.study)
-        return verify.wrongs(seen.measured._replace(metadata=data), replace(seen.leaf, metadata=data), faults)
+        leaf = replace(self._unrounded(sheet, seen), metadata=data)
+        return verify.wrongs(seen.measured._replace(metadata=data), leaf, faults)
 
-    def usual(self, sheet: Original) -> list[Wrong]:
-        """List what it finds in the sheet as it must be: nothing, or what it cannot read of any such sheet."""
-        if sheet.name not in self._usual:
-            self._usual[sheet.name] = self.wrongs(sheet, self.seen(sheet))
-        return self._usual[sheet.name]
+    def _unrounded(self, sheet: Original, seen: SeenSheet) -> Leaf:
+        own = self.seen(sheet)
+        laid = zip(flat(own.written.groups), flat(plain(sheet.leaf, own.leaf.lettering).groups), strict=True)
+        exact = {id(rounded): one for rounded, one in laid}
+        pairs = match(items(own.written), items(seen.written), QUANTUM).same
+        known = {id(theirs.stroke): exact[id(ours.stroke)] for ours, theirs in pairs}
+        # What a hinge of ours covers is covered by right.
+        rightly = {id(one.stroke) for one in own.unseen}
+        usual = {id(theirs.stroke) for ours, theirs in pairs if id(ours.stroke) in rightly}
+        leaf = without(seen.written, [one.stroke for one in seen.unseen if id(one.stroke) not in usual])
+        return replace(leaf, groups=tuple(_with(group, known) for group in leaf.groups))
 
     def of(self, name: str, data: Mapping[str, Any]) -> tuple[Original, ...]:
         """Give the sheets that a written one may be: by its data and by its name, and all if by neither."""
         said = [sheet for sheet in self.sheets if sheet.says(data)]
         called = [sheet for sheet in self.sheets if sheet.name == name and sheet not in said]
         return (*said, *called) or self.sheets
+
+
+def _with(group: Group, known: Mapping[int, Stroke]) -> Group:
+    """Give a group with strokes put in place of others, by their ids."""
+    own = (_with(one, known) if isinstance(one, Group) else known.get(id(one), one) for one in group.strokes)
+    return replace(group, strokes=tuple(own))

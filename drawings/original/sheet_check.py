@@ -119,13 +119,15 @@ def _edits(collation: Collation, other: bool) -> Iterator[Finding]:
 
 
 def _analysis(seen: SeenSheet, original: Original, originals: Originals, clean: bool) -> Iterator[Finding]:
-    """Tell what the self-check of such a sheet finds in it by the analysis, beyond what it finds in the original."""
+    """Tell what the self-check of such a sheet finds in it by the analysis: in one that is as it must be, nothing."""
     try:
-        wrong = [one for one in originals.wrongs(original, seen) if one not in originals.usual(original)]
+        wrong = originals.wrongs(original, seen)
     except UNFOLLOWED:
         if clean:
             raise
         yield Finding("analysis", message("checked.unfollowed"))
         return
+    if wrong and clean:
+        raise verify.SelfCheckFailed(message("check.sheet", marks=verify.first(wrong)))
     if wrong:
         yield Finding("analysis", message("checked.analysis", wrong=verify.first(wrong)))

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from drawings.page.page import BLOCK, EXTRA, Page, page_of
 from drawings.page.title_cell import NUMBERS
+from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Group, Leaf, Stroke
 from drawings.paper.walk import groups, texts
 from drawings.sheets.admission import CELLS
@@ -25,9 +26,17 @@ def bind(leaves: Leaves, scene: Scene) -> Leaves:
     for kind, own in leaves.items():
         name = designations[kind]
         first = 1 + sum(len(other) for before, other in found.items() if designations[before] == name)
-        page = page_of(scene, kind)
-        found[kind] = tuple(_numbered(leaf, page, first + k, counts[name]) for k, leaf in enumerate(own))
+        found[kind] = tuple(
+            _numbered(leaf, _page(leaf, scene, kind), first + k, counts[name]) for k, leaf in enumerate(own)
+        )
     return found
+
+
+def _page(leaf: Leaf, scene: Scene, kind: str) -> Page:
+    """Give the page of a leaf, which may be of a smaller format than the scene's."""
+    size = {round(leaf.width, 3), round(leaf.height, 3)}
+    name = next(name for name, own in SIZES.items() if set(own) == size)
+    return page_of(scene.changed(sheet=scene.sheet.changed(format=name)), kind)
 
 
 def cuts(leaves: Leaves, scene: Scene) -> Iterator[Fault]:

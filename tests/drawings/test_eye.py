@@ -120,12 +120,30 @@ def test_a_stroke_lost_is_no_letter() -> None:
         (f'<g clip-path="url(#a)"><path d="M1 1L9 9" {PEN}/></g>', "clipped"),
         (f'<defs><path d="M1 1L9 9" {PEN}/></defs>', "hidden"),
         ('<use href="#a"/>', "unread"),
+        (f'<path d="M95 5L120 5" {PEN}/>', "outside"),
     ],
 )
 def test_what_cannot_be_seen_does_not_count(inside: str, reason: str) -> None:
     sheet = looked(inside)
     assert [one.reason for one in sheet.unseen] == [reason]
     assert list(flat(sheet.leaf.groups)) == []
+
+
+@pytest.mark.parametrize(
+    ("over", "reasons"),
+    [
+        ('<rect width="20" height="20" fill="#fff"/>', ["pale", "covered"]),
+        ('<circle cx="11" cy="11" r="10.5" fill="#fff" stroke="#000" stroke-width="0.5"/>', ["covered"]),
+        ('<path d="M0 6H20" fill="none" stroke="#fff" stroke-width="10"/>', ["pale", "covered"]),
+        ('<rect width="20" height="20" fill="#fff" fill-opacity="0.2"/>', ["pale"]),
+        ('<rect width="6" height="6" fill="#fff"/>', ["pale"]),
+        ('<rect width="20" height="20" fill="#fff" display="none"/>', ["hidden"]),
+    ],
+)
+def test_what_is_covered_later_is_not_seen(over: str, reasons: list[str]) -> None:
+    under = f'<path d="M5 5L8 8" {PEN}/>'
+    assert [one.reason for one in looked(under + over).unseen] == reasons
+    assert "covered" not in [one.reason for one in looked(over + under).unseen]
 
 
 @pytest.mark.parametrize(
@@ -136,7 +154,7 @@ def test_what_cannot_be_seen_does_not_count(inside: str, reason: str) -> None:
          Line(7 + 93j, 11 + 93j, LineStyle(1.0))),
         (f'<rect x="1" y="2" width="3" height="4" {PEN}/>',
          Polyline((1 + 98j, 4 + 98j, 4 + 94j, 1 + 94j), closed=True, style=LineStyle(0.5))),
-        (f'<circle cx="5" cy="6" r="2" transform="rotate(90)" {PEN}/>', Circle(-6 + 95j, 2.0, LineStyle(0.5))),
+        (f'<circle cx="5" cy="-6" r="2" transform="rotate(90)" {PEN}/>', Circle(6 + 95j, 2.0, LineStyle(0.5))),
         (f'<polyline points="0,0 1,1 2,0" {PEN}/>', Polyline((100j, 1 + 99j, 2 + 100j), style=LineStyle(0.5))),
     ],
 )  # fmt: skip

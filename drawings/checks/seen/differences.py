@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
@@ -11,8 +11,10 @@ from itertools import zip_longest
 from drawings.checks.wrong import Wrong
 from drawings.collation.collate import Hidden, collate
 from drawings.collation.items import inside
+from drawings.eye.covering import veiled
+from drawings.eye.ink import Unseen
 from drawings.eye.letters import NEAR
-from drawings.eye.sheet import SeenSheet
+from drawings.eye.sheet import SeenSheet, uncovered
 from drawings.paper.limits import CURVE_QUANTUM, DECIMALS, QUANTUM
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 from drawings.paper.walk import flat
@@ -35,12 +37,15 @@ def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
     there = seen.written
     if not any(one.reason in NEVER for one in seen.unseen) and _same_paper(laid, there) and same(laid, there):
         return
-    hidden = [Hidden(item, one.reason) for one in seen.unseen for item in inside(one.stroke, one.group)]
-    told = collate(_rounded(laid, there), seen.leaf, hidden)
+    told = collate(uncovered(_rounded(laid, there)), seen.leaf, _hidden(seen.unseen), _hidden(veiled(laid)))
     yield from told.whole
     yield from (one.told for one in told.edits)
     if told.clean:
         yield message("wrong.unlike", name=next(_unlike(laid, there), ""))
+
+
+def _hidden(unseen: Iterable[Unseen]) -> list[Hidden]:
+    return [Hidden(item, one.reason) for one in unseen for item in inside(one.stroke, one.group)]
 
 
 def _unlike(laid: Leaf, there: Leaf) -> Iterator[str]:

@@ -1,0 +1,188 @@
+"""Covering: what lies under a later area in the colour of paper, or off the paper, is not seen (перекрытие).
+
+An area of ink hides nothing unseen: it is seen itself where it lies, as an arrowhead is over the end of its line.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple, TypeAlias
+
+from drawings.eye.ink import Unseen, dark
+from drawings.eye.shapes import notations, shape
+from drawings.paper.strokes import Arc, Box, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+
+COVERED, OUTSIDE = "covered", "outside"
+# A stroke is looked at in the middles of so many equal parts; it is gone where most of them are.
+_PARTS = 5
+_CELL = 10.0  # mm: areas are looked up by the squares of the paper that they reach into
+_MANY = 400  # squares: an area of more is looked at everywhere
+_GAP, _BLANK = 2.0, 4.0  # d: between letters, and the width of one that the alphabet does not have
+_FACETS = 8  # of a round piece of an outline
+
+_Cell: TypeAlias = tuple[int, int]
+
+
+class _Area(NamedTuple):
+    """An area that hides what was drawn before it: a round one about its only corner, or a polygon."""
+
+    order: int
+    corners: tuple[complex, ...]
+    radius: float
+    box: Box
+
+    def holds(self, spot: complex) -> bool:
+        left, low, right, high = self.box
+        if not (left < spot.real < right and low < spot.imag < high):
+            return False
+        if len(self.corners) == 1:
+            return abs(spot - self.corners[0]) < self.radius
+        sides = pairwise((*self.corners, self.corners[0]))
+        return sum(_crosses(a - spot, b - spot) for a, b in sides) % 2 == 1
+
+
+def veiled(leaf: Leaf, clear: Collection[int] = (), gone: Collection[int] = ()) -> Iterator[Unseen]:
+    """Give what of a leaf is covered or off the paper.
+
+    Of strokes by their ids: areas of `clear` let show through what is under them, those of `gone` are not painted.
+    """
+    own = list(_named(leaf.groups, ""))
+    idle = {*clear, *gone}
+    areas = [area for order, (one, _) in enumerate(own) if id(one) not in idle for area in _areas(order, one)]
+    wide, cells = _squares(areas)
+    for order, (one, name) in enumerate(own):
+        reason = _reason(order, one, leaf, wide, cells)
+        if reason:
+            yield Unseen(one, reason, name)
+
+
+def _reason(order: int, one: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: dict[_Cell, list[_Area]]) -> str:
+    spots = _spots(one)
+    most = 0 if isinstance(one, Text) else len(spots) // 2  # of lettering each letter counts
+    if sum(not (0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height) for spot in spots) > most:
+        return OUTSIDE
+    under = 0
+    for spot in spots:
+        near = cells.get((int(spot.real // _CELL), int(spot.imag // _CELL)))
+        if near or wide:
+            under += any(area.order > order and area.holds(spot) for area in (*(near or ()), *wide))
+    return COVERED if under > most else ""
+
+
+def _named(strokes: Iterable[Stroke], name: str) -> Iterator[tuple[Stroke, str]]:
+    for one in strokes:
+        if isinstance(one, Group):
+            yield from _named(one.strokes, one.name or name)
+        else:
+            yield one, name
+
+
+def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Area]]]:
+    """Give areas by the squares that they reach into; those that reach into very many by themselves."""
+    wide, cells = [], defaultdict(list)
+    for area in areas:
+        left, low, right, high = (int(side // _CELL) for side in area.box)
+        if (right - left + 1) * (high - low + 1) > _MANY:
+            wide.append(area)
+            continue
+        for across in range(left, right + 1):
+            for up in range(low, high + 1):
+                cells[across, up].append(area)
+    return wide, cells
+
+
+def _areas(order: int, one: Stroke) -> Iterator[_Area]:
+    """Give what a stroke fills; a broad line in the colour of paper fills what lies under it."""
+    if isinstance(one, Text | Group):
+        return
+    if one.style.fill != "none" and not dark(one.style.fill):
+        if isinstance(one, Circle):
+            yield _area(order, (one.centre,), one.radius)
+        elif len(corners := tuple(_corners(one))) > 2:
+            yield _area(order, corners, 0.0)
+    if _whitens(one.style):
+        half = one.style.width / 2
+        for a, b in pairwise(_corners(one)):
+            side = (b - a) / abs(b - a) * 1j * half if a != b else 0j
+            yield _area(order, (a + side, b + side, b - side, a - side), 0.0)
+
+
+def _whitens(style: LineStyle) -> bool:
+    return style.colour != "none" and style.width > 0 and not dark(style.colour)
+
+
+def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Area:
+    across, up = [corner.real for corner in corners], [corner.imag for corner in corners]
+    return _Area(
+        order, corners, radius, (min(across) - radius, min(up) - radius, max(across) + radius, max(up) + radius)
+    )
+
+
+def _corners(one: Stroke) -> Iterator[complex]:
+    """Give the corners of an outline, round ones in facets."""
+    match one:
+        case Line(start, end):
+            yield from (start, end)
+        case Polyline() | Fill():
+            yield from one.points
+            if isinstance(one, Polyline) and one.closed:
+                yield one.points[0]
+        case Arc():
+            yield from (one.at(k / _FACETS) for k in range(_FACETS + 1))
+        case Circle(centre, radius):
+            yield from (centre + cmath.rect(radius, math.tau * k / _FACETS) for k in range(_FACETS + 1))
+        case Curve():
+            yield from (piece.at(k / _FACETS) for piece in one.pieces for k in range(_FACETS))
+            yield one.pieces[-1].at(1.0)
+
+
+def _spots(one: Stroke) -> list[complex]:
+    """Give places by which a stroke is looked at: the middles of its parts, of lettering of each letter."""
+    match one:
+        case Line(start, end):
+            return [start + (end - start) * share for share in _SHARES]
+        case Arc():
+            return [one.at(share) for share in _SHARES]
+        case Circle(centre, radius):
+            return [centre + cmath.rect(radius, math.tau * share) for share in _SHARES]
+        case Polyline() | Fill():
+            return _thinned([(a + b) / 2 for a, b in pairwise(_corners(one))])
+        case Curve():
+            return _thinned([piece.at(share) for piece in one.pieces for share in _SHARES])
+        case Text():
+            return list(_letters(one))
+    return []
+
+
+_SHARES = tuple((k + 0.5) / _PARTS for k in range(_PARTS))
+
+
+def _thinned(spots: list[complex]) -> list[complex]:
+    return spots if len(spots) <= 2 * _PARTS else spots[:: len(spots) // (2 * _PARTS) + 1]
+
+
+def _letters(text: Text) -> Iterator[complex]:
+    """Give the middles of letters."""
+    turn, pen = cmath.rect(1, math.radians(text.rotation)), text.size / 10
+    along = 0.0
+    for run in text.runs:
+        own = pen if run.level == 0 else pen * 0.7
+        for letter in run.text:
+            width = _width(letter)
+            if not letter.isspace():
+                yield text.at + turn * complex(along + width * own / 2, text.size * 0.3)
+            along += (width + _GAP) * own
+
+
+def _width(letter: str) -> float:
+    return shape(letter).width if letter in notations() else _BLANK
+
+
+def _crosses(a: complex, b: complex) -> bool:
+    if (a.imag > 0) == (b.imag > 0):
+        return False
+    return a.real + (b.real - a.real) * a.imag / (a.imag - b.imag) > 0

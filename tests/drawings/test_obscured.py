@@ -1,0 +1,38 @@
+"""What a sheet itself covers, or has off the paper, is withheld as what is not there."""
+
+from __future__ import annotations
+
+import pytest
+
+from drawings.checks.seen.plain import plain
+from drawings.checks.verify import obscured
+from drawings.eye.sheet import see
+from drawings.lettering.lettering import lettered
+from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, LineStyle, Stroke, Text
+from drawings.pens.svg import svg
+
+WHITE = LineStyle(0.25, fill="#ffffff")
+NUMBER = Text(20 + 20j, "12.5")
+
+
+def told(*strokes: Stroke) -> str:
+    leaf = lettered(Leaf(100.0, 50.0, (Group(strokes, "figure"),)))
+    seen = see(svg(leaf))
+    wrong = obscured(plain(leaf, seen.leaf.lettering), seen)
+    return "; ".join(one.worded("en") for one in wrong)
+
+
+@pytest.mark.parametrize(
+    ("strokes", "says"),
+    [
+        ((NUMBER, Fill((15 + 15j, 40 + 15j, 40 + 30j, 15 + 30j), WHITE)), "not seen (covered)"),
+        ((NUMBER, Circle(27 + 21j, 3, WHITE)), "12.5"),
+        ((Text(97 + 20j, "12.5"),), "not seen (off the paper)"),
+        ((Line(10 + 10j, 10 + 99j),), "not seen (off the paper)"),
+        ((Circle(27 + 21j, 3, WHITE), NUMBER), ""),
+        ((Line(10 + 10j, 12 + 10j), Circle(10 + 10j, 3, WHITE)), ""),
+    ],
+)
+def test_lettering_under_an_area_and_lines_off_the_paper_are_told(strokes: tuple[Stroke, ...], says: str) -> None:
+    assert says in told(*strokes)
+    assert bool(told(*strokes)) is bool(says)
