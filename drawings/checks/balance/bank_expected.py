@@ -214,6 +214,11 @@ class Expected:
         towards = along.real if abs(along.real) > LINE else along.imag
         return along * self.turn * math.copysign(1.0, towards)
 
+    def directed(self, one: Compensator) -> bool:
+        """Tell whether the two roads must agree in the direction of an order's force as nearly as lines are held."""
+        whole, allowed = self.analysis.forces[one.asked.order], self.allowed.get(letters(FORCE, one.asked.order), 0.0)
+        return allowed <= LINE * max(abs(whole.ahead), abs(whole.back))
+
     def slack_of(self, one: Compensator) -> float:
         """Give how far the static moment of a mass may be off, kg*m."""
         return self.allowed[letters("mr", one.asked.order)]

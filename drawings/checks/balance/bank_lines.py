@@ -54,6 +54,9 @@ def _polygon(measured: Measured, one: Polygon, part: Group, by: Drafting) -> Ite
     short = [by.word("unlettered", names=faint)] if faint else []
     scale = parts.scale(mu, one.kind, UNITS[one.kind], by)
     parts.headed(ink, by.word(key, order=abs(one.signed)), [scale, *closed, *short])
+    if one.slack >= SEEN * mu:  # forces of rounding, drawn as large as they are: no road tells where their lines are
+        yield from ink.wrong
+        return
     parts.spot(ink, pole, ZERO, ZERO)
     starts = _starts(one, seen, part, mu, ink.near)
     for name, vector in seen.items():

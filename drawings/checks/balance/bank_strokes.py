@@ -206,7 +206,10 @@ def _layout(part: Group, expected: Expected, by: Drafting, found: Compensator) -
             _on_shaft(ink, arm.start, 1 if body.turns * expected.task.speed > 0 else -1, speed(body.turns))
             if not body.coupled and not carried:
                 ink.take(Circle, partial(_about, at=arm.start), on("circle", part.name, name=name))
-    _axes(ink, zero, expected.line(found), 1 if carried or not found.asked.offset else 2)
+    if expected.directed(found):
+        _axes(ink, zero, expected.line(found), 1 if carried or not found.asked.offset else 2)
+    else:
+        ink.every(Line, lambda one: True)
     _dimensions(ink, part, symbol)
     yield from ink.faults()
 
