@@ -70,8 +70,9 @@ def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) ->
 
 def _askew(letters: Sequence[SeenLetter], size: float) -> _Line | None:
     """Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
+    # As far as any two are apart: a lowered letter may be written last and stand between.
+    loose = ASKEW * max(abs(one.place - other.place) for one in letters for other in letters) + EVEN
     for angle in angles([(one.trail, one.unit) for one in letters]):
-        loose = ASKEW * abs(letters[-1].place - letters[0].place) + EVEN
         rough = _straight([_turned_back(one, angle, 2 * NEAR) for one in letters], size, loose)
         if rough is None or rough[0].rotation:
             continue

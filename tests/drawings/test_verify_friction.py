@@ -6,11 +6,13 @@ import re
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 
 from drawings.checks import verify
 from drawings.checks.verify_friction import friction_of, reads, report_of
 from drawings.paper.strokes import Group, Leaf, Text
+from drawings.report.forces.force_report import friction_lines
 from drawings.report.report import report
 from drawings.sheets import forces
 from plans.checks.compare import compare
@@ -114,6 +116,17 @@ def test_what_is_told_of_friction_is_what_the_analysis_gives(shaper: Sheet, stee
     for sheet in (shaper, steep):
         assert sheet.wrong() == []
         assert list(report_of(sheet.text, sheet.comparison, sheet.language)) == []
+
+
+def test_beside_a_position_that_all_but_jams_no_power_is_written_as_nothing(steep: Sheet) -> None:
+    assert steep.comparison.friction is not None
+    found = steep.comparison.friction[0]
+    enormous = replace(found, lost=np.where(np.arange(len(found.lost)) == len(found.lost) - 1, 1e15, found.lost))
+    tables = [
+        [line.split(" | ")[1:-3] for line in friction_lines(steep.comparison, one, steep.language) if line[:3] == "| 0"]
+        for one in (found, enormous)
+    ]
+    assert tables[0] == tables[1] and tables[0] != []
 
 
 @pytest.mark.parametrize(

@@ -67,9 +67,10 @@ def _swing(bones: Skeletons, name: str, place: Place, hand: Hand) -> Arc | None:
     pivot = links[FRAME].points[pivots[0]]
     angles = np.unwrap(np.angle(values - pivot))
     low, high = float(angles.min()), float(angles.max())
-    if high - low >= math.pi:  # a full turn is no swing
+    radius = place.length(abs(complex(values[0]) - pivot))
+    if high - low >= math.pi or radius * (high - low) <= STILL:  # a full turn is no swing, and no more is rest
         return None
-    return Arc(place.on(pivot), place.length(abs(complex(values[0]) - pivot)), low, high, hand.path)
+    return Arc(place.on(pivot), radius, low, high, hand.path)
 
 
 def _path(spots: Complexes, hand: Hand) -> list[Stroke]:

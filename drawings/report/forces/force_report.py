@@ -107,7 +107,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
         if gap.plan == FORCES
     )
     if statics.friction is not None:
-        yield from _friction(statics.friction, language)
+        yield from friction_lines(comparison, statics.friction, language)
 
 
 def _bodies(machine: Machine, language: str) -> Iterator[str]:
@@ -182,7 +182,7 @@ def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) 
         yield row([str(k), *(_cell(column[k], language) for column in columns.values())])
 
 
-def _sized(column: Any, nothing: float) -> Any:
+def _sized(column: Any, nothing: Any) -> Any:
     """Give what is but rounding as zero."""
     return np.where(np.abs(column) <= nothing, 0.0, column)
 
@@ -195,14 +195,19 @@ def _cell(value: complex | float, language: str) -> str:
     return number(float(value), language, DIGITS)
 
 
-def _friction(found: Friction, language: str) -> Iterator[str]:
+def friction_lines(comparison: ForceComparison, found: Friction, language: str) -> Iterator[str]:
+    """Tell what friction takes: the powers W lost in every pair and position, the efficiency, the wear, what jams."""
     say, write = partial(word, language), partial(number, language=language)
     yield f"\n{say('report.friction')}\n"
     yield say("report.friction_powers")
     heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
     yield from header([say("table.position"), *found.powers, *heads])
     least = NOTHING * max(float(np.nanmax(np.abs(one), initial=0.0)) for one in (found.lost, found.useful))
-    powers = (_sized(one, least) for one in (*found.powers.values(), found.lost, found.useful))
+    # Beside a position that all but jams much seems nothing: it is so only if the two roads cannot tell it from none.
+    slack = {one.name: np.minimum(one.allowed, least) for one in comparison.of("friction")}
+    own = [slack[f"N_{indices(*map(int, key.split('-')))}"] for key in found.powers]
+    bounds = (*own, np.minimum(sum(own), least), slack["N_us"])
+    powers = map(_sized, (*found.powers.values(), found.lost, found.useful), bounds)
     columns = [*powers, found.efficiency]
     for k in range(len(found.phi)):
         yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
