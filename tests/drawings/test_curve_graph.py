@@ -123,6 +123,12 @@ def test_a_crank_that_turns_fully_is_followed_over_its_turn_whatever_its_positio
     assert few.closed
 
 
+@pytest.mark.parametrize("off", [-6e-14, 0.0, 6e-14])
+def test_a_turn_that_is_a_rounded_sum_ends_at_position_0_again(off: float) -> None:
+    turn = CURVE._replace(angles=np.append(DENSE[:-1], 360 + off))
+    assert [text.plain for text in flat(graph(turn)) if isinstance(text, Text)].count("0") == 2
+
+
 def test_a_curve_that_outgrows_its_positions_beside_a_gap_is_broken_there() -> None:
     dense, own = rocking(DENSE), rocking(np.array([20.0, 50.0, 80.0]))
     kept = curve_graph.bounded(dense, own)

@@ -107,7 +107,7 @@ class _Rocking:
             low, high = (self.zero + 1j * end / up for end in (min(rows), max(rows)))
             parts.axes(ink, [Axis("φ", self.zero, last), Axis(letter, low, high)])
             parts.tick(ink, last, 1j, on("tick", ink.plan, name="0"))
-            ink.letter("0", [last])  # a turn that is rounded off ends without a number
+            ink.letter("0", [last], on("letter", ink.plan, name="0"))
             return
         for text, way in (("φ", 1 + 0j), (letter, 1j)):
             axis = ink.take(Line, partial(_goes, way=way), on("axes", ink.plan, name=read(text)))

@@ -77,7 +77,7 @@ class GraphCurve(NamedTuple):
     @property
     def closed(self) -> bool:
         """Does the graph end where it began, at position 0 after a turn?"""
-        return self.length == TURN and self.axis == ANGLE
+        return abs(self.length - TURN) <= ROUNDED and self.axis == ANGLE
 
 
 def swing(curve: GraphCurve) -> GraphCurve:
