@@ -49,7 +49,7 @@ def vector(name: str, start: complex, end: complex) -> Group:
 def lettering() -> tuple[Stroke, ...]:
     """Texts of every kind: on levels, slanted, centred, turned, with accents, in both scripts."""
     return (
-        Text(20 + 120j, "План скоростей, положение 3", 5.0, anchor="middle", slanted=True),
+        Text(60 + 120j, "План скоростей, положение 3", 5.0, anchor="middle", slanted=True),
         Text(70 + 110j, "v_{BA} = 0,375 м/с²;  a^n_{3} = −13.8", 3.5, slanted=True),
         Text(60 + 100j, "№ 38: Ø25 h6 (G\u0304_5)", 2.5, anchor="end"),
         Text(10 + 60j, "Подп. и дата", 2.5, rotation=90.0),
