@@ -197,7 +197,7 @@ FAULTS: dict[str, tuple[Change, str]] = {
     "a segment to the wrong side": (turned("o1l", "loop"), "o1l on Wittenbauer's loop (against"),
     "a segment left out": (dropped("o1k", "loop"), "o1k on Wittenbauer's loop is missing"),
     "the curve of the loop aside": (in_part("loop", traced(0, 0.3)), "the point 0 on Wittenbauer's loop"),
-    "the curve of moments aside": (in_part("moments", traced(0, 0.3j)), "the point 0 on reduced moments"),
+    "the curve of moments aside": (in_part("moments", traced(0, 0.3j)), "the point 1 on reduced moments"),
     "the line of the driving moment aside": (in_part("moments", traced(1, 0.3j)), "a straight line on reduced moments"),
     "the line of the drive's work aside": (in_part("works", traced(1, 0.3)), "a straight line on works"),
     "a ray to a wrong ordinate": (in_part("pole", moved(Line, 1, 1j)), "a ray of the pole"),

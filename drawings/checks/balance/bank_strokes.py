@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from functools import partial
+from itertools import pairwise
 
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance import bank_layouts
@@ -131,9 +132,10 @@ def _pieces(ink: Inventory, zero: complex, places: list[float], symbol: float) -
     """Tick off the axis of the shaft, and the shaft between the webs of its cranks, from end to end."""
     webs = sorted(place + side * shaft.WEB * symbol for place in places for side in (-1, 1))
     axis = ink.take(Line, partial(_level, zero=zero, ends=(webs[0], webs[-1])), on("line", ink.plan))
-    for left, right in zip(webs[1::2], webs[2::2], strict=False):
-        if right > left:
-            ink.line(zero + left, zero + right, on("line", ink.plan))
+    half = shaft.WEB * symbol
+    for left, right in pairwise(sorted(places)):
+        if right - half > left + half:  # cranks that are nearer have their webs in one another
+            ink.line(zero + left + half, zero + right - half, on("line", ink.plan))
     ends = ink.every(Line, partial(_is_end, zero=zero, webs=(webs[0], webs[-1])))
     if axis is None or len(ends) != 2:
         ink.wrong.append(on("line", ink.plan))

@@ -230,4 +230,4 @@ class ProfileWork:
         yield from (drafting.word(f"cam {one.kind}") for one in found.flaws if one.kind in FLAWS)
 
 
-FLAWS = ("undercut", "hollow", "crossing", "concave", "sharp")  # of a shape, which may be named beside it
+FLAWS = ("undercut", "hollow", "crossing", "concave", "sharp", "short face")  # of a shape, which may be named beside it
