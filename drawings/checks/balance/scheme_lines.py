@@ -211,7 +211,8 @@ class _Lines:
         for spot in hinges:
             found += ink.every(Line, partial(strokes.within, at=self.scheme.on(spot), far=far))
         leaders = {id(one.strokes[0]) for one in groups((self.part,)) if strokes.is_led(one)}
-        if sum(1 for one in found if id(one) not in leaders) != due * len(hinges):
+        # Ties and grounds of guides may lie in the reach of a stand too.
+        if sum(1 for one in found if id(one) not in leaders) < due * len(hinges):
             ink.wrong.append(on("stand", ink.plan, name=mechanism.drive.pivot))
 
     def _ties(self, one: Line, at: complex, link: int) -> bool:
