@@ -18,6 +18,8 @@ DIGITS = 50
 def redraw(marks: list[Mark], givens: Mapping[Mark, Value]) -> dict[Mark, Mark]:
     """Draw the same steps again from other givens; each old mark is answered by its new one.
 
+    Any mark may be given: it is then where another hand has drawn it, and what rests on it is drawn from there.
+
     >>> board = Board("positions")
     >>> a, c = board.given("A", 0j), board.given("C", 5 + 0j)
     >>> ac = board.join("AC", a, c)
@@ -34,9 +36,9 @@ def redraw(marks: list[Mark], givens: Mapping[Mark, Value]) -> dict[Mark, Mark]:
 
 def _again(board: Board, mark: Mark, inputs: tuple[Mark, ...], givens: Mapping[Mark, Value]) -> Mark:
     step = mark.step
+    if mark in givens or step.op == "given":
+        return board.given(mark.name, givens.get(mark, mark.value), step.why)
     match step.op:
-        case "given":
-            return board.given(mark.name, givens.get(mark, mark.value), step.why)
         case "arc":
             return board.arc(mark.name, inputs[0], step.size.real, step.why)
         case "meet":

@@ -25,12 +25,12 @@ if sys.dont_write_bytecode and "PYTEST_XDIST_WORKER" not in os.environ:
     os.environ.setdefault("PYTHONPYCACHEPREFIX", str(Path(__file__).parents[1] / ".pytest_cache" / "bytecode"))
 
 
-gc.set_threshold(50_000, 20, 20)  # garbage is looked for less often: what is imported and collected is none
+gc.set_threshold(500_000, 20, 20)  # garbage is looked for less often: what is imported and collected is none
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="run whole, and alone, what the everyday run makes a part of")
-    parser.addoption("--every", type=int, default=1, help="with --whole: every so many of the rows that it alone runs")
+    parser.addoption("--every", type=int, default=1, help="with --whole: every so many of its rows, and all its tests")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -43,7 +43,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         names = {mark.name for mark in item.iter_markers()}
         kept[bool(names & {"part", "rest"}) if config.getoption("whole") else "rest" not in names].append(item)
-    rows = [item for item in kept[True] if item.get_closest_marker("rest")]
+    rows = [item for item in kept[True] if item.get_closest_marker("rest") and hasattr(item, "callspec")]
     left = set(rows) - set(rows[:: config.getoption("every")])
     kept = {True: [item for item in kept[True] if item not in left], False: [*kept[False], *left]}
     config.hook.pytest_deselected(items=kept[False])

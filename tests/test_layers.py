@@ -217,10 +217,11 @@ ROOMS = (
     ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
     ("drawings.figures.forces", "drawings.figures.dynamics", "drawings.figures.cam", "drawings.figures.cyclogram"),
     ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
-    ("drawings.note",),
+    ("drawings.note", "drawings.figures.workings"),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.original",),
-    ("drawings.bench", "drawings.gallery"),
+    ("drawings.grading",),
+    ("drawings.bench", "drawings.gallery", "drawings.form"),
     ("drawings.commands",),
 )
 ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}

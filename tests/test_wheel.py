@@ -38,11 +38,13 @@ def sources() -> set[str]:
     return {path.as_posix() for path in paths if not set(path.parts) & set(CACHES)}
 
 
+@pytest.mark.rest
 def test_it_holds_every_file_of_the_three_packages_and_nothing_else(wheel: zipfile.ZipFile, info: str) -> None:
     packed = {name for name in wheel.namelist() if not name.startswith(info)}
     assert packed == sources()
 
 
+@pytest.mark.rest
 def test_it_holds_no_tests_and_nothing_of_the_workshop(wheel: zipfile.ZipFile) -> None:
     assert not [name for name in wheel.namelist() if "test" in Path(name).stem or "/." in f"/{name}"]
 

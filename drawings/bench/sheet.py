@@ -121,7 +121,8 @@ def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Map
     language = study.scene.sheet.language
     known = [place for place, k in enumerate(drawn.plans) if not study.lost[k]]
     found = {}
-    for row in value_table.rows(drawn.comparison, drawn.plans, set(), language):
+    told = [(one,) for one in value_table.told(drawn.comparison)]
+    for row in value_table.rows(told, drawn.plans, language):
         named = _NAME.match(row.name)
         key = (_KINDS[named[1]], named[2]) if named else ("", "")
         if key in truth.values:

@@ -13,7 +13,7 @@ from drawings.lettering.extent import bounds
 from drawings.lettering.indices import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
-from drawings.paper.walk import walk
+from drawings.paper.walk import groups, texts, walk
 from plans.words.words import Message
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
@@ -49,19 +49,22 @@ def labels_of(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
 def distance(labels: Iterable[Label], spots: Iterable[complex]) -> float:
     """Give how far the nearest of some labels is from the nearest of some spots, mm; infinity without any."""
     places = tuple(spots)
-    return min((_distance(spot, label.place) for label in labels for spot in places), default=math.inf)
+    return min((off(spot, label.place) for label in labels for spot in places), default=math.inf)
+
+
+def leaders(strokes: Iterable[Stroke]) -> Iterator[tuple[Line, Text]]:
+    """Give the leaders (линии-выноски), each with its letter."""
+    for one in groups(strokes):
+        match one.strokes:
+            case (Line() as leader, Text() as text):
+                yield leader, text
 
 
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
-    led = set[int]()
-    for stroke in walk(strokes):
-        match stroke:
-            case Group((Line() as leader, Text() as text)):
-                place = leader.start
-                led.add(id(text))
-                yield Label(text, (place.real, place.imag, place.real, place.imag))
-            case Text() if id(stroke) not in led:
-                yield Label(stroke, bounds(stroke))
+    led = {id(text): leader.start for leader, text in leaders(strokes)}
+    for text in texts(strokes):
+        place = led.get(id(text))
+        yield Label(text, bounds(text) if place is None else (place.real, place.imag, place.real, place.imag))
 
 
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[complex]]]:
@@ -89,7 +92,7 @@ def along(start: complex, end: complex) -> list[complex]:
     return [start + (end - start) * k / count for k in range(count + 1)]
 
 
-def _distance(point: complex, box: Box) -> float:
+def off(spot: complex, box: Box) -> float:
+    """Give how far a place is from a box, mm."""
     left, bottom, right, top = box
-    nearest = complex(min(max(point.real, left), right), min(max(point.imag, bottom), top))
-    return abs(point - nearest)
+    return abs(spot - complex(min(max(spot.real, left), right), min(max(spot.imag, bottom), top)))

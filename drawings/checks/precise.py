@@ -7,9 +7,11 @@ from collections.abc import Collection
 from itertools import zip_longest
 
 from drawings.checks.reading import reads
+from drawings.lettering.words import number
 from drawings.page.drafting import Drafting
 
 ALL_DIGITS = 15
+LONG = 6  # digits that a written number has at the most
 _NUMBER = re.compile(r"[−-]?\d+(?:[.,]\d+)?")
 
 
@@ -40,6 +42,22 @@ def tells(text: str, true: str, digits: Collection[int], share: float = 0.0) -> 
         return False
     pairs = zip_longest(_NUMBER.findall(text), _NUMBER.findall(true), fillvalue="")
     return all(_holds(one, other, digits, share) for one, other in pairs)
+
+
+def rounded(text: str) -> str:
+    """Write a text that has all digits of its numbers as a sheet would: what has more than four has four.
+
+    >>> rounded("J = 36.7033712 at 24"), rounded("0,333333333333 m")
+    ('J = 36.7 at 24', '0,3333 m')
+    """
+    return _NUMBER.sub(lambda found: _short(found[0]), text)
+
+
+def _short(numeral: str) -> str:
+    if len(re.sub(r"\D", "", numeral).lstrip("0")) <= LONG:
+        return numeral
+    value = float(numeral.replace("−", "-").replace(",", "."))
+    return number(value).replace(".", "," if "," in numeral else ".")
 
 
 def _holds(written: str, true: str, digits: Collection[int], share: float) -> bool:

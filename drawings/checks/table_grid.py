@@ -14,6 +14,7 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Line, Text
 from drawings.paper.walk import flat
 
+HEADED = 2  # rows of headings: positions, and under each the names of its columns
 Row = list[tuple[str, float]]  # texts and the middles of their lettering, mm, from left to right
 
 
@@ -31,6 +32,8 @@ def faults(group: Group, table: str, heads: Sequence[str], language: str) -> Ite
     if len(edges) != count + 1:
         yield within("in", table, text="|" * len(edges))
         return
+    if not _ruled(group, edges, len(lines) + HEADED, len(own)):
+        yield within("ruled", table)
     yield from _named(titles, positions, _bands(edges, len(own)), table)
     yield from _named(corner[0] if corner else [], [first], [(edges[0], edges[1])], table)
     cells = list(pairwise(edges))
@@ -45,6 +48,31 @@ def _edges(group: Group) -> list[float]:
     lines = (one for one in flat((group,)) if isinstance(one, Line))
     upright = sorted(one.start.real for one in lines if abs((one.end - one.start).real) <= QUANTUM)
     return [x for k, x in enumerate(upright) if not k or x - upright[k - 1] > QUANTUM]
+
+
+def _ruled(group: Group, edges: Sequence[float], rows: int, each: int) -> bool:
+    """Tell whether a table has its lines: level ones over and under each row, upright ones from the last row up.
+
+    Those between the `each` columns of one position end under its heading, which no line parts from its columns' names
+    in the column of the names.
+    """
+    lines = [one for one in flat((group,)) if isinstance(one, Line)]
+    level = [one for one in lines if abs((one.end - one.start).imag) <= QUANTUM]
+    level.sort(key=lambda one: one.start.imag)
+    floors = [one.start.imag for one in level]
+    if len(level) != rows + 1 or len(lines) != len(level) + len(edges):
+        return False
+    lefts = [edges[k == rows - 1] for k in range(rows + 1)]
+    wide = all(_ends(one.start.real, one.end.real, low, edges[-1]) for one, low in zip(level, lefts, strict=True))
+    steps = [high - low for low, high in pairwise(floors)]
+    tops = [floors[-1] if k < 2 or (k - 1) % each == 0 else floors[-2] for k in range(len(edges))]
+    upright = sorted((one for one in lines if one not in level), key=lambda one: one.start.real)
+    high = all(_ends(one.start.imag, one.end.imag, floors[0], top) for one, top in zip(upright, tops, strict=True))
+    return wide and high and max(steps) - min(steps) <= 2 * QUANTUM
+
+
+def _ends(one: float, other: float, low: float, high: float) -> bool:
+    return abs(min(one, other) - low) <= QUANTUM and abs(max(one, other) - high) <= QUANTUM
 
 
 def _bands(edges: Sequence[float], count: int) -> list[tuple[float, float]]:

@@ -13,17 +13,19 @@ from drawings.checks.wrong import Wrong, on
 from drawings.collation.edit import lone
 from drawings.collation.figures import Figures
 from drawings.collation.items import items
-from drawings.eye.covering import COVERED, OUTSIDE, veiled
+from drawings.eye.covering import COVERED, OUTSIDE, small, veiled
 from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check
-from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import Leaf, Text
+from drawings.paper.limits import QUANTUM, SheetRefused
+from drawings.paper.strokes import Arc, Leaf, Text
+from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
 TOLD = 5  # mismatches told one by one
+SYMBOL = abs(complex(*BLOCK)) + QUANTUM  # mm: no symbol of a pair is larger, from corner to corner
 
 
 class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
@@ -54,13 +56,18 @@ def wrongs(measured: Measured, leaf: Leaf, faults: Callable[[Measured, Leaf], It
 
 
 def obscured(laid: Leaf, seen: SeenSheet) -> list[Wrong]:
-    """List lettering that is covered, and whatever lies off the paper; a line may be short and end under a hinge."""
+    """List lettering that is covered, and whatever lies off the paper or under an area larger than a symbol.
+
+    A line may be short and end under a hinge, an arc be one of those that notch the centre of a cam's roller.
+    """
     if not any(one.reason in (COVERED, OUTSIDE) for one in seen.unseen):
         return []
     figures = Figures(laid)
     right = {id(item.stroke): item for item in items(laid)}
     own = [(right[id(one.stroke)], one.reason) for one in veiled(laid)]
-    held = [(item, reason) for item, reason in own if reason == OUTSIDE or isinstance(item.stroke, Text)]
+    large = {id(one.stroke) for one in veiled(laid, small(laid, SYMBOL))}
+    large -= {id(one.stroke) for one in veiled(laid) if isinstance(one.stroke, Arc) and one.reason == COVERED}
+    held = [(item, why) for item, why in own if isinstance(item.stroke, Text) or id(item.stroke) in large]
     return [lone("hidden", item, figures, reason=reason).told for item, reason in held]
 
 

@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks import reading, table_grid
+from drawings.checks.documents import title_block
 from drawings.checks.force_marks import lever_marks, polygon_marks
+from drawings.checks.forces import arm_marks
 from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.cut_equations import CutEquationsCheck
 from drawings.checks.forces.details import Details, Sheets
-from drawings.checks.forces.force_rows import row_names, title
+from drawings.checks.forces.force_rows import row_names
 from drawings.checks.forces.force_set import ForceSet
 from drawings.checks.forces.headings import Headings
 from drawings.checks.forces.lever_equation import LeverCheck
@@ -23,20 +25,24 @@ from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.forces.schemes import LoadingSchemes
 from drawings.checks.forces.sheet_curves import SheetCurves
 from drawings.checks.forces.written_equations import WrittenEquations
-from drawings.checks.graphs.figure_strokes import figure
+from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.linkage.value_rows import TABLE
 from drawings.checks.reading import plain, scales
+from drawings.checks.seen import repeats
 from drawings.checks.verify_friction import friction_of
+from drawings.checks.workings.force_workings import ForceWorkings
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
 from drawings.measure.measure import Measured
+from drawings.page.drafting import drafting_of
 from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
 from drawings.paper.walk import groups
 from drawings.symbols.force_arrow import plain_name
 from geometry import draughtsman, hand_error
 from plans.checks.comparison import Finding
+from plans.checks.expected import Expected
 from plans.checks.force_bill import ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
@@ -48,6 +54,7 @@ from plans.words.words import Message
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
 ASKEW = 1e-3
+KIND = "forces"
 
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
@@ -65,8 +72,10 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.figures()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     named = row_names(comparison, check.floor)
-    yield from title(leaf, statics)
+    # No figure of a force sheet is foremost: its title block has no ratio.
+    yield from title_block.faults(leaf, study.scene, KIND, drafting_of(study.scene).word("forces sheet title"), "")
     yield from reading.tables(leaf, named)
+    yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from check.by_hand(named)
 
 
@@ -137,8 +146,10 @@ class _Check:
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
             yield from self._chain(name)
-        speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
-        yield from lever_marks(self.measured, expected, self._images, 2 * speed)
+        speed = 2 * max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
+        yield from lever_marks(self.measured, expected, self._images, speed)
+        drafting = drafting_of(study.scene)
+        yield from ForceWorkings(self.leaf, expected, self.floor, self._images, speed, drafting).faults()
 
     def _chain(self, label: str) -> Iterator[Wrong]:
         """Hold the polygon of a cut on paper."""
@@ -183,11 +194,14 @@ class _Check:
         """Hold the loading schemes, the lever, and the headings of all figures."""
         study, position = self.statics.study, self.position
         yield from LoadingSchemes(self.leaf, self.bills, self.floor).faults()
+        symbol = drafting_of(study.scene).hand.symbol
+        for group in (one for one in self.leaf.groups if one.name.startswith(("scheme-", "lever-"))):
+            yield from arm_marks.faults(FigureStrokes(group), group.name, symbol)
         lever = figure(self.leaf, f"lever-{position}")
         points = [one for one in self.measured.points if one.plan == "lever"]
         if lever is not None and points:
             bills = tuple(self.bills.values())
-            yield from LeverForces(lever, points, bills, self._images, self.floor).faults()
+            yield from LeverForces(lever, points, bills, self._images, self.floor, self._vectors).faults()
         notation = study.scene.sheet.notation
         yield from Headings(self.leaf, position, study.mechanism.drive, self.floor, notation).faults()
 
@@ -196,11 +210,18 @@ class _Check:
         velocities = self.statics.study.drafts().velocities
         return {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
 
+    @property
+    def _vectors(self) -> list[tuple[str, str]]:
+        """The vectors of the velocity plan by the names of their ends."""
+        study, motion = self.statics.study, self.comparison.motion.analysis
+        expected = Expected(study.mechanism, motion, self.position, study.drafts().velocities.written)
+        return [ends for plan, *ends in expected.arrows(study.groups) if plan == VELOCITIES.plan]  # type: ignore[misc]
+
     @cached_property
     def floor(self) -> Floor:
         """What is none on this sheet, and how it is lettered."""
         found, study = self.comparison.analysis, self.statics.study
-        force, moment = found.nothing
+        force, moment = found.nothing_at(self.position)
         none = self.slack + force, self.slack * found.size + moment
         return Floor(*none, study.language, self.statics.form.sheet.reactions)
 
@@ -246,7 +267,8 @@ class _Check:
         """Hold the load diagrams, by the strokes of the analysis."""
         motion = self.comparison.motion
         strokes = self.statics.over(motion.road.extremes)
-        yield from loads(self.measured, self.leaf, self.statics.machine, strokes, motion.analysis)
+        drafting = drafting_of(self.statics.study.scene)
+        yield from loads(self.measured, self.leaf, self.statics.machine, strokes, motion.analysis, drafting)
 
     def lever(self) -> Iterator[Wrong]:
         """Hold the lever's equation of moments, and its arms."""

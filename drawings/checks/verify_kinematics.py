@@ -15,7 +15,9 @@ from drawings.checks.linkage import (
     drive_arrows,
     guides,
     linkage_notes,
+    linkage_set,
     notches,
+    own_scales,
     pair_symbols,
     part_letters,
     paths,
@@ -30,8 +32,10 @@ from drawings.checks.linkage import (
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.seen import repeats
 from drawings.checks.vectors import plan_headings, vector_plans
 from drawings.checks.vectors.laid_vectors import LaidVectorPlan
+from drawings.checks.workings import linkage_workings
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
 from drawings.figures.linkage.vector_plan import LEAST
@@ -48,6 +52,7 @@ from plans.model.order import ORDERS, POSITIONS
 from plans.study import Study
 from plans.words.words import Message, message
 
+COMMON = "common"  # of the scales of plans: each order has one
 KIND = "kinematics"  # the kind of sheet that shows more than the plan of positions
 
 
@@ -67,8 +72,10 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from _positions(measured, leaf, linkage, comparison)
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
+    yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from reading.marked_scales(leaf)
     yield from linkage_notes.faults(leaf, linkage, comparison)
+    yield from linkage_workings.of_linkage(measured, leaf, linkage, comparison)
     yield from _page(measured, leaf, linkage)
     if "scales" in leaf.metadata:
         yield from value_rows.faults(measured, leaf, linkage, comparison)
@@ -83,11 +90,14 @@ def _page(measured: Measured, leaf: Leaf, study: LinkageStudy) -> Iterator[Wrong
 
 
 def set_faults(sheets: Sequence[tuple[Measured, Leaf]], study: Study) -> Iterator[Wrong]:
-    """See that each position has both its plans, which may stand on two sheets of the set."""
+    """See that each position has both its plans, on whichever sheet of the set, and that nothing else is missing."""
     shown = {(plan, k) for _, leaf in sheets for plan, k in leaf.metadata["vectors"]}
     for plan, k in ((order.plan, k) for order in ORDERS[1:] for k in sorted({k for _, k in shown})):
         if (plan, k) not in shown:
             yield on("missing_at", plan, name=POLES[plan], position=k)
+    yield from linkage_set.faults([leaf for _, leaf in sheets], study)
+    if study.scene.sheet.scales == COMMON:
+        yield from own_scales.faults(sheets, drafting_of(study.scene))
 
 
 def _plans(

@@ -52,7 +52,9 @@ def unseen(item: Item, reason: str, figures: Figures, under: Sequence[Item] = ()
         parts = {"count": len(under), "first": _thing(under[0], figures)}
         return lone("patch", item, figures, **parts)._replace(strokes=len(under))
     if reason == UNREAD:
-        return _edit(UNREAD, item, figures, None, message("edit.unread", name=item.home.figure))
+        return _edit(
+            UNREAD, item, figures, None, message("edit.unread", name=f"{item.home.figure} {item.name}".strip())
+        )
     return lone("unseen", item, figures, reason=reason)
 
 

@@ -29,17 +29,21 @@ def match(right: Sequence[Item], there: Sequence[Item], rounding: float) -> Matc
     for place, item in enumerate(there):
         cells[_cell(item.stroke, rounding)].append(place)
     taken: dict[int, Item] = {}
-    missing = []
-    for item in right:
-        near = [one for one in _near(item.stroke, cells, rounding) if one not in taken]
-        fitting = [one for one in near if same(item.stroke, there[one].stroke, rounding)]
-        if fitting:
-            taken[min(fitting, key=lambda one: there[one].home.mark != item.home.mark)] = item
-        else:
-            missing.append(item)
+    missing = list(right)
+    for own in (True, False):  # two marks may lie on one place: each stroke has that of its own mark first
+        left: list[Item] = []
+        for item in missing:
+            near = (one for one in _near(item.stroke, cells, rounding) if one not in taken)
+            near = (one for one in near if not own or there[one].home.mark == item.home.mark)
+            fitting = next((one for one in near if same(item.stroke, there[one].stroke, rounding)), None)
+            if fitting is None:
+                left.append(item)
+            else:
+                taken[fitting] = item
+        missing = left
     pairs = tuple((item, there[place]) for place, item in taken.items())
-    left = [item for place, item in enumerate(there) if place not in taken]
-    return Matching(pairs, tuple(missing), *_added(right, left, rounding))
+    others = [item for place, item in enumerate(there) if place not in taken]
+    return Matching(pairs, tuple(missing), *_added(right, others, rounding))
 
 
 def _added(right: Sequence[Item], left: Iterable[Item], rounding: float) -> tuple[tuple[Item, ...], tuple[Item, ...]]:

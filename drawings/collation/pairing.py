@@ -56,7 +56,7 @@ class Pairing:
             if name is None or len(own) < 2:
                 continue
             shift = shift_of(own, others, self.rounding)
-            if shift is not None and looks_alike(own, others):
+            if shift is not None and looks_alike(own, others, shift.scale):
                 self._done(own, others)
                 yield edit.together(own, self.figures, shift, counts.get(str(name)) == len(own))
 

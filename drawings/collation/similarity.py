@@ -5,9 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
-from drawings.collation.items import Item
+from drawings.collation.items import Ink, Item
 from drawings.collation.matching import alike
 from drawings.collation.spots import spots
 from drawings.measure.transform import Affine
@@ -118,6 +119,15 @@ def _times(a: Sequence[complex], b: Sequence[complex]) -> complex:
     return sum((x * y for x, y in zip(a, b, strict=True)), 0j)
 
 
-def looks_alike(right: Sequence[Item], there: Sequence[Item]) -> bool:
-    """Tell whether strokes that were moved as one still look as they must."""
-    return all(alike(a.stroke, b.stroke) for a, b in zip(right, there, strict=True))
+def looks_alike(right: Sequence[Item], there: Sequence[Item], scale: float) -> bool:
+    """Tell whether strokes that were moved as one still look as they must, their lines as wide or scaled with them."""
+    pairs = [(a.stroke, b.stroke) for a, b in zip(right, there, strict=True)]
+    return all(alike(a, b) for a, b in pairs) or all(alike(_wider(a, scale), b) for a, b in pairs)
+
+
+def _wider(stroke: Ink, scale: float) -> Ink:
+    """Give a stroke with its line so many times as wide, and its dashes so many times as long."""
+    style = stroke.style._replace(
+        width=stroke.style.width * scale, dash=tuple(one * scale for one in stroke.style.dash)
+    )
+    return stroke._replace(style=style) if isinstance(stroke, tuple) else replace(stroke, style=style)

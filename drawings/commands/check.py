@@ -73,6 +73,8 @@ def lines(path: Path, language: str, checked: Checked) -> Iterator[str]:
 def _verdict(checked: Checked) -> str:
     if checked.refused == UNREADABLE:
         return "checked.unreadable"
+    if checked.resaved:
+        return "checked.resaved"
     return "checked.edited" if checked.findings else "checked.partly" if checked.partly else "checked.whole"
 
 

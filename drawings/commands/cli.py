@@ -25,7 +25,7 @@ exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 
 4 drawn, but with gaps, marks too near a dead centre, a machine that stops, or a cam beyond its limit, undercut, not
 held by its spring, or with too short a face; 5 a self-check failed, sheet withheld;
 7 cannot read or write; 8 a named limit was exceeded. Of check: 0 whole; 4 whole as far as it could be checked;
-5 not as it was drawn.
+5 not as it was drawn. Of grade: 0 all right; 4 some with mistakes; 5 some rejected, which cannot be graded.
 
 a scene is one TOML file: what is studied, a linkage or a rotor, and what is asked of it.
 start from a scene of the gallery (plandraft new) and change it; every mistake is told with its line and what to write.
@@ -59,6 +59,11 @@ def parser() -> argparse.ArgumentParser:
         "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
     )
     draw.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
+    form = _command(commands, "form", "write the blank sheets of the task, for a student to draw on: no results")
+    form.add_argument(
+        "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the form (default: out)"
+    )
+    form.add_argument("--language", type=_language, metavar="LANGUAGE", help="en or ru (default: the scene's)")
     new = commands.add_parser("new", help="write a scene of the gallery to start from; without a name, list them")
     new.add_argument("name", nargs="?", metavar="NAME", help="the scene's name in the gallery")
     new.add_argument("-o", "--output", type=Path, default=Path(), metavar="DIR", help="its folder (default: this one)")
@@ -77,6 +82,7 @@ def parser() -> argparse.ArgumentParser:
     )
     measure.add_argument("--json", action="store_true", help="as JSON")
     _check(commands)
+    _grade(commands)
     _bench(commands)
     schema = commands.add_parser("schema", help="print the JSON Schema of a scene, for editors")
     schema.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it into a file")
@@ -89,6 +95,32 @@ def _check(commands: argparse._SubParsersAction[_Parser]) -> None:
     check.add_argument("--scene", type=Path, metavar="SCENE", help="its scene (default: looked for beside the sheet)")
     check.add_argument("--language", type=_language, metavar="LANGUAGE", help="en or ru (default: the scene's)")
     check.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _grade(commands: argparse._SubParsersAction[_Parser]) -> None:
+    grade = _command(commands, "grade", "grade sheets that students hand in, quantity by quantity")
+    grade.add_argument("sheets", type=Path, nargs="+", metavar="SHEET.svg", help="a sheet that a student hands in")
+    grade.add_argument("--marks", type=Path, metavar="FILE", help="points by quantity, a TOML file (default: one each)")
+    grade.add_argument(
+        "--tolerance",
+        type=_tolerance,
+        default="0.2 mm",
+        metavar="T",
+        help='"0.2 mm" that a hand slips by, "2 %%" of a plan\'s largest vector, or exact (default: 0.2 mm)',
+    )
+    grade.add_argument("--language", type=_language, metavar="LANGUAGE", help="en or ru (default: the scene's)")
+    grade.add_argument("-o", "--output", type=Path, metavar="DIR", help="folder for feedback sheets (default: none)")
+    form = grade.add_mutually_exclusive_group()
+    form.add_argument("--json", action="store_true", help="as JSON")
+    form.add_argument("--csv", action="store_true", help="as CSV, a row for each sheet")
+
+
+def _tolerance(text: str) -> object:
+    from drawings.grading.tolerance_text import allowance  # only this option asks for it
+
+    if (found := allowance(text)) is None:
+        raise argparse.ArgumentTypeError(f'{text} is no tolerance: write "0.2 mm", "2 %" or exact')
+    return found
 
 
 def _solve(commands: argparse._SubParsersAction[_Parser]) -> None:

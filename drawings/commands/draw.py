@@ -73,7 +73,7 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> SheetSet:
     with trace.stage("reading the scene"):
         study = Study(read_scene(path))
         noted(study)
-        _admit(study.scene)
+        admit(study.scene)
     with output_folder(folder) as left:
         for told in chain(left.told(folder), _strangers(study.scene, folder)):
             _say(study.scene, told)
@@ -91,7 +91,7 @@ def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
     return _sheets(study, folder, trace)
 
 
-def _admit(scene: Scene) -> None:
+def admit(scene: Scene) -> None:
     """Refuse what no sheet can show, before any work."""
     of_title(scene)
     of_scales(scene)
@@ -103,6 +103,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
         from drawings.checks import verify as checks
+        from drawings.checks.documents import compared
         from drawings.original.edition import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
@@ -122,7 +123,8 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            checks.verify_report(faults(text, study, leaves))
+            told = compared.faults(text, study.comparisons, scene.sheet.language)
+            checks.verify_report((*faults(text, study, leaves), *told))
             seen: dict[str, list[SeenSheet]] = {kind: [] for kind in leaves}
             for path, (kind, leaf) in sheets.items():
                 held = partial(named(SHEETS[kind].faults), study=study)

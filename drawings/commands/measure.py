@@ -16,6 +16,7 @@ from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
 from drawings.measure.measured_profile import MeasuredProfile
 from drawings.paper.limits import SheetRefused
 from geometry.curve import CubicPiece, Piece
+from plans.words.words import ENGLISH, message
 
 FAILED = 5
 
@@ -25,12 +26,11 @@ def run(options: argparse.Namespace) -> int:
     try:
         measured = measure_file(options.sheet)
     except SheetRefused as refused:
-        raise type(refused)(f"{options.sheet}: {refused.reason}") from None
+        raise type(refused)("file", sheet=options.sheet, why=refused.reason) from None
     if not measured.marks and not measured.profiles:
-        raise SheetRefused(
-            f"{options.sheet}: this SVG has no vectors or points of a plandraft sheet. Fix: give one it drew"
-        )
+        raise SheetRefused("bare", sheet=options.sheet)
     _tell_strangers(options.sheet)
+    language = _language(options.scene) if options.scene else ENGLISH
     wrong = check(measured)
     off = {miss.key for miss in wrong}
     astray = _astray(measured, options) if options.scene else {}
@@ -50,10 +50,16 @@ def run(options: argparse.Namespace) -> int:
             sign = "  DIFFERS from the stated" if one.key in off else ""
             print(f"{one.plan:<14} {'':>4}  {one.name:<10} {told}{sign}")
         for note in measured.notes:
-            print(f"left aside: {note}")
+            print(message("aside.note", note=note).worded(language))
         for how, key in ((how, key) for how, own in astray.items() for key in own):
             print(f"{how}: {' '.join(str(part) for part in key if part is not None)}")
     return FAILED if wrong or any(astray.values()) else 0
+
+
+def _language(scene: Path) -> str:
+    from plans.scene.source import language_of  # a sheet alone needs no scene
+
+    return language_of(scene)
 
 
 def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:

@@ -35,6 +35,11 @@ class _Area(NamedTuple):
     radius: float
     box: Box
 
+    @property
+    def wide(self) -> float:
+        """From corner to corner, however the area is turned, mm."""
+        return 2 * self.radius + max(abs(a - b) for a in self.corners for b in self.corners)
+
     def holds(self, spot: complex) -> bool:
         left, low, right, high = self.box
         if not (left < spot.real < right and low < spot.imag < high):
@@ -58,6 +63,12 @@ def veiled(leaf: Leaf, clear: Collection[int] = (), gone: Collection[int] = ()) 
         reason = _reason(order, one, leaf, wide, cells)
         if reason:
             yield Unseen(one, reason, name)
+
+
+def small(leaf: Leaf, most: float) -> set[int]:
+    """Give the strokes, by their ids, that fill no area wider than a symbol of so many mm from corner to corner."""
+    own = [one for one, _ in _named(leaf.groups, "")]
+    return {id(one) for one in own if all(area.wide <= most for area in _areas(0, one))}
 
 
 def _reason(order: int, one: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: dict[_Cell, list[_Area]]) -> str:

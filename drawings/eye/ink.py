@@ -27,7 +27,7 @@ _NAMES = {
 _HEX = re.compile(r"#(?:[0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})")
 _RGB = re.compile(r"rgb\(\s*(\d{1,3})[\s,]+(\d{1,3})[\s,]+(\d{1,3})\s*\)")
 _NONE = "none"
-_CLIPS = ("under a clip-path", "under a mask")  # as the reader tells it
+_CLIPS = ("gone.clip-path", "gone.mask")  # as the reader tells it
 _UNITS = {"": 1.0, "px": 1.0, "mm": 96 / 25.4, "cm": 960 / 25.4, "in": 96.0, "pt": 96 / 72, "pc": 16.0}
 
 
@@ -62,7 +62,7 @@ def ink(look: Look, scale: float) -> Ink:
 def _why(look: Look, style: LineStyle) -> str:
     """Tell why what is drawn so is not seen; "" if it is."""
     if look.gone or look.visibility != "visible":
-        return "clipped" if look.gone in _CLIPS else "hidden"
+        return "clipped" if look.gone is not None and look.gone.key in _CLIPS else "hidden"
     if style.fill != _NONE and dark(style.fill):
         return ""
     if style.colour == _NONE or not dark(style.colour):
@@ -103,7 +103,7 @@ def length(text: str) -> float:
     match = NUMERAL.match(text[:NUMERAL_LENGTH])
     unit = _UNITS.get(text[match.end() :]) if match else None
     if match is None or unit is None or not 0 <= float(match[0]) <= REACH:
-        raise SheetRefused(f"{text[:20]!r} is not a length")
+        raise SheetRefused("length", text=repr(text[:20]))
     return float(match[0]) * unit
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from drawings.eye.effects import effects
 from drawings.eye.ink import Ink, Unseen, ink
 from drawings.eye.lettered import any_letters, pen_of_letters, plain_letters
 from drawings.eye.outlines import SHAPES, outlines, scale_of
@@ -16,7 +17,7 @@ from drawings.measure.viewport import Viewport, viewport
 from drawings.measure.visibility import Look
 from drawings.measure.witness import Frame
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import INK, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import INK, Group, LineStyle, Run, Stroke, Text
 from drawings.paper.walk import flat
 
 # What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
@@ -50,7 +51,7 @@ class Observer:
         self.gone: set[int] = set()  # and those that are not painted at all
         self.description, self.lettering = "", "strokes"
         self.paper = Viewport(0.0, 0.0, STAY, ())
-        self.root = _Open(Frame("svg", STAY, Look(), ""), {})
+        self.root = _Open(Frame("svg", STAY, Look(), None), {})
 
     def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
         """See an element begin."""
@@ -58,10 +59,12 @@ class Observer:
         self.open.append(one)
         if len(self.open) == 1:
             self.root, self.paper = one, viewport(attributes)
-        elif frame.tag in SHAPES:
-            self._draw(one)
         elif frame.tag in UNREAD or frame.tag == "svg":
             self._leave_aside(f"<{frame.tag}>")
+        elif frame.tag and (own := next(effects(attributes), "")):
+            self._leave_aside(f"<{frame.tag} {own}>")
+        if frame.tag in SHAPES:
+            self._draw(one)
 
     def hear(self, text: str) -> None:
         """Take the characters within the innermost element."""
@@ -80,6 +83,8 @@ class Observer:
                 self.open[-1].title = "".join(one.heard)
             case "desc" if len(self.open) == 1:
                 self.description = "".join(one.heard)
+            case _ if one.strokes and self.open:  # a link, or what no viewer knows
+                self._close(one)
 
     def _draw(self, one: _Open) -> None:
         """Take a shape: as letters where it is one path of them, or else as lines."""
@@ -87,8 +92,8 @@ class Observer:
             seen = ink(one.frame.look, scale_of(one.frame.to_paper))
             if not self._letter(one, seen):
                 self._line(one, seen)
-        except SheetRefused as refused:
-            self._leave_aside(refused.reason)
+        except SheetRefused:
+            self._leave_aside(f"<{one.frame.tag}>")
 
     def _line(self, one: _Open, seen: Ink) -> None:
         strokes = tuple(outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style))
@@ -129,8 +134,8 @@ class Observer:
         try:
             seen = ink(one.frame.look, 1.0)
             part = typeset(plain, one.frame.to_paper, one.frame.look, one.attributes)
-        except SheetRefused as refused:
-            self._leave_aside(refused.reason)
+        except SheetRefused:
+            self._leave_aside(f"<{one.frame.tag}>")
             return
         self.lettering = "text"
         if _SAID in outer.attributes and outer.frame.tag == "g":
@@ -157,7 +162,7 @@ class Observer:
             self.unseen += [Unseen(stroke, seen.unseen, self._group) for stroke in strokes]
 
     def _leave_aside(self, what: str) -> None:
-        self.unseen.append(Unseen(Line(0j, 0j), "unread", self._group or what))
+        self.unseen.append(Unseen(Text(0j, (Run(what),)), "unread", self._group))
 
     @property
     def _group(self) -> str:

@@ -138,8 +138,9 @@ def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
         x, y, width, height = (sizes[name] for name in ("x", "y", "width", "height"))
         if not (width > 0 and height > 0):
             return ""
-        if sizes["rx"] or sizes["ry"]:
-            raise SheetRefused("a rectangle with round corners is no line of a drawing")
+        rx, ry = sizes["rx"] or sizes["ry"], sizes["ry"] or sizes["rx"]  # either alone is both
+        if rx > 0 and ry > 0:
+            return _round_cornered(x, y, width, height, min(rx, width / 2), min(ry, height / 2))
         return f"M{x!r} {y!r}h{width!r}v{height!r}h{-width!r}z"
     across, up = sizes.get("rx", sizes.get("r", 0.0)), sizes.get("ry", sizes.get("r", 0.0))
     if not (across > 0 and up > 0):
@@ -148,11 +149,18 @@ def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
     return f"M{sizes['cx'] - across!r} {sizes['cy']!r}{arc}{2 * across!r} 0{arc}{-2 * across!r} 0z"
 
 
+def _round_cornered(x: float, y: float, width: float, height: float, rx: float, ry: float) -> str:
+    """Write a rectangle whose corners are quarters of ellipses."""
+    across, down, arc = width - 2 * rx, height - 2 * ry, f"a{rx!r} {ry!r} 0 0 1 "
+    sides = f"h{across!r}{arc}{rx!r} {ry!r}v{down!r}{arc}{-rx!r} {ry!r}h{-across!r}{arc}{-rx!r} {-ry!r}v{-down!r}{arc}"
+    return f"M{x + rx!r} {y!r}{sides}{rx!r} {-ry!r}z"
+
+
 def _at(attributes: Mapping[str, str], across: str, down: str) -> complex:
     return complex(number(attributes.get(across, "0")), number(attributes.get(down, "0")))
 
 
 def _checked(point: complex) -> complex:
     if not (abs(point.real) <= REACH and abs(point.imag) <= REACH):
-        raise SheetRefused("a line leads off every paper")
+        raise SheetRefused("off_paper")
     return point

@@ -22,9 +22,9 @@ class SeenSheet(NamedTuple):
     measured: Measured
 
 
-def see(source: bytes) -> SeenSheet:
+def see(source: bytes, observer: Observer | None = None) -> SeenSheet:
     """See a written sheet, and measure it: it is read once for both."""
-    observer = Observer()
+    observer = observer or Observer()
     measured = measure(source, observer)
     whole = _leaf(observer, measured)
     gone = {id(one.stroke) for one in observer.unseen}
@@ -47,10 +47,20 @@ def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
 def _leaf(observer: Observer, measured: Measured) -> Leaf:
     """Give all that is written; what stands in no group stands in one of its own."""
     root = observer.root
-    groups = tuple(one if isinstance(one, Group) else Group((one,)) for one in root.strokes)
+    groups = _unwrapped(tuple(one if isinstance(one, Group) else Group((one,)) for one in root.strokes))
     data = {key: value for key, value in measured.metadata.items() if key != "format"}
     paper = observer.paper
     return Leaf(paper.width, paper.height, groups, root.title, observer.description, data, observer.lettering)
+
+
+def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
+    """Take what an editor has put into one layer out of it."""
+    while len(groups) == 1 and not groups[0].data and groups[0].strokes:
+        inside = tuple(one for one in groups[0].strokes if isinstance(one, Group))
+        if len(inside) < len(groups[0].strokes):
+            break
+        groups = inside
+    return groups
 
 
 def _kept(groups: Iterable[Group], hidden: Collection[int]) -> Iterator[Group]:

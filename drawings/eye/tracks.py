@@ -10,6 +10,7 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.measure.pathdata import PathStep, steps
 from drawings.measure.transform import Affine
+from drawings.paper.limits import SheetRefused
 
 # The end of a straight piece, three points of a cubic; of an arc its middle and its end.
 Piece: TypeAlias = tuple[complex] | tuple[complex, complex, complex] | tuple[complex, complex]
@@ -99,8 +100,10 @@ def _pieces(step: PathStep, before: list[Piece]) -> list[Piece]:
             (second,) = _handles(step)
             mirrored = 2 * start - before[-1][1] if before and len(before[-1]) == 3 else start
             return [(mirrored, second, end)]
-        case "Q" | "T":
-            near = _handles(step)[0] if step.letter in "Qq" else start
+        case "T":
+            raise SheetRefused("smooth_quadratic")
+        case "Q":
+            (near,) = _handles(step)
             return [(start + 2 / 3 * (near - start), end + 2 / 3 * (near - end), end)]
     return [(end,)]
 

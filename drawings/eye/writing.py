@@ -16,6 +16,8 @@ from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
 EVEN = 0.002
 # d of the smaller letter: between letters, and what a thin space adds; half of the gap where lines are not parallel.
 _GAP, _THIN = 2.0, 2.0
+# Thin spaces: across an A0 sheet in the smallest letters are under 4,000; more is no line of writing.
+_WIDEST = 4000
 _RISES = {0: 0.0, -1: -LOWERED, 1: RAISED}
 
 
@@ -137,7 +139,7 @@ def _spaces(row: Sequence[_Set], size: float) -> Iterator[int]:
         else:
             # A space has the width of its level, which may be that of either letter or of the text.
             off, count = min(_space(free, one.unit, after.unit, unit) for unit in (one.unit, after.unit, size / 10))
-            yield count if off <= EVEN else -1
+            yield count if off <= EVEN and count <= _WIDEST else -1
 
 
 def _space(free: float, before: float, after: float, unit: float) -> tuple[float, int]:

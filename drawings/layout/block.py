@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 NARROW = 20.0  # sizes of its letters, the least width of a column of notes
@@ -29,7 +30,12 @@ class Notes(NamedTuple):
 
     def height(self, width: float) -> float:
         """Give the height, mm, of the notes broken at a width."""
-        return sum(math.ceil(length / (BROKEN * width)) for length in self.lengths) * self.step
+        return sum(high for _, high in self.lines(width))
+
+    def lines(self, width: float) -> Iterator[tuple[float, float]]:
+        """Give width and height, mm, of each paragraph written in a width: short lines leave paper beside them."""
+        for length in self.lengths:
+            yield min(width, length), math.ceil(length / (BROKEN * width)) * self.step
 
     def sizes(self, widest: float) -> tuple[tuple[float, float], ...]:
         """Give widths and heights, mm, that they may have up to a width, the narrowest first, each lower than the last.

@@ -8,17 +8,20 @@ of what fits so the composition is chosen whose figures are large and that leave
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from heapq import nlargest
 from itertools import chain
 
+from drawings.layout.common_scales import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
-from drawings.layout.growth import Growth, State, rungs_of
+from drawings.layout.filling import filled
 from drawings.layout.parting import SheetRun, fewest, partings
+from drawings.layout.picture import Picture, Rung
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
-from drawings.layout.slicing import Cuts, Slicing, Tree
+from drawings.layout.slicing import Cuts, Slicing, Tree, pieces
 from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Order, Shape, nested
 from drawings.page.page import Page
@@ -28,6 +31,7 @@ from plans.words.words import message
 LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
 POINTS = 6  # sizes of a sheet that are looked at
 LATE = 0.5  # what notes count that do not stand on the first sheet, against the logarithm of the figures' sizes
+SETTLED = 4  # sets, the best as they are cut, that are looked at when all on them is moved
 PARTINGS = 6  # ways to part a set into sheets that are looked at
 
 
@@ -77,6 +81,11 @@ class _Set:
     def score(self) -> float:
         return self.most - sum(sheet.fault for sheet in self.sheets)
 
+    @cached_property
+    def settled(self) -> float:
+        """How good it is when all is moved to where it leaves less bare: no less than its score."""
+        return self.most - sum(sheet.left for sheet in self.sheets)
+
 
 class _Composer:
     """The search for the composition of one set of sheets."""
@@ -86,6 +95,7 @@ class _Composer:
         self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[Order, State], _Cutting] = {}
         self.chosen: dict[tuple[Order, State, SheetRun, bool], Tree] = {}
+        self.sheets: dict[tuple[Tree, tuple[Rung, ...], bool], Stood] = {}
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
@@ -93,9 +103,9 @@ class _Composer:
         if not count:
             raise SheetError(message("refused.figure", format=self.page.name))
         best = self._found(count)
-        if count > 1 and self.asked.further and any(sheet.fault for sheet in best.sheets):
+        if count > 1 and self.asked.further and any(sheet.left for sheet in best.sheets):
             best = self._better(best)
-        return tuple(sheet.composition() for sheet in best.sheets)
+        return tuple(_with_others(sheet) for sheet in best.sheets)
 
     def _better(self, best: _Set) -> _Set:
         """Try the further orders: they may need fewer sheets, or leave less of them bare."""
@@ -104,7 +114,7 @@ class _Composer:
         if fewer > count:
             return best
         found = self._found(fewer)
-        return max(best, found, key=lambda one: (-len(one.sheets), one.score))
+        return max(best, found, key=lambda one: (-len(one.sheets), one.settled))
 
     def _fewest(self) -> int:
         """Count the sheets that are needed at the least scales."""
@@ -114,10 +124,12 @@ class _Composer:
         """Find the best set of so many sheets."""
         sets = (one for state in self._states(self.asked.floors, count) for one in self._sets(state, count))
         best = next(sets)
+        looked_at = [best]
         for one in sets:
-            if one.most > best.score and one.score > best.score:
-                best = one
-        return best
+            if one.most > best.score:
+                looked_at.append(one)
+                best = max(best, one, key=lambda one: one.score)
+        return _settled(nlargest(SETTLED, looked_at, key=lambda one: one.score))
 
     def _cutting(self, order: Order, state: State) -> _Cutting:
         if (order, state) not in self.known:
@@ -170,9 +182,17 @@ class _Composer:
     def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)
-            return Stood(self.asked.stock, self.page, tree, rungs_of(self.asked.steps, grown), last).fault
+            return self._stood(tree, rungs_of(self.asked.steps, grown), last).fault
 
         return _least(cutting.trees(*run), fault)
+
+    def _stood(self, tree: Tree, rungs: Mapping[str, Rung], last: bool) -> Stood:
+        """Stand a sheet, once for all sets that it is one of."""
+        shown = (self.asked.stock.shown[piece.unit] for piece in pieces(tree) if piece.unit >= 0)
+        key = tree, tuple(rungs[one.name] for one in shown if isinstance(one, Picture)), last
+        if key not in self.sheets:
+            self.sheets[key] = Stood(self.asked.stock, self.page, tree, rungs, last)
+        return self.sheets[key]
 
     def _ends(self, last: bool) -> bool:
         """Tell whether no sheet follows the last one of these."""
@@ -185,12 +205,23 @@ class _Composer:
         grown = self._growth(trees).grown(state)
         rungs, steps = rungs_of(self.asked.steps, grown), self.asked.steps
         last = len(trees) - 1
-        sheets = tuple(
-            Stood(self.asked.stock, self.page, tree, rungs, self._ends(k == last)) for k, tree in enumerate(trees)
-        )
+        sheets = tuple(self._stood(tree, rungs, self._ends(k == last)) for k, tree in enumerate(trees))
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
         return _Set(sheets, math.log(size) - late)
+
+
+def _with_others(sheet: Stood) -> Composition:
+    return sheet.composition()._replace(others=lambda: [filled(sheet).composition()])
+
+
+def _settled(sets: Sequence[_Set]) -> _Set:
+    """Give the best of some sets when all is moved; what one is at most tells whether it need be looked at."""
+    best = sets[0]
+    for one in sets[1:]:
+        if one.most > best.settled and one.settled > best.settled:
+            best = one
+    return best
 
 
 def _least(trees: Iterator[Tree], fault: Callable[[Tree], float]) -> Tree:

@@ -88,6 +88,7 @@ class Passage(NamedTuple):
     name: str
     equations: tuple[WrittenEquation, ...]
     size: float
+    narrowest: float = NARROWEST  # sizes
 
     def rows(self, width: float) -> list[Row]:
         """Break the equations at a width, mm, before their signs."""
@@ -98,7 +99,7 @@ class Passage(NamedTuple):
         least = max(_length(whole, self.size) for one in self.equations for whole in _unbroken(one))
         width = max(_length(one.pieces, self.size) for one in self.equations)
         widths: dict[float, float] = {}
-        while not widths or width >= max(least, NARROWEST * self.size):
+        while not widths or width >= max(least, self.narrowest * self.size):
             rows = self.rows(width)
             width = max(_length(row, self.size) for row in rows)
             widths[self._height(len(rows))] = width  # the last is the least width for this height

@@ -11,13 +11,16 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from drawings.layout.bareness import barest
 from drawings.lettering.extent import bounds
+from drawings.page.page import Field
 from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat
 from geometry.curve import sampled
 from plans.model.motion import Complexes, Floats
 
 CELL = 0.5  # mm, the grain of the cells: finer than a thin line's least distance
+COARSE = 8  # cells along the side of one by which bare paper is sought
 LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many
 CLEAR = 0.4  # mm kept free around a label
 SAG = 0.2  # mm that a straight piece may be off the arc that it stands for
@@ -43,6 +46,10 @@ class Ink:
         for stroke in flat(strokes):
             self._uncelled.append(stroke)
             self._unpieced.append((stroke, weight))
+
+    def bare(self, field: Field) -> Field:
+        """Give the largest rectangle of a field in which nothing is drawn, to a few mm."""
+        return self._celled().bare(field)
 
     def under(self, box: Box) -> int:
         """Count what a box would cover, by cells."""
@@ -81,6 +88,17 @@ class _Cells:
         chains = [chain for stroke in strokes for chain in self._chains(stroke)]
         if chains:
             np.add.at(self._map, self._sampled(chains), 1)
+
+    def bare(self, field: Field) -> Field:
+        rows, columns = self._covered(field)
+        own = self._map[rows, columns]
+        high, wide = (side // COARSE for side in own.shape)
+        cells = own[: high * COARSE, : wide * COARSE].reshape(high, COARSE, wide, COARSE)
+        coarse = (cells > 0).max(axis=(1, 3))
+        left, low, right, top = barest(coarse)
+        start, step = complex(columns.start, rows.start) * CELL, COARSE * CELL
+        ends = start + step * complex(left, low), start + step * complex(right, top)
+        return Field(ends[0].real, ends[0].imag, ends[1].real, ends[1].imag)
 
     def under(self, box: Box) -> int:
         rows, columns = self._covered(box)

@@ -35,6 +35,27 @@ def outline(values: Sequence[complex]) -> tuple[Band, ...]:
     return tuple(_joined(_band(hull, k / BANDS, (k + 1) / BANDS) for k in range(BANDS)))
 
 
+def traced(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> tuple[Band, ...]:
+    """Give what lines, each from point to point, take of the box of some points: no more than they cross of a band.
+
+    >>> traced([[0j, 8j], [8j, 8 + 8j]], [0j, 8 + 8j])[0]
+    Band(low=0.0, high=0.875, left=0.0, right=0.0)
+    """
+    left, low = min(v.real for v in values), min(v.imag for v in values)
+    wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
+    if not wide or not high:
+        return WHOLE
+    shares = [[complex((v.real - left) / wide, (v.imag - low) / high) for v in line] for line in lines]
+    bands = (_crossed(shares, k / BANDS, (k + 1) / BANDS) for k in range(BANDS))
+    return tuple(_joined(band for band in bands if band is not None))
+
+
+def _crossed(lines: Sequence[Sequence[complex]], low: float, high: float) -> Band | None:
+    """Give between what sides lines are between two heights, if any is."""
+    sides = [side for line in lines for side in _sides(line, low, high)]
+    return Band(low, high, min(sides), max(sides)) if sides else None
+
+
 def _joined(bands: Iterator[Band]) -> Iterator[Band]:
     for (left, right), alike in groupby(bands, key=lambda band: (band.left, band.right)):
         own = list(alike)
@@ -43,12 +64,17 @@ def _joined(bands: Iterator[Band]) -> Iterator[Band]:
 
 def _band(hull: Sequence[complex], low: float, high: float) -> Band:
     """Give between what sides a hull lies between two heights."""
-    sides = [point.real for point in hull if low <= point.imag <= high]
-    for one, other in pairwise([*hull, hull[0]]):
+    sides = list(_sides([*hull, hull[0]], low, high))
+    return Band(low, high, min(sides), max(sides))
+
+
+def _sides(line: Sequence[complex], low: float, high: float) -> Iterator[float]:
+    """Give the abscissas of the points of a line between two heights, and of where it crosses these."""
+    yield from (point.real for point in line if low <= point.imag <= high)
+    for one, other in pairwise(line):
         for y in (low, high):
             if (one.imag - y) * (other.imag - y) < 0:
-                sides.append((one + (other - one) * (y - one.imag) / (other.imag - one.imag)).real)
-    return Band(low, high, min(sides), max(sides))
+                yield (one + (other - one) * (y - one.imag) / (other.imag - one.imag)).real
 
 
 def _hull(points: set[complex]) -> list[complex]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from drawings.layout.common_scales import Steps, steps_of
+from drawings.layout.common_scales import State, Steps, rungs_of, steps_of
 from drawings.layout.contents import Contents
-from drawings.layout.growth import State, rungs_of
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.room import corner_of, head_of, room_of
 from drawings.layout.slicing import Cuts, Piece, Slicing
@@ -49,6 +48,10 @@ class _Fitting:
         self.names = {panel.item.name: k for k, panel in enumerate(contents.panels)}
         notes = () if contents.notes is None else (contents.notes,)
         self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
+        self.workings: dict[str, tuple[int, ...]] = {}
+        for one in contents.workings:
+            self.workings[one.of] = (*self.workings.get(one.of, ()), len(self.shown))
+            self.shown.append(one.block)
 
     def request(self) -> Request:
         read, every = (steps_of(self.contents.panels, self.room, self.page.standard, own) for own in (True, False))
@@ -66,7 +69,7 @@ class _Fitting:
 
     @property
     def _stock(self) -> Stock:
-        return Stock(tuple(self.shown), self.room)
+        return Stock(tuple(self.shown), self.room, self.workings)
 
     def _readable(self, read: Steps, every: Steps) -> tuple[Steps, int]:
         """Give the steps at which figures can be read, or else all, from the largest on at which each fits a sheet."""

@@ -24,7 +24,7 @@ LAST = 0.22
 COSTS = 6.0  # what a share more counts, against the logarithm of the figures' sizes
 HEAD = 16.0  # mm of a heading and the scale under it
 WIDER = 1.5  # times its width that a table may be set: wider cells are hard to read along
-LETTERED = 0.5  # share of the margins of a figure that its letters and symbols fill
+LETTERED = 0.25  # share of the margins of a figure that its letters and symbols fill
 
 
 @dataclass(frozen=True)
@@ -61,30 +61,38 @@ class Stood:
     @cached_property
     def bare(self) -> float:
         """The share of the sheet that the largest empty rectangle takes, as far as boxes tell."""
-        inked = [box for k, own in self.boxes.items() for box in self._inked(k, own)]
-        return bareness([*inked, *self.page.taken], self.page.field)
+        return bareness(self.ink(self.boxes), self.page.field)
 
-    @property
+    def ink(self, boxes: Mapping[int, Field]) -> list[Field]:
+        """Give what bears ink where all stands in some boxes, and what the page itself takes."""
+        return [*(part for k, own in boxes.items() for part in self._inked(k, own)), *self.page.taken]
+
+    @cached_property
     def arranged(self) -> Mapping[int, Field]:
         """The boxes, moved where too much of the sheet would stay bare."""
-        most = self._most
+        most = self.most
         if self.bare <= most:
             return self.boxes
         return Arrangement(self.page, room_of(self.page), most, self._inked, self._sizes).arranged(self.boxes)
 
     def _sizes(self, k: int) -> Sequence[Size]:
-        """Give the sizes that lettering may be broken to where it stands."""
-        one = self.stock.shown[k]
-        return self.stock.sizes(k, self.rungs) if isinstance(one, TextBlock | Notes) else ()
+        """Give the sizes that lettering may be broken to where it stands, and tables set."""
+        return () if isinstance(self.stock.shown[k], Picture) else self.stock.sizes(k, self.rungs)
 
     @property
-    def _most(self) -> float:
+    def most(self) -> float:
+        """The share of it that may be bare before that counts."""
         return LAST if self.last else BARE
 
     @property
     def fault(self) -> float:
         """What its bareness counts."""
-        return COSTS * max(self.bare - self._most, 0.0)
+        return COSTS * max(self.bare - self.most, 0.0)
+
+    @property
+    def left(self) -> float:
+        """What its bareness counts that is left when all is moved."""
+        return COSTS * max(bareness(self.ink(self.arranged), self.page.field) - self.most, 0.0)
 
     @property
     def notes(self) -> bool:
@@ -94,6 +102,9 @@ class Stood:
     def _inked(self, k: int, box: Field) -> Iterator[Field]:
         """Give what of a box is inked: lines and letters of a figure, and its heading."""
         one = self.stock.shown[k]
+        if isinstance(one, Notes):
+            yield from _written(one, box)
+            return
         if not isinstance(one, Picture):
             yield box
             return
@@ -115,12 +126,10 @@ class Stood:
         """Give where everything stands, in the order of the contents."""
         boxes = sorted(self.arranged.items())
         shown = [(self.stock.shown[k], box) for k, box in boxes]
-        choices = {piece.unit: piece.choice for piece in pieces(self.tree)}
         tables = []
-        for k, box in boxes:
-            one = self.stock.shown[k]
+        for one, box in shown:
             if isinstance(one, RuledTable):
-                setting = one.settings()[choices[k]]
+                setting = one.as_high(box)
                 tables.append(TableSpot(one.widened(setting, box.width), complex(box.left, box.top), setting))
         return Composition(
             {one.name: Spot(box, self.rungs[one.name].scale) for one, box in shown if isinstance(one, Picture)},
@@ -128,6 +137,14 @@ class Stood:
             tuple(tables),
             next((box for one, box in shown if isinstance(one, Notes)), None),
         )
+
+
+def _written(notes: Notes, box: Field) -> Iterator[Field]:
+    """Give the boxes of the paragraphs of notes, from the top of their own downwards."""
+    top = box.top
+    for wide, high in notes.lines(box.width):
+        yield Field(box.left, max(top - high, box.bottom), box.left + wide, top)
+        top = max(top - high, box.bottom)
 
 
 def size_of(extents: list[float]) -> float:

@@ -138,6 +138,10 @@ class RuledTable(NamedTuple):
 
         return min(self.settings(), key=off)
 
+    def as_high(self, box: Field) -> Setting:
+        """Give the way to set it that is as high as a box, which may be wider."""
+        return min(self.settings(), key=lambda setting: abs(self.size(setting)[1] - box.height))
+
     def write(self, box: Field, drafting: Drafting) -> Group:
         """Draw it in its box among figures."""
         return Group(tuple(self.draw(complex(box.left, box.top), self.setting(box), drafting)))

@@ -7,7 +7,7 @@ together; a picture and the lettering that belongs to it stand close.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
@@ -33,10 +33,14 @@ class Shape(NamedTuple):
 
 @dataclass(frozen=True)
 class Stock:
-    """All that a set of sheets shows, by its numbers, and the room mm of a sheet."""
+    """All that a set of sheets shows, by its numbers, and the room mm of a sheet.
+
+    `workings` are the numbers of what may be written beside a figure, by its name.
+    """
 
     shown: tuple[Shown, ...]
     room: Size
+    workings: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
     def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
         """Give what sizes a unit can take where pictures have some scales."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -21,29 +21,23 @@ NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
 
 
-def rows(
-    comparison: Comparison, positions: tuple[int, ...], given: set[str], language: str, parts: Sequence[Finding] = ()
-) -> list[TableRow]:
-    """Give a row for every velocity and acceleration of a point, their parts, and the rates of links, by positions.
+def rows(lines: Sequence[Sequence[Finding]], positions: tuple[int, ...], language: str) -> list[TableRow]:
+    """Give a row for each velocity, acceleration, part or rate by positions; what is one by its cause has one row."""
+    return [row_by_hand(same[0], label(same, language), positions, language) for same in lines]
+
+
+def told(comparison: Comparison, parts: Sequence[Finding] = (), given: Collection[str] = ()) -> list[Finding]:
+    """List what a table tells: of each plan the points, the parts, the links.
 
     Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.
     """
-    return [
-        row_by_hand(finding, label(finding, language), positions, language)
-        for finding in told(comparison, parts)
-        if finding.name not in given
-    ]
-
-
-def told(comparison: Comparison, parts: Sequence[Finding]) -> list[Finding]:
-    """List what a table tells: of each plan the points, the parts, the links; without what stays zero."""
     found: list[Finding] = []
     for order in ORDERS[1:]:
         own = [one for one in comparison.of(order.plan) if np.nanmax(np.abs(one.construction), initial=0.0) > 0]
         points = [one for one in own if one.unit == order.point.unit]
         beside = [one for one in parts if one.plan == order.plan and _is_something(one)]
         found += [*points, *_new(beside, points), *(one for one in own if one not in points)]
-    return found
+    return [one for one in found if one.name not in given]
 
 
 def _is_something(part: Finding) -> bool:
@@ -64,10 +58,11 @@ def row_by_hand(finding: Finding, name: str, positions: tuple[int, ...], languag
     return TableRow(name, tuple(cell for k in positions for cell in _cells_by_hand(finding, k, language)))
 
 
-def label(finding: Finding, language: str) -> str:
-    """Name a finding of a motion as the table does, with its unit: "v_{BA}, m/s"."""
-    symbol, index = finding.name.split("_", 1)
-    return f"{letter(language, f'{symbol}_{{{index}}}')}, {word(language, finding.unit)}"
+def label(same: Sequence[Finding], language: str) -> str:
+    """Name findings of a motion that are one as the table does, with their unit: "v_{D} = v_{S5}, m/s"."""
+    names = (one.name.split("_", 1) for one in same)
+    letters = " = ".join(letter(language, f"{symbol}_{{{index}}}") for symbol, index in names)
+    return f"{letters}, {word(language, same[0].unit)}"
 
 
 def _pair(finding: Finding, position: int, language: str) -> tuple[str, str] | None:

@@ -28,10 +28,10 @@ def curve(path: str) -> list[Spots]:
     found: list[Spots] = []
     for count, step in enumerate(steps(path)):
         if step.letter in "Mm" and count > 0:
-            raise SheetRefused("its path is in several pieces")
+            raise SheetRefused("pieces")
         found += _spots(step, found)
     if not found:
-        raise SheetRefused("its path has no length")
+        raise SheetRefused("no_length")
     return found
 
 
@@ -59,7 +59,7 @@ def _spots(step: PathStep, before: list[Spots]) -> list[Spots]:
             (near,) = _handles(step)
             return [(start, start + 2 / 3 * (near - start), end + 2 / 3 * (near - end), end)]
         case "T":
-            raise SheetRefused("its path has a T, which no editor writes of it")
+            raise SheetRefused("smooth_quadratic")
     return [(start, start + (end - start) / 3, end - (end - start) / 3, end)]
 
 
@@ -78,11 +78,11 @@ def _arc(start: complex, end: complex, values: list[float]) -> Spots:
     """Give the ends and the middle of an arc; a radius that is too short to reach both ends is half their distance."""
     across, up, _, large, positive = values[:5]
     if not abs(abs(across) - abs(up)) <= _ROUNDNESS * abs(across) or not 0 < abs(across) <= REACH:
-        raise SheetRefused("its path has an arc of an ellipse")
+        raise SheetRefused("ellipse")
     half = math.hypot((end - start).real, (end - start).imag) / 2
     radius = max(abs(across), half)
     if not 0 < half <= REACH:
-        raise SheetRefused("its path has an arc that ends where it begins, or off every paper")
+        raise SheetRefused("arc_ends")
     aside = math.sqrt((radius - half) * (radius + half)) * (1 if large != positive else -1)
     sense = 1j * (end - start) / (2 * half)
     centre = (start + end) / 2 + sense * aside

@@ -8,10 +8,13 @@ from typing import NamedTuple
 from drawings.measure.curvedata import Spots, curve
 from drawings.measure.pathdata import centre, number, numbers, trace
 from drawings.paper.limits import SheetRefused
+from plans.words.words import Message, message
 
 KINDS = ("vector", "point", "pole", "corner", "profile")
 LINES = ("vector", "profile")  # kinds that are seen by their lines alone
+NAMES = ("quantity", "name", "position")  # that tell a mark of a plan from its others
 _PREFIX = "data-"
+LONGEST = 60  # letters of a name that are told
 
 
 class SheetMark(NamedTuple):
@@ -26,19 +29,22 @@ class SheetMark(NamedTuple):
     parts: tuple[int, ...] = ()
 
     @property
-    def who(self) -> str:
+    def who(self) -> Message:
         """What to call it in a message."""
         return called(self.data)
 
 
-def called(data: Mapping[str, str]) -> str:
+def called(data: Mapping[str, str]) -> Message:
     """Name a mark by its data, for a message.
 
-    >>> called({"kind": "vector", "plan": "velocities", "name": "v_B", "position": "3", "unit": "m/s"})
-    'vector velocities v_B 3'
+    >>> str(called({"kind": "vector", "plan": "velocities", "name": "v_B", "position": "3", "unit": "m/s"}))
+    'vector v_B 3 (velocities)'
     """
-    words = (data.get(name, "")[:60] for name in ("kind", "plan", "quantity", "name", "position"))
-    return " ".join(word for word in words if word)
+    kind, plan = data.get("kind", ""), data.get("plan", "")[:LONGEST]
+    names = " ".join(own for name in NAMES if (own := data.get(name, "")[:LONGEST]))
+    if not plan:
+        return message("unreadable.bare_mark", kind=kind, names=names)
+    return message("unreadable.mark", kind=kind, names=names, plan=plan)
 
 
 def marked(attributes: Mapping[str, str]) -> dict[str, str]:
@@ -66,7 +72,7 @@ def _ends(tag: str, attributes: Mapping[str, str]) -> tuple[complex, ...]:
         followed = trace(attributes.get("d", ""))
         points = followed.points if followed.straight else ()
     if len(points) != 2:
-        raise SheetRefused(f"its <{tag[:40]}> is not one straight line")
+        raise SheetRefused("straight", tag=tag[:40])
     return points
 
 
@@ -75,7 +81,7 @@ def _middle(tag: str, attributes: Mapping[str, str]) -> complex:
         return _at(attributes, "cx", "cy")
     middle = centre(trace(attributes.get("d", ""))) if tag == "path" else None
     if middle is None:
-        raise SheetRefused(f"its <{tag[:40]}> is not a circle")
+        raise SheetRefused("circle", tag=tag[:40])
     return middle
 
 

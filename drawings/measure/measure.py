@@ -20,8 +20,10 @@ from drawings.measure.transform import STAY, Affine, placing
 from drawings.measure.witness import Witness
 from drawings.paper.limits import CURVE_QUANTUM, FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
 from geometry.regular_file import regular_bytes
+from plans.words.words import Message
 
 CORNERS = 3
+_SAID = 20  # letters of a strange value that are told
 
 _POSITION = re.compile(r"-?[0-9]{1,9}")
 # The stated value and the scale are each rounded to this share of themselves at the most; arithmetic to far less.
@@ -35,8 +37,9 @@ class Measured(NamedTuple):
     points: tuple[MeasuredPoint, ...]
     metadata: Mapping[str, Any] = MappingProxyType({})
     quantum: float = QUANTUM
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     profiles: tuple[MeasuredProfile, ...] = ()
+    moved: Affine = STAY  # how the whole sheet was moved, by its corner marks
 
     @property
     def marks(self) -> tuple[MeasuredVector | MeasuredPoint, ...]:
@@ -66,7 +69,7 @@ def measure(source: bytes, witness: Witness | None = None) -> Measured:
     sheet = read(source, witness)
     told = sheet.metadata.get("format", FORMAT)
     if not isinstance(told, int) or told > FORMAT:
-        raise SheetRefused(f"the sheet has format {told!r}; this version reads up to {FORMAT}")
+        raise SheetRefused("format", format=repr(told)[:_SAID], known=FORMAT)
     _once(sheet.marks)
     moved = _moved([mark for mark in sheet.marks if mark.kind == "corner"])
     marks = [_moved_back(mark, moved) for mark in sheet.marks]
@@ -78,6 +81,7 @@ def measure(source: bytes, witness: Witness | None = None) -> Measured:
         quantum=_resolution(moved),
         notes=tuple(sheet.notes),
         profiles=tuple(_profile(mark, poles, moved) for mark in marks if mark.kind == "profile"),
+        moved=moved,
     )
 
 
@@ -104,7 +108,7 @@ def _once(marks: Iterable[SheetMark]) -> None:
         names = ("value",) if mark.kind == "corner" else ("plan", "quantity", "name")
         own = (mark.kind, _position(mark), *(mark.data.get(name, "") for name in names))
         if own in seen:
-            raise SheetRefused(f"{mark.who} is on the sheet twice")
+            raise SheetRefused("twice", who=mark.who)
         seen.add(own)
 
 
@@ -113,7 +117,7 @@ def _moved(corners: list[SheetMark]) -> Affine:
     if not corners:
         return STAY
     if len(corners) != CORNERS:
-        raise SheetRefused(f"{len(corners)} of the {CORNERS} corner marks are left; all or none are needed")
+        raise SheetRefused("corners", left=len(corners), all=CORNERS)
     stated, found = [_stated(corner) for corner in corners], [corner.points[0] for corner in corners]
     # Marks that lie where they say, within their own rounding, tell of no move.
     if all(abs(place - mark) <= QUANTUM for place, mark in zip(found, stated, strict=True)):
@@ -158,7 +162,7 @@ def _pole(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> _Po
     plan, position = _place(mark)
     pole = poles.get((plan, position)) or poles.get((plan, None))
     if pole is None:
-        raise SheetRefused(f"{mark.who}: its plan has no pole to measure from")
+        raise SheetRefused("poleless", who=mark.who)
     return pole
 
 
@@ -169,14 +173,14 @@ def _place(mark: SheetMark) -> tuple[str, int | None]:
 def _text(mark: SheetMark, name: str) -> str:
     text = mark.data.get(name, "")
     if not text:
-        raise SheetRefused(f"{mark.who} has no data-{name}")
+        raise SheetRefused("no_data", who=mark.who, name=name)
     return text
 
 
 def _position(mark: SheetMark) -> int | None:
     text = mark.data.get("position", "")
     if text and not _POSITION.fullmatch(text):
-        raise SheetRefused(f"{mark.who}: its position {text[:20]!r} is not a whole number")
+        raise SheetRefused("position", who=mark.who, text=repr(text[:_SAID]))
     return int(text) if text else None
 
 
@@ -184,14 +188,14 @@ def _stated(mark: SheetMark) -> complex:
     try:
         return pair(_text(mark, "value"))
     except SheetRefused as refused:
-        raise SheetRefused(f"{mark.who}: its value: {refused.reason}") from refused
+        raise SheetRefused("data", who=mark.who, name="value", why=refused.reason) from refused
 
 
 def _scale(mark: SheetMark) -> float:
     try:
         scale = number(_text(mark, "scale"))
     except SheetRefused as refused:
-        raise SheetRefused(f"{mark.who}: its scale: {refused.reason}") from refused
+        raise SheetRefused("data", who=mark.who, name="scale", why=refused.reason) from refused
     if not scale > 0:
-        raise SheetRefused(f"{mark.who}: its scale {scale} is not above zero")
+        raise SheetRefused("scale", who=mark.who, size=scale)
     return scale

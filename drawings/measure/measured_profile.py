@@ -46,7 +46,7 @@ def profile(mark: SheetMark, pole: complex, scale: float, stated: complex, resol
     start = mark.points[0]
     deviation = _number(mark, "deviation")
     if not deviation >= 0:
-        raise SheetRefused(f"{mark.who}: its deviation {deviation} is below zero")
+        raise SheetRefused("deviation", who=mark.who, size=deviation)
     return MeasuredProfile(
         plan=mark.data.get("plan", ""),
         quantity=mark.data.get("quantity", ""),
@@ -75,4 +75,4 @@ def _number(mark: SheetMark, name: str, default: float | None = None) -> float:
     try:
         return default if default is not None and name not in mark.data else number(mark.data.get(name, ""))
     except SheetRefused as refused:
-        raise SheetRefused(f"{mark.who}: its {name}: {refused.reason}") from refused
+        raise SheetRefused("data", who=mark.who, name=name, why=refused.reason) from refused

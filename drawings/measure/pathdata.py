@@ -23,6 +23,7 @@ _STRAIGHT = "MLHVZ"
 _FLAGS = (3, 4)
 # Editors place the ends of a circle's arcs to about six digits.
 _ROUNDNESS = 1e-4
+_SAID = 20  # letters of what is no number that are told
 
 
 class PathTrace(NamedTuple):
@@ -50,7 +51,7 @@ def number(text: str) -> float:
     text = text.strip(SPACE)
     match = NUMERAL.fullmatch(text) if len(text) <= NUMERAL_LENGTH else None
     if match is None:
-        raise SheetRefused(f"{text[:20]!r} is not a number")
+        raise SheetRefused("number", text=repr(text[:_SAID]))
     return _finite(match[0])
 
 
@@ -78,7 +79,7 @@ def pair(text: str) -> complex:
     """
     values = numbers(text)
     if len(values) != 2:
-        raise SheetRefused(f"{text[:40]!r} is not a pair of numbers")
+        raise SheetRefused("pair", text=repr(text[: 2 * _SAID]))
     return complex(*values)
 
 
@@ -106,7 +107,7 @@ def steps(path: str) -> Iterator[PathStep]:
         letter, place = _command(path, place, letter)
         commands += 1
         if commands > PATH_COMMANDS or (commands == 1 and letter not in "Mm"):
-            raise SheetRefused("a path has too many commands" if commands > 1 else "a path must begin with M")
+            raise SheetRefused("commands" if commands > 1 else "beginning")
         values, place = _arguments(path, place, letter)
         end = _reached(letter, values, here, start)
         yield PathStep(letter, values, here, end)
@@ -129,14 +130,14 @@ def centre(traced: PathTrace) -> complex | None:
 def _finite(numeral: str) -> float:
     value = float(numeral)
     if not math.isfinite(value):
-        raise SheetRefused(f"{numeral[:20]!r} is too large")
+        raise SheetRefused("large", text=repr(numeral[:_SAID]))
     return value
 
 
 def _numeral(text: str, place: int) -> tuple[float, int]:
     match = NUMERAL.match(text, place)
     if match is None or match.end() - place > NUMERAL_LENGTH:
-        raise SheetRefused(f"{text[place : place + 20]!r} is not a number")
+        raise SheetRefused("number", text=repr(text[place : place + _SAID]))
     return _finite(match[0]), match.end()
 
 
@@ -150,7 +151,7 @@ def _command(path: str, place: int, letter: str) -> tuple[str, int]:
     if path[place] in _LETTERS:
         return path[place], _past_gap(path, place + 1)
     if letter == "" or letter in "Zz":
-        raise SheetRefused(f"{path[place : place + 20]!r} is not a path command")
+        raise SheetRefused("command", text=repr(path[place : place + _SAID]))
     return letter, place
 
 
@@ -159,7 +160,7 @@ def _arguments(path: str, place: int, letter: str) -> tuple[list[float], int]:
     for index in range(_ARGUMENTS[letter.upper()]):
         if letter in "Aa" and index in _FLAGS:
             if path[place : place + 1] not in ("0", "1"):
-                raise SheetRefused(f"{path[place : place + 20]!r} is not an arc's flag")
+                raise SheetRefused("flag", text=repr(path[place : place + _SAID]))
             value, place = float(path[place]), place + 1
         else:
             value, place = _numeral(path, place)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
-from drawings.measure.marks import LINES, SheetMark, called, drawn, marked
+from drawings.measure.marks import LINES, LONGEST, SheetMark, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import about, transform
 from drawings.measure.viewport import Viewport, viewport
@@ -18,11 +18,13 @@ from drawings.measure.visibility import ANIMATIONS, UNDRAWN, Look, properties, t
 from drawings.measure.witness import Frame, Witness
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
+from plans.words.words import Message, message
 
 _SVG = "http://www.w3.org/2000/svg"
 _CHUNK = 64 * 1024
 _GZIP = b"\x1f\x8b"
-_FOREIGN = {b"%PDF": "a PDF", b"PK\x03\x04": "a ZIP or Word file", b"\x89PNG": "a PNG picture", b"\xff\xd8": "a JPEG"}
+_FOREIGN = {b"%PDF": "pdf", b"PK\x03\x04": "zip", b"\x89PNG": "png", b"\xff\xd8": "jpeg"}
+_SAID = 40  # letters of a name that are told
 
 
 @dataclass
@@ -31,7 +33,7 @@ class ReadSheet:
 
     viewport: Viewport
     marks: list[SheetMark] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    notes: list[Message] = field(default_factory=list)
     metadata: dict[str, Any] = field(default_factory=dict)
 
 
@@ -43,17 +45,17 @@ def read(source: bytes, witness: Witness | None = None) -> ReadSheet:
 def _unpacked(source: bytes) -> bytes:
     for start, what in _FOREIGN.items():
         if source.startswith(start):
-            raise SheetRefused(f"this is {what}, not an SVG sheet")
+            raise SheetRefused("foreign", what=what)
     if source.startswith(_GZIP):
         try:
             unpacking = zlib.decompressobj(wbits=31)
             source = unpacking.decompress(source[: limits.SHEET_BYTES], limits.SHEET_BYTES + 1)
         except zlib.error as error:
-            raise SheetRefused(f"the packed sheet is damaged: {error}") from error
+            raise SheetRefused("packed") from error
     if len(source) > limits.SHEET_BYTES:
-        raise OverLimit(f"the sheet has over {limits.SHEET_BYTES} bytes")
+        raise OverLimit("bytes", limit=limits.SHEET_BYTES)
     if not source.strip():
-        raise SheetRefused("the sheet is empty")
+        raise SheetRefused("empty")
     return source
 
 
@@ -76,16 +78,16 @@ class _Reader:
             for place in range(0, len(source), _CHUNK):
                 parser.Parse(source[place : place + _CHUNK], False)
                 if time.monotonic() > deadline:
-                    raise OverLimit(f"reading took over {limits.READING_SECONDS:g} s")
+                    raise OverLimit("seconds", limit=f"{limits.READING_SECONDS:g}")
             parser.Parse(b"", True)
         except expat.ExpatError as error:
-            raise SheetRefused(f"this is not well-formed XML: {error}") from error
+            raise SheetRefused("xml", why=error.code, line=error.lineno, column=error.offset + 1) from error
         except (ValueError, LookupError) as error:
             if self.elements:
                 raise
-            raise SheetRefused(f"the encoding is not read ({error}); save the sheet as UTF-8") from error
+            raise SheetRefused("encoding") from error
         if self.sheet is None:
-            raise SheetRefused("this is not an SVG sheet")
+            raise SheetRefused("no_svg")
         return self.sheet
 
     def _parser(self) -> expat.XMLParserType:
@@ -106,25 +108,25 @@ class _Reader:
         self.entities += 1
         honest = value is not None and not parameter and len(value) <= limits.ENTITY_LENGTH
         if value is None or not honest or any(sign in value for sign in "&%<"):
-            raise SheetRefused(f"the entity {name[:40]!r} is not a short text")
+            raise SheetRefused("entity", name=name[:_SAID])
         if self.entities > limits.ENTITIES or self.ampersands * limits.ENTITY_LENGTH > limits.SHEET_BYTES:
-            raise OverLimit("the sheet uses too many entities")
+            raise OverLimit("entities")
 
     def _refuse_entity(self, name: str | None, *_: object) -> int:
-        raise SheetRefused(f"the entity {(name or '')[:40]!r} is not in the file")
+        raise SheetRefused("far_entity", name=(name or "")[:_SAID])
 
     def _instruct(self, target: str, _: str) -> None:
         if target == "xml-stylesheet":
-            raise SheetRefused("a style sheet outside the file decides what is seen")
+            raise SheetRefused("far_style")
 
     def _start(self, name: str, listed: list[str]) -> None:
         self.elements += 1
         if self.elements > limits.SHEET_ELEMENTS:
-            raise OverLimit(f"the sheet has over {limits.SHEET_ELEMENTS} elements")
+            raise OverLimit("elements", limit=limits.SHEET_ELEMENTS)
         if len(self.frames) >= limits.SHEET_DEPTH:
-            raise OverLimit(f"elements are nested over {limits.SHEET_DEPTH} deep")
+            raise OverLimit("depth", limit=limits.SHEET_DEPTH)
         if len(listed) > 2 * limits.ELEMENT_ATTRIBUTES:
-            raise OverLimit(f"an element has over {limits.ELEMENT_ATTRIBUTES} attributes")
+            raise OverLimit("attributes", limit=limits.ELEMENT_ATTRIBUTES)
         space, _, tag = name.rpartition(" ")
         attributes = dict(zip(listed[::2], listed[1::2], strict=True))
         self._name(attributes)
@@ -138,32 +140,32 @@ class _Reader:
     def _name(self, attributes: Mapping[str, str]) -> None:
         if (own := attributes.get("id")) is not None:
             if own in self.ids:
-                raise SheetRefused(f"id {own[:60]!r} twice")
+                raise SheetRefused("id", name=own[:LONGEST])
             self.ids.add(own)
 
     def _open(self, space: str, tag: str, attributes: Mapping[str, str]) -> None:
         if (space, tag) != (_SVG, "svg"):
-            raise SheetRefused(f"the root is <{tag[:40]}>, not <svg> of {_SVG}")
+            raise SheetRefused("root", tag=tag[:_SAID], space=_SVG)
         if "transform" in properties(attributes):
-            raise SheetRefused("the root has a transform")
+            raise SheetRefused("root_transform")
         paper = viewport(attributes)
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
-        self.frames.append(Frame(tag, paper.placing, Look().below(tag, properties(attributes)), ""))
+        self.frames.append(Frame(tag, paper.placing, Look().below(tag, properties(attributes)), None))
 
     def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         outer = self.frames[-1]
         self._listen(tag, attributes)
         if space != _SVG:
-            gone = outer.look.gone or f"inside <{tag[:40]}>"
+            gone = outer.look.gone or message("gone.inside", tag=tag[:_SAID])
             self.frames.append(outer._replace(tag=tag, look=outer.look._replace(gone=gone)))
             return
         if tag in ANIMATIONS and not outer.look.gone:
-            raise SheetRefused(f"the sheet moves (<{tag}>); only a still drawing can be measured")
+            raise SheetRefused("animation", tag=tag)
         frame = self._framed(outer, tag, attributes)
         self.frames.append(frame)
         if tag in ("script", "use") and tag not in self.left_aside:
             self.left_aside.add(tag)
-            sheet.notes.append(f"<{tag}> is left aside")
+            sheet.notes.append(message("aside.element", tag=tag))
         if data := marked(attributes):
             self._mark(frame, data, attributes, sheet)
 
@@ -172,42 +174,43 @@ class _Reader:
         look = outer.look.below(tag, own) if own or tag in UNDRAWN else outer.look
         refusal = outer.refusal
         if tag == "svg":
-            refusal = refusal or "it is in a drawing within the drawing"
+            refusal = refusal or message("unreadable.nested")
         elif moved := unfollowed(own):
-            refusal = refusal or f"a style moves it by {moved!r}"
+            refusal = refusal or message("unreadable.moved", by=moved)
         if own.get("transform", "none") == "none":
             return Frame(tag, outer.to_paper, look, refusal)
         moving = transform(own["transform"])
         if "transform-origin" in own:
             moving = about(pair(own["transform-origin"].replace("px", "")), moving)
         if moving.singular:
-            look = look._replace(gone=look.gone or "scaled to nothing")
+            look = look._replace(gone=look.gone or message("gone.scaled"))
         return Frame(tag, outer.to_paper.after(moving), look, refusal)
 
     def _mark(self, frame: Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
-        kind, who = data["kind"], called(data)
+        kind = data["kind"]
         if hidden := frame.look.hidden(filled=kind not in LINES):
-            sheet.notes.append(f"{who} is not counted: {hidden}")
+            sheet.notes.append(message("aside.mark", who=called(data), why=hidden))
             return
-        if refusal := frame.refusal or ("it is stretched" if kind == "profile" and frame.to_paper.stretched else ""):
-            raise SheetRefused(f"{who}: {refusal}")
+        bent = message("unreadable.bent") if kind == "profile" and frame.to_paper.stretched else None
+        if refusal := frame.refusal or bent:
+            raise SheetRefused("of_mark", who=called(data), why=refusal)
         self.path_length += len(attributes.get("d", ""))
         if self.path_length > limits.PATH_COMMANDS:
-            raise OverLimit("the marked paths are too long for marks")
+            raise OverLimit("paths")
         try:
             shown = drawn(kind, frame.tag, attributes)
         except SheetRefused as refused:
-            raise SheetRefused(f"{who}: {refused.reason}") from refused
+            raise SheetRefused("of_mark", who=called(data), why=refused.reason) from refused
         points = tuple(frame.to_paper(place) for part in shown for place in part)
         if not all(abs(size) <= limits.REACH for point in points for size in (point.real, point.imag)):
-            raise SheetRefused(f"{who} is off every paper")
+            raise SheetRefused("far_mark", who=called(data))
         sheet.marks.append(SheetMark(kind, data, points, tuple(map(len, shown))))
 
     def _listen(self, tag: str, attributes: Mapping[str, str]) -> None:
         """Begin to hear the text of a style or of the description; an editor may add elements to the latter."""
         telling_tag = tag == "style" or (tag == "metadata" and attributes.get("id") == "sheet")
         if self.heard is not None and (telling_tag or self.frames[-1].tag == "style"):
-            raise SheetRefused(f"a <{tag[:40]}> stands inside a style or description")
+            raise SheetRefused("inside", tag=tag[:_SAID])
         if telling_tag:
             self.heard, self.heard_length, self.heard_depth = [], 0, len(self.frames) + 1
 
@@ -219,7 +222,7 @@ class _Reader:
         self.heard_length += len(text)
         style = self.frames[-1].tag == "style"
         if self.heard_length > (limits.TEXT_LENGTH if style else limits.METADATA_LENGTH):
-            raise OverLimit("the sheet's style or description is too long")
+            raise OverLimit("description")
         self.heard.append(text)
 
     def _end(self, _: str) -> None:
@@ -232,18 +235,16 @@ class _Reader:
         if frame.tag == "metadata":
             self.sheet.metadata = _described(text, self.sheet.notes)
         elif name := telling(text):
-            raise SheetRefused(
-                f"a style sheet decides what is seen ({name}); let the editor write it into the elements"
-            )
+            raise SheetRefused("style_sheet", name=name)
 
 
-def _described(text: str, notes: list[str]) -> dict[str, Any]:
+def _described(text: str, notes: list[Message]) -> dict[str, Any]:
     """Read the sheet's own description; a damaged one costs a note, not the measurement."""
     try:
         found = json.loads(text)
     except (ValueError, RecursionError):
         found = None
     if not isinstance(found, dict):
-        notes.append("the sheet's description cannot be read")
+        notes.append(message("aside.description"))
         return {}
     return found

@@ -69,12 +69,12 @@ def transform(text: str) -> Affine:
         call = _CALL.match(text, place)
         count += 1
         if call is None or count > ELEMENT_TRANSFORMS:
-            raise SheetRefused(f"transform {text[place : place + 30]!r} is not understood, or the list is too long")
+            raise SheetRefused("transform", text=repr(text[place : place + 30]))
         total = total.after(_one(call[1], numbers(call[2])))
         gap = GAP.match(text, call.end())
         place = gap.end() if gap else call.end()
     if not all(abs(size) <= REACH**2 for part in total for size in (part.real, part.imag)):
-        raise SheetRefused(f"transform {text[:30]!r} leads off every paper")
+        raise SheetRefused("far_transform", text=repr(text[:30]))
     return total
 
 
@@ -89,16 +89,16 @@ def placing(stated: Sequence[complex], found: Sequence[complex]) -> Affine:
     U, V = found[1] - found[0], found[2] - found[0]
     doubled_area = u * v.conjugate() - u.conjugate() * v
     if doubled_area == 0:
-        raise SheetRefused("the three corner marks state places on one line")
+        raise SheetRefused("corners_in_line")
     p = (U * v.conjugate() - V * u.conjugate()) / doubled_area
     q = (V * u - U * v) / doubled_area
     if abs(q) >= abs(p):
-        raise SheetRefused("the sheet is mirrored or crushed")
+        raise SheetRefused("mirrored")
     # Each mark is rounded twice, by us and by the editor, before or after the sheet was scaled.
     rounding = 2 * QUANTUM * max(1.0, abs(p)) * (abs(u) + abs(v)) / abs(doubled_area)
     if not abs(q) <= rounding:
         ratio = (abs(p) + abs(q)) / (abs(p) - abs(q))
-        raise SheetRefused(f"the sheet is stretched: one direction is {ratio:.6f} times the other")
+        raise SheetRefused("stretched", ratio=f"{ratio:.6f}")
     return Affine(p, 0j, found[0] - p * stated[0])
 
 
@@ -122,7 +122,7 @@ def _one(name: str, values: list[float]) -> Affine:
             return matrix(1, 0, math.tan(math.radians(angle)), 1, 0, 0)
         case "skewY", [angle]:
             return matrix(1, math.tan(math.radians(angle)), 0, 1, 0, 0)
-    raise SheetRefused(f"transform {name[:20]!r} with {len(values)} numbers is not understood")
+    raise SheetRefused("transform_numbers", text=repr(name[:20]), numbers=len(values))
 
 
 def _turned(angle: float) -> complex:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from drawings.measure.pathdata import NUMERAL, SPACE, number, numbers
 from drawings.measure.transform import MIRROR, Affine
 from drawings.paper.limits import REACH, SheetRefused
+from plans.words.words import Message, message
 
 PIXEL = 25.4 / 96
 _UNITS = {"": PIXEL, "px": PIXEL, "mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6}
@@ -20,7 +21,7 @@ class Viewport(NamedTuple):
     width: float
     height: float
     placing: Affine
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def viewport(attributes: Mapping[str, str]) -> Viewport:
@@ -31,12 +32,12 @@ def viewport(attributes: Mapping[str, str]) -> Viewport:
     """
     box = _box(attributes.get("viewBox"))
     width, height = _length(attributes.get("width")), _length(attributes.get("height"))
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     if width is None or height is None:
         if box is None:
-            raise SheetRefused("the sheet has neither a size nor a viewBox")
+            raise SheetRefused("sizeless")
         width, height = box[2] * PIXEL, box[3] * PIXEL
-        notes = ("the sheet's size is not stated; 96 user units are taken as an inch",)
+        notes = (message("aside.size"),)
     if box is None:
         box = (0.0, 0.0, width / PIXEL, height / PIXEL)
     laid = _laid(box, width, height, attributes.get("preserveAspectRatio", "xMidYMid"))
@@ -51,10 +52,10 @@ def _length(text: str | None) -> float | None:
     match = NUMERAL.match(text)
     unit = _UNITS.get(text[match.end() :]) if match else None
     if match is None or unit is None:
-        raise SheetRefused(f"the sheet's size {text[:20]!r} is not a length")
+        raise SheetRefused("size", text=repr(text[:20]))
     length = number(match[0]) * unit
     if not 0 < length <= REACH:
-        raise SheetRefused(f"the sheet's size {text[:20]!r} is not that of a sheet")
+        raise SheetRefused("far_size", text=repr(text[:20]))
     return length
 
 
@@ -63,7 +64,7 @@ def _box(text: str | None) -> tuple[float, float, float, float] | None:
         return None
     values = numbers(text)
     if len(values) != 4 or not (values[2] > 0 and values[3] > 0):
-        raise SheetRefused(f"viewBox {text[:40]!r} has no area")
+        raise SheetRefused("view_box", text=repr(text[:40]))
     x, y, width, height = values
     return x, y, width, height
 
@@ -78,7 +79,7 @@ def _laid(box: tuple[float, float, float, float], width: float, height: float, f
     try:
         share = complex(_ALIGN[align[1:4]], _ALIGN[align[5:8]])
     except KeyError:
-        raise SheetRefused(f"preserveAspectRatio {fit[:30]!r} is not understood") from None
+        raise SheetRefused("fit", text=repr(fit[:30])) from None
     scale = max(sx, sy) if rule == ["slice"] else min(sx, sy)
     rest = complex(share.real * (width - scale * across), share.imag * (height - scale * down))
     return Affine(complex(scale), 0j, rest - scale * complex(x, y))

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from drawings.measure.pathdata import NUMERAL, SPACE
 from drawings.paper.limits import NUMERAL_LENGTH, SheetRefused
+from plans.words.words import Message, message
 
 # Contents that are kept for other uses, or are not a drawing at all.
 _KEPT = "defs symbol marker clipPath mask pattern filter linearGradient radialGradient"
@@ -23,6 +24,7 @@ _LOOKS = _FOLLOWED | frozenset(["stroke-dasharray", "stroke-linecap", "font-size
 _SHAPES = "cx cy r rx ry x y x1 y1 x2 y2 d points"
 _MOVING = frozenset(f"{_SHAPES} translate rotate scale offset-path motion-path zoom transform-box".split())
 _INVISIBLE = ("none", "transparent")
+_SAID = 40  # letters of a strange value that are told
 
 
 class Look(NamedTuple):
@@ -31,7 +33,7 @@ class Look(NamedTuple):
     `shade` is the share of its ink that is left by the opacities of all that it stands in.
     """
 
-    gone: str = ""
+    gone: Message | None = None
     visibility: str = "visible"
     stroke: str = "none"
     stroke_width: str = "1"
@@ -49,16 +51,16 @@ class Look(NamedTuple):
         """Give the look of an element inside, from its own properties."""
         return _below(self, tag, tuple(properties.items()))
 
-    def hidden(self, filled: bool) -> str:
-        """Tell why an element is not seen; "" if it is. A mark that is `filled` needs no stroke."""
+    def hidden(self, filled: bool) -> Message | None:
+        """Tell why an element is not seen; None if it is. A mark that is `filled` needs no stroke."""
         if self.gone:
             return self.gone
         if self.visibility != "visible":
-            return f"visibility {self.visibility}"
+            return message("gone.visibility", value=self.visibility[:_SAID])
         stroked = _paints(self.stroke, self.stroke_opacity) and not _vanishes(self.stroke_width)
         if stroked or (filled and _paints(self.fill, self.fill_opacity)):
-            return ""
-        return "drawn with nothing"
+            return None
+        return message("gone.inkless")
 
 
 _INHERITED = tuple(name.replace("_", "-") for name in Look._fields[1:-1])
@@ -83,17 +85,19 @@ def properties(attributes: Mapping[str, str]) -> dict[str, str]:
 def declarations(style: str) -> dict[str, str]:
     """Read the style attribute of an element.
 
-    >>> declarations("stroke:none; Fill : red !important;")
+    >>> declarations("stroke:none; Fill : red ! important; fill: blue")
     {'stroke': 'none', 'fill': 'red'}
     """
     if "/*" in style or "\\" in style:
-        raise SheetRefused(f"style {style[:40]!r} is not understood")
+        raise SheetRefused("style", text=repr(style[:_SAID]))
     found: dict[str, str] = {}
+    grave: dict[str, str] = {}  # what is important goes before all else, wherever it stands
     for declaration in style.split(";"):
         name, colon, value = declaration.partition(":")
+        value, mark, _ = value.partition("!")
         if colon:
-            found[name.strip(SPACE).lower()] = value.replace("!important", "").strip(SPACE)
-    return found
+            (grave if mark else found)[name.strip(SPACE).lower()] = value.strip(SPACE)
+    return found | grave
 
 
 def unfollowed(found: Mapping[str, str]) -> str:
@@ -108,21 +112,22 @@ def telling(sheet: str) -> str:
     ('display', '')
     """
     if "\\" in sheet or "@import" in sheet.lower():
-        return "@import or an escape"
+        return "\\" if "\\" in sheet else "@import"
     words = sheet.lower().replace("{", ";").replace("/", ";").replace("*", ";").split(";")
     return next(
         (name for name in (word.partition(":")[0].strip(SPACE) for word in words) if name in _MOVING | _FOLLOWED), ""
     )
 
 
-def _goes(tag: str, own: Mapping[str, str]) -> str:
+def _goes(tag: str, own: Mapping[str, str]) -> Message | None:
     if tag in UNDRAWN:
-        return f"inside <{tag}>"
-    if own.get("display") == "none":
-        return "display none"
+        return message("gone.inside", tag=tag)
+    if own.get("display", "").lower() == "none":
+        return message("gone.display")
     if _vanishes(own.get("opacity", "1")):
-        return "opacity 0"
-    return next((f"under a {name}" for name in ("clip-path", "mask", "filter") if own.get(name, "none") != "none"), "")
+        return message("gone.opacity")
+    under = (name for name in ("clip-path", "mask", "filter") if own.get(name, "none") != "none")
+    return next((message(f"gone.{name}") for name in under), None)
 
 
 def share(opacity: str) -> float:

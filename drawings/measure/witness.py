@@ -7,6 +7,7 @@ from typing import NamedTuple, Protocol
 
 from drawings.measure.transform import Affine
 from drawings.measure.visibility import Look
+from plans.words.words import Message
 
 
 class Frame(NamedTuple):
@@ -15,7 +16,7 @@ class Frame(NamedTuple):
     tag: str
     to_paper: Affine
     look: Look
-    refusal: str
+    refusal: Message | None
 
 
 class Witness(Protocol):

@@ -55,7 +55,7 @@ def equations(
         yield word(language, "report.underlines")
     for k, own in sorted(scales.items()):
         told = values(plans.plan, k)
-        written = CutEquations(told, formula, comparison.construction.nothing)
+        written = CutEquations(told, formula, comparison.construction.nothing_at(k))
         yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))

@@ -49,6 +49,12 @@ class Checked(NamedTuple):
     refused: int = 0  # exit code of a sheet that cannot be read at all
 
     @property
+    def resaved(self) -> bool:
+        """Whether nothing but the file differs: what is drawn is all there, as it must be, and nothing else."""
+        kinds = {finding.kind for finding in self.findings}
+        return "seal" in kinds and kinds <= {"seal", "set"} and 0 < self.same == self.most and not self.partly
+
+    @property
     def exit_code(self) -> int:
         """The command's exit code, were this its only sheet."""
         return self.refused or (EDITED if self.findings else PARTLY if self.partly else WHOLE)

@@ -36,6 +36,10 @@ class Drafting(NamedTuple):
         """Write a scale as the sheet does."""
         return scale.written(self.language, self.notation)
 
+    def true(self, segment: str, letter: str) -> str:
+        """Write in letters how a true size is read off a segment at the scale of a letter."""
+        return f"{segment}/K_{letter}" if self.notation == "K" else f"{segment}·μ_{letter}"
+
 
 def drafting_of(scene: Scene) -> Drafting:
     """Give what a scene asks for."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from geometry.errors import DraftError
+from plans.words.words import message
 
 # Four decimals of a millimetre: a vector of 2 mm is then read to 7e-5 of itself; an A1 sheet stays under a megabyte.
 DECIMALS = 4
@@ -55,11 +56,11 @@ SWEEP_ENTRIES = 10_000
 
 
 class SheetRefused(DraftError):  # noqa: N818  (the verdict's own word)
-    """A sheet that cannot be measured, with the reason in words that its author can act on."""
+    """A sheet that cannot be measured, with the reason in words that its author can act on, by its key."""
 
-    def __init__(self, reason: str) -> None:
-        super().__init__(reason)
-        self.reason = reason
+    def __init__(self, key: str, /, **parts: object) -> None:
+        self.reason = message(f"unreadable.{key}", **parts)
+        super().__init__(self.reason)
 
 
 class OverLimit(SheetRefused):

@@ -29,6 +29,11 @@ def groups(strokes: Iterable[Stroke]) -> Iterator[Group]:
     return (stroke for stroke in walk(strokes) if isinstance(stroke, Group))
 
 
+def group_named(strokes: Iterable[Stroke], name: str) -> Group | None:
+    """Give the first group of a name, if there is one."""
+    return next((one for one in groups(strokes) if one.name == name), None)
+
+
 def texts(strokes: Iterable[Stroke]) -> Iterator[Text]:
     """Give the lettering."""
     return (stroke for stroke in walk(strokes) if isinstance(stroke, Text))

@@ -51,11 +51,6 @@ def remarks(study: Study) -> list[Message]:
     return [message("cam.flaw", cam=name, flaw=_plain(line)) for name, line in lines]
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the numbers of a cam are printed from the comparison that was judged."""
-    yield from ()
-
-
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell each cam: its task, its numbers, what is right and wrong with it."""
     drafting = drafting_of(study.scene)

@@ -14,12 +14,13 @@ from drawings.report.markdown import chapter
 from drawings.report.subject import Subject
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.study import Study
-from plans.words.words import Message, word
+from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 DIGITS = 10
+SHARE = 6  # digits
 
 
 def subject(study: Study) -> Subject:
@@ -42,11 +43,6 @@ def remarks(study: Study) -> list[str]:
     return [word(study.scene.sheet.language, "sheet.cyclogram by trial")] if trial else []
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the numbers are printed from the comparison that was judged."""
-    yield from ()
-
-
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the cyclogram and its characteristic positions."""
     drafting = drafting_of(study.scene)
@@ -62,8 +58,8 @@ def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
     for number, (one, other) in enumerate(pairs):
         angles = {"plan": one.turned, "analysis": other.turned}
         told = {name: drafting.number(math.degrees(angle), DIGITS) for name, angle in angles.items()}
-        parts = {"position": number, "role": drafting.word(f"role {one.role}"), "share": f"{one.share:.6g}"}
-        yield word(drafting.language, "report.characteristic", **parts, **told)
+        told |= {"role": drafting.word(f"role {one.role}"), "share": drafting.number(one.share, SHARE)}
+        yield word(drafting.language, "report.characteristic", position=number, **told)
 
 
 def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:

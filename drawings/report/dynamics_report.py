@@ -43,11 +43,6 @@ def remarks(study: Study) -> list[Message]:
     return [message("dynamics.stops")] if notes_of(study).stops else []
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the numbers of the report are printed from the comparison that was judged."""
-    yield from ()
-
-
 def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
     """Give the notes on what the construction finds, with the exact flywheel beside it."""
     own, comparison = study["dynamics"], study.comparison("dynamics")

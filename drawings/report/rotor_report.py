@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from drawings.lettering.rotor_letters import lowered
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
@@ -18,7 +19,7 @@ from plans.model.rotor import Balance, Rotor
 from plans.rotor.balancing import UNBALANCES
 from plans.rotor.letters import unbalance_letters
 from plans.study import Study
-from plans.words.words import Message, word
+from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -45,11 +46,6 @@ def headline(study: Study) -> str:
 def remarks(study: Study) -> list[str]:
     """Find nothing that is not whole: every rotor can be balanced."""
     return []
-
-
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the numbers of a rotor are printed from the comparison that was judged."""
-    yield from ()
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -88,9 +84,10 @@ def _written(place: complex) -> complex:
 
 
 def _residual(rotor: Rotor, analysis: Balance, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
+    language = drafting.language
     for name, off in residual.items():
-        told = drafting.number(GRAM_MILLIMETRES * off, 3)
-        yield word(drafting.language, "report.plane_residual", letters=unbalance_letters(name), residual=told)
+        own, told = lowered(unbalance_letters(name), language), drafting.number(GRAM_MILLIMETRES * off, 3)
+        yield word(language, "report.plane_residual", letters=own, residual=told)
     quality = rotor.quality(*residual.values())
     if quality is None:
         return

@@ -24,7 +24,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.linkage.motion_report:headline",
         remarks="drawings.report.linkage.motion_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.note.linkage_note:faults",
+        faults="drawings.checks.note.linkage_note:report_faults",
     ),
     "diagrams": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -48,7 +48,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.dynamics_report:headline",
         remarks="drawings.report.dynamics_report:remarks",
         idle="drawings.report.idle:of_dynamics",
-        faults="drawings.report.dynamics_report:faults",
+        faults="drawings.checks.dynamics.report_told:faults",
     ),
     "balance": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -56,7 +56,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.balance.balance_report:headline",
         remarks="drawings.report.balance.balance_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.balance.balance_report:faults",
+        faults="drawings.checks.balance_words.balance_report:faults",
     ),
     "bank": Report(
         subject="drawings.report.balance.bank_report:subject",
@@ -64,7 +64,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.balance.bank_report:headline",
         remarks="drawings.report.balance.bank_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.balance.bank_report:faults",
+        faults="drawings.checks.balance_words.bank_report:faults",
     ),
     "rotor": Report(
         subject="drawings.report.rotor_report:subject",
@@ -72,7 +72,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.rotor_report:headline",
         remarks="drawings.report.rotor_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.rotor_report:faults",
+        faults="drawings.checks.rotor.reported:faults",
     ),
     "cyclogram": Report(
         subject="drawings.report.cyclogram_report:subject",
@@ -80,7 +80,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.cyclogram_report:headline",
         remarks="drawings.report.cyclogram_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.cyclogram_report:faults",
+        faults="drawings.checks.cyclogram.reported:faults",
     ),
     "cam": Report(
         subject="drawings.report.cam_report:subject",
@@ -88,6 +88,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.cam_report:headline",
         remarks="drawings.report.cam_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.cam_report:faults",
+        faults="drawings.checks.cam.reported:faults",
     ),
 }

@@ -17,17 +17,22 @@ from drawings.figures.balance import (
 )
 from drawings.figures.balance.nothing import Nothing, nothing
 from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
+from drawings.figures.balance.static_polygon import StaticPolygon
 from drawings.figures.forces.force_letters import REACTION
 from drawings.figures.graphs import curve_graph
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
+from drawings.figures.workings import link_working, segment_working
+from drawings.figures.workings.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
+from drawings.lettering.balance_letters import lowered
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.balance.balance_report import notes_of
 from drawings.sheets.choice import position
-from drawings.sheets.leaves import EQUATION, Draft, Exhibit, lay_out
+from drawings.sheets.draft import Draft, Exhibit, captions
+from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.balance.mass_centre import Side
@@ -133,8 +138,11 @@ class _BalancingSheet:
     def draft(self) -> Draft:
         """Title, figures, tables and notes of the sheets."""
         shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
+        workings = captions(self._workings())
         title, facts = self.drafting.word("balancing sheet title"), partial(_facts, self.shown.bones.shown)
-        return Draft("balancing", title, shows, self.tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION)
+        return Draft(
+            "balancing", title, (*shows, *workings), self.tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION
+        )
 
     def _schemes(self) -> Iterator[Exhibit]:
         for shown, room in self._rooms:
@@ -143,7 +151,7 @@ class _BalancingSheet:
 
     @cached_property
     def _rooms(self) -> tuple[tuple[BalanceScheme, Picture], ...]:
-        """The schemes with the rooms that they take, of one size."""
+        """The schemes with the rooms that they take, of one height above their links."""
         schemes = [self._scheme(state) for state in self.shown.states]
         points = [spot for one in schemes for spot in one.points]
         return tuple((one, balance_scheme.measure(one, points, self.drafting)) for one in schemes)
@@ -157,11 +165,23 @@ class _BalancingSheet:
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
 
+    def _workings(self) -> Iterator[Working]:
+        """How schemes and polygon are laid off: beside them, where paper would stay bare."""
+        mechanism = self.shown.bones.mechanism
+        for one, _ in self._rooms:
+            yield link_working.working(mechanism, list(mechanism.links), SCHEME + one.state, self.drafting)
+        sizes = {lowered(one.name): abs(one.value) for one in self._moments.vectors}
+        yield segment_working.working(sizes, static_polygon.SYMBOL, static_polygon.NAME, self.drafting)
+
     @property
     def _polygon(self) -> Exhibit:
+        return self._exhibit(static_polygon, self._moments)
+
+    @property
+    def _moments(self) -> StaticPolygon:
         moments = self.shown.moments
         least = NOTHING * sum(map(abs, moments.values()))
-        return self._exhibit(static_polygon, static_polygon.polygon(self.shown.bones.shown, moments, least))
+        return static_polygon.polygon(self.shown.bones.shown, moments, least)
 
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""

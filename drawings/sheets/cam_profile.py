@@ -16,7 +16,8 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import page_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.leaves import Draft, Exhibit, compositions, lay_out_each
+from drawings.sheets.draft import Draft, Exhibit
+from drawings.sheets.leaves import compositions, lay_out_each
 from plans.scene.scene import Scene
 from plans.study import Study
 

@@ -20,6 +20,7 @@ from drawings.figures.dynamics.bare_speeds import bare_speeds
 from drawings.figures.dynamics.load_course import LoadCourse, courses
 from drawings.figures.dynamics.plate import Content
 from drawings.figures.graphs import curve_graph
+from drawings.figures.workings import loop_working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER
 from drawings.layout.room import room_of
@@ -29,7 +30,8 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.draft import Caption, Draft, Exhibit, captions
+from drawings.sheets.leaves import lay_out
 from plans.model.account import Account
 from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
@@ -124,16 +126,21 @@ class _DynamicsSheet:
         yield from self._wheel()
         yield from self._bare()
         yield from self._run()
+        yield from captions(loop_working.working(one, self.drafting) for one in self._contents(way))
 
-    def _plates(self, way: Way) -> Iterator[Exhibit]:
-        """Give the plates: none of a machine whose crank cannot turn fully."""
+    def _contents(self, way: Way) -> Iterator[Content]:
+        """Give what stands on the plates: on none of a machine whose crank cannot turn fully."""
         if self.machine.own.cycle is None:
             return
         if way.whole:
-            yield self._exhibit(self._whole, self._least)
+            yield self._whole
             return
-        yield from (self._exhibit(self._plate(name, graphs)) for name, graphs in way.plates)
-        yield self._exhibit(self._plate(plate.ENERGY, (), loop=True))
+        yield from (self._plate(name, graphs) for name, graphs in way.plates)
+        yield self._plate(plate.ENERGY, (), loop=True)
+
+    def _plates(self, way: Way) -> Iterator[Exhibit]:
+        """Give the plates."""
+        yield from (self._exhibit(one, self._least if way.whole else None) for one in self._contents(way))
 
     @cached_property
     def _whole(self) -> Content:

@@ -13,7 +13,6 @@ from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.quantity import SLIP
 from plans.forces.lines import told_line
-from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import NOTHING
 from plans.model.machine import ALWAYS, GEAR, Force, Moment
@@ -96,23 +95,13 @@ def _place(force: Force, language: str) -> Iterator[str]:
 
 
 def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
-    """Tell the power of everything that hangs on the lever, and that of the force that balances it."""
+    """Tell in what the arms of the lever's equation are, and where it balances without a moment of the crank."""
     lever = statics.drafts().plans.lever
-    if lever is None:
+    if lever is None or not any(at(moment.point, position).real for _, moment in lever.moments):
         return
-    told = [(name, at(moment.point, position).real) for name, moment in lever.moments]
-    total = sum(power for _, power in told)
-    least = NOTHING * max((abs(power) for _, power in told), default=0.0)
-    seen = [(name, power) for name, power in told if abs(power) > least]
-    if not seen:
-        return
-    powers = ", ".join(f"{force_letter(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
     yield word(language, "lever arms")
     if statics.study.mechanism.drive.ram is not None:
-        yield word(language, "forces of balanced lever", powers=powers)
-        return
-    both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
-    yield word(language, "forces of lever", force=force_letter(DRIVING, language), powers=powers, **both)
+        yield word(language, "balanced lever")
 
 
 def _masses(statics: Statics, language: str) -> Iterator[str]:

@@ -17,6 +17,9 @@ from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_equation import LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
+from drawings.figures.linkage.vector_plan import diagram
+from drawings.figures.workings import force_working, link_working, plan_working
+from drawings.figures.workings.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
@@ -25,8 +28,9 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.admission import unknown
 from drawings.sheets.choice import force_positions
+from drawings.sheets.draft import Caption, Draft, Exhibit, captions
 from drawings.sheets.force_notes import notes
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import see_ordinates
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
@@ -80,7 +84,7 @@ class _ForceSheet:
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        shows = (*columns, *loose)
+        shows = (*columns, *loose, *captions(self._workings()))
         return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=self._later)
 
     @property
@@ -131,7 +135,7 @@ class _ForceSheet:
         return Exhibit(Panel(room, together=cut.label), draw)
 
     def _equations(self, cut: Cut) -> Caption:
-        equations = Equations(self.plan, cut, self.position, self.drafting, self.forces.nothing)
+        equations = Equations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))
         passage = equations.passage(f"equations-{cut.label}")
         return Caption(Panel(passage.block(), together=cut.label), partial(passage.write, hand=self.drafting.hand))
 
@@ -145,7 +149,7 @@ class _ForceSheet:
     def _lever(self) -> Iterator[Exhibit | Caption]:
         """The lever, with its equation of moments where anything has one."""
         plans = self.statics.drafts().plans
-        if plans.lever is None:
+        if plans.lever is None or not self.study.rates.at(self.position)[0]:
             return
         shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
         room, told = lever_plan.measure(shown, LEVER, self.drafting), lever_plan.balance(shown, self.drafting)
@@ -156,6 +160,17 @@ class _ForceSheet:
             moment = at(plans.lever.moment.point, self.position).real if turned else None
             equation = LeverEquation(told, moment, self.drafting)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
+
+    def _workings(self) -> Iterator[Working]:
+        """How forces of masses are found, and lengths laid off: beside the figures, where paper would stay bare."""
+        plan, drafting = self.plan, self.drafting
+        for cut in plan.cuts:
+            name = f"scheme-{cut.label}"
+            yield force_working.working(plan, cut.links, self.position, name, drafting)
+            yield link_working.working(plan.mechanism, cut.links, name, drafting)
+        if self.statics.drafts().plans.lever is not None:
+            yield force_working.working(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
+            yield plan_working.working(diagram(plan.velocities, self.position), LEVER, drafting)
 
     def _loads(self) -> Iterator[Exhibit]:
         """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""
@@ -191,7 +206,8 @@ class _ForceSheet:
 
     def _curve(self) -> curve_graph.GraphCurve:
         statics, drive, told = self.statics, self.study.mechanism.drive, balancing_quantity(self.study.mechanism.drive)
-        sizes = statics.given_around(STEPS, self.turned), statics.given(self.forces, self.study.motion(2))
+        own = self.forces.counted(statics.given(self.forces, self.study.motion(2)))
+        sizes = statics.given_around(STEPS, self.turned), own
         least = told.share * self.forces.nothing[told.unit != "N" or drive.pushed]
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in sizes)
         dense, (stations, along) = curve_graph.bounded(dense, ordinates), self._stations()

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
@@ -13,23 +14,26 @@ from drawings.figures.diagrams import frame as diagrams
 from drawings.figures.diagrams import kinematic_diagrams
 from drawings.figures.diagrams.diagram_notes import diagram_notes
 from drawings.figures.diagrams.output_table import output_table
-from drawings.figures.linkage import missing_plan, position_plan, vector_plan
+from drawings.figures.linkage import missing_plan, own_scale, position_plan, vector_plan
 from drawings.figures.linkage.masses import unnamed
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
+from drawings.figures.workings import diagram_working, link_working, plan_working
+from drawings.figures.workings.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.picture import Spot
+from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.choice import force_positions, plans, position
-from drawings.sheets.leaves import Draft, Exhibit, lay_out
+from drawings.sheets.draft import Caption, Draft, Exhibit, captions
+from drawings.sheets.leaves import lay_out
 from drawings.sheets.notes import notes
 from geometry.board import Mark
 from plans.checks.compare import MotionComparison
 from plans.checks.hand.motion import MotionByHand
-from plans.checks.parts import spans
+from plans.checks.parts import alike, spans
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS, VELOCITIES
@@ -93,8 +97,10 @@ class _KinematicsSheet:
         if self.output is not None:
             words += diagram_notes(self.output, self.drafting)
         title = self.drafting.word("sheet title")
-        shows = (self._main(), *self._plans(), *self._diagrams())
-        return Draft("kinematics", title, shows, self._tables(), tuple(words), self._facts, later=self._later)
+        figures: tuple[Exhibit, ...] = (self._main(), *self._plans(), *self._diagrams())
+        shows: tuple[Exhibit | Caption, ...] = (*figures, *captions(self._workings()))
+        tables, remarks = self._tables(), self._remarks if self.study.scene.sheet.scales == "common" else None
+        return Draft("kinematics", title, shows, tables, tuple(words), self._facts, later=self._later, remarks=remarks)
 
     @cached_property
     def shown(self) -> int:
@@ -122,13 +128,27 @@ class _KinematicsSheet:
     def _plan(self, subject: str, k: int) -> Exhibit:
         """A plan, or in its place why it is not drawn."""
         name, shown = f"{subject}-{k}", self._diagram(subject, k)
-        if self.study.lost[k] or not np.isfinite(shown.points).all():
+        if not self._is_whole(subject, k):
             why = self._why(subject, k)
             absent = missing_plan.measure(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(missing_plan.draw, why, drafting=self.drafting))
         room = vector_plan.measure(shown, name, self.drafting)
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)
+
+    def _workings(self) -> Iterator[Working]:
+        """How the plans are laid off and read: beside them, where paper would stay bare."""
+        mechanism = self.study.mechanism
+        yield link_working.working(mechanism, list(mechanism.links), POSITIONS.plan, self.drafting)
+        for subject, k in ((order.plan, k) for order in ORDERS[1:] for k in self.positions):
+            if self._is_whole(subject, k):
+                yield plan_working.working(self._diagram(subject, k), f"{subject}-{k}", self.drafting)
+        if self.output is not None and self.output.shown:
+            yield diagram_working.working(self.output, self.drafting)
+
+    def _is_whole(self, subject: str, k: int) -> bool:
+        """Tell whether a plan can be drawn."""
+        return not self.study.lost[k] and bool(np.isfinite(self._diagram(subject, k).points).all())
 
     def _diagrams(self) -> list[Exhibit]:
         """The output's diagrams, one under another."""
@@ -148,10 +168,17 @@ class _KinematicsSheet:
         return replace(shown, parts=self._parts)
 
     @cached_property
-    def _parts(self) -> dict[tuple[Mark, Mark], str]:
-        """The letters of relative vectors and of parts, by their ends on the plans."""
-        found = spans(self.study, self.study.drafts(), self.comparison.analysis)
-        return {(span.start, span.end): name for name, span in found.items()}
+    def _parts(self) -> dict[tuple[Mark, Mark], tuple[str, ...]]:
+        """The letters of relative vectors and parts, by their ends on the plans: one vector may be v_F5 and v_F5F."""
+        found = defaultdict[tuple[Mark, Mark], list[str]](list)
+        for name, span in spans(self.study, self.study.drafts(), self.comparison.analysis).items():
+            found[span.start, span.end].append(name)
+        return {ends: tuple(names) for ends, names in found.items()}
+
+    def _remarks(self, spots: Mapping[str, Spot]) -> tuple[str, ...]:
+        """Say why a plan has another scale than the others of its kind."""
+        plans = (exhibit.panel.item for exhibit in self._plans())
+        return tuple(own_scale.remarks([one for one in plans if isinstance(one, Picture)], spots, self.drafting))
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
@@ -171,8 +198,10 @@ class _KinematicsSheet:
         """The table of values, if there is anything to tell."""
         if not self.positions:
             return ()
-        told, language = self.by_hand, self.drafting.language
-        lines = value_table.rows(self.comparison, self.positions, told.given, language, told.parts)
+        by_hand, masses = self.by_hand, self.bones.masses
+        told = value_table.told(self.comparison, by_hand.parts, by_hand.given)
+        same = alike(told, self.study.mechanism, masses)
+        lines = value_table.rows(same, self.positions, self.drafting.language)
         return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
 
     def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:

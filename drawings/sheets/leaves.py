@@ -4,70 +4,32 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
+from drawings.layout.block import TextBlock
 from drawings.layout.composer import compose
-from drawings.layout.contents import Composition, Contents, Panel
+from drawings.layout.contents import Composition, Contents, Working
 from drawings.layout.figure import Figure
+from drawings.layout.filling import Loose, fill, most_bare
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import SMALLER, Picture, Spot
-from drawings.layout.table import Later, RuledTable
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Group, Leaf, SheetError
+from drawings.sheets.draft import Caption, Draft, Exhibit
 from drawings.sheets.paragraphs import measure, write
 from drawings.sheets.stated_scales import StatedScales
 from plans.scene.scene import Scene
 
 EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
+ROUNDS = 4  # of composing: the remarks that follow from one composition are mostly those of the next
 ENTRIES = ("drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
-
-
-class Exhibit(NamedTuple):
-    """A figure that a sheet shows: what it wants of its place, and how it is drawn in its spot."""
-
-    panel: Panel
-    draw: Callable[[Spot], Figure]
-
-
-class Caption(NamedTuple):
-    """Lettering that stands with figures: what it wants of its place, and how it is written in its box.
-
-    One `of` a figure is written by the spot of that figure too, where both stand on one sheet: lengths as drawn. One
-    that `waits` is written by what writes the cells of the tables that wait for the scales of the figures.
-    """
-
-    panel: Panel
-    write: Callable[..., Group]  # of a field, and of a spot
-    of: str = ""
-    waits: bool = False
-
-
-@dataclass(frozen=True)
-class Draft:
-    """What the sheets of one kind show: figures and lettering in their order, tables, notes.
-
-    `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
-    `scaled` is the figure whose scale the title block states: the foremost one, unless it is named. The notes stand in
-    no column of less than `narrow` mm. The drafts `instead` show the same in other ways, where that can be read better
-    or takes fewer sheets. `later` writes, by the spots of all figures, the cells that wait for them.
-    """
-
-    kind: str
-    title: str
-    shows: tuple[Exhibit | Caption, ...]
-    tables: tuple[RuledTable, ...]
-    notes: tuple[str, ...]
-    facts: Callable[[Collection[str]], Mapping[str, Any]]
-    scaled: str = ""
-    narrow: float = 0.0
-    instead: tuple[Draft, ...] = ()
-    later: Callable[[Mapping[str, Spot]], Callable[[Later], str]] | None = None
 
 
 def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
@@ -84,14 +46,23 @@ def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
 
 def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     """Give where all that a draft shows would stand, sheet by sheet, before anything is drawn."""
-    return _Leaves(scene, draft).composed
+    return _Leaves(scene, draft).settled.composed
 
 
 def _chosen(scene: Scene, draft: Draft, followed: bool) -> _Leaves:
     """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
     if not draft.instead:
-        return _Leaves(scene, draft, followed)
+        return _Leaves(scene, draft, followed).settled
     return min((_Leaves(scene, one, followed) for one in (draft, *draft.instead)), key=lambda one: one.cost)
+
+
+class _Inked(NamedTuple):
+    """A sheet before its letters are placed: what stands still, its figures, their ink, what is bare of it, mm2."""
+
+    still: list[Group]
+    figures: list[Figure]
+    ink: Ink
+    bare: float
 
 
 @dataclass(frozen=True)
@@ -101,6 +72,7 @@ class _Leaves:
     scene: Scene
     draft: Draft
     followed: bool = False  # by the sheets of another draft
+    reserved: tuple[str, ...] = ()  # remarks for which the notes have room
 
     @cached_property
     def page(self) -> Page:
@@ -121,9 +93,16 @@ class _Leaves:
     @cached_property
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
-        panels = self.scales.panels([one.panel for one in self.draft.shows])
-        notes = measure(self.draft.notes, self.page.hand.text, self.draft.narrow)
-        return Contents(panels, self.draft.tables, notes, self.followed)
+        shown = [one.panel for one in self.draft.shows if isinstance(one, Exhibit) or not one.working]
+        panels = self.scales.panels(shown)
+        notes = measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
+        return Contents(panels, self.draft.tables, notes, self.followed, tuple(self._workings()))
+
+    def _workings(self) -> Iterator[Working]:
+        """Give the lettering that is written only where paper would stay bare."""
+        for one in self.draft.shows:
+            if isinstance(one, Caption) and one.working and isinstance(one.panel.item, TextBlock):
+                yield Working(one.panel.item, one.of)
 
     @cached_property
     def composed(self) -> Sequence[Composition]:
@@ -148,29 +127,47 @@ class _Leaves:
         return {name: spot for one in self.composed for name, spot in one.spots.items()}
 
     @property
+    def notes(self) -> tuple[str, ...]:
+        """What is said in words, with the remarks on the figures as they stand."""
+        said = self.draft.remarks(self.spots) if self.draft.remarks is not None else ()
+        return (*self.draft.notes, *said)
+
+    @property
+    def settled(self) -> _Leaves:
+        """Compose anew until there is room for the remarks: with them the figures may stand otherwise."""
+        own, known = self, {self.reserved: self}  # two compositions may each bring about the remarks of the other
+        for _ in range(ROUNDS if self.draft.remarks is not None else 0):
+            said = own.notes[len(own.draft.notes) :]
+            if said == own.reserved:
+                break
+            own = known.setdefault(said, replace(own, reserved=said))
+        return own
+
+    @property
     def sheets(self) -> Sequence[Composition]:
         """The composed sheets, the cells of their tables written that waited for the scales of the figures."""
+        return [self._told(one) for one in self.composed]
+
+    def _told(self, composed: Composition) -> Composition:
+        """Write the cells of the tables of a sheet."""
         if self.draft.later is None:
-            return self.composed
+            return composed
         write = self.draft.later(self.spots)
-        return [
-            one._replace(tables=tuple(told._replace(table=told.table.filled(write)) for told in one.tables))
-            for one in self.composed
-        ]
+        return composed._replace(
+            tables=tuple(told._replace(table=told.table.filled(write)) for told in composed.tables)
+        )
 
     def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""
         page, draft = self.page, self.draft
-        still, figures = list(self._still(composed, number, count)), list(self._figures(composed))
-        ink = Ink(*page.size)
-        ink.bar(page.field.inset(KEPT))
-        ink.draw([*still, *(stroke for figure in figures for stroke in figure.lines)])
-        labels = Labels(ink, page.hand.drafted)
+        stood = self._stood(composed, number, count)
+        labels = Labels(stood.ink, page.hand.drafted)
+        letters = (group for figure in stood.figures for group in figure.letter(labels))
         return Leaf(
             *page.size,
-            (page.frame(), page.corners(), *still, *(group for figure in figures for group in figure.letter(labels))),
+            (page.frame(), page.corners(), *stood.still, *letters),
             title=f"{self.title}: {draft.title}",
-            description=" ".join(draft.notes),
+            description=" ".join(self.notes),
             metadata={
                 "sheet": draft.kind,
                 "title": self.title,
@@ -183,6 +180,24 @@ class _Leaves:
             },
         )
 
+    def _stood(self, composed: Composition, number: int, count: int) -> _Inked:
+        """Draw the lines of a sheet in that of its ways to stand which leaves the least bare, where much would be."""
+        own = self._inked(composed, number, count)
+        if own.bare <= most_bare(self.page, number == count):
+            return own
+        others = (self._inked(self._told(other), number, count) for other in composed.others())
+        return min((own, *others), key=lambda one: one.bare)
+
+    def _inked(self, composed: Composition, number: int, count: int) -> _Inked:
+        """Draw the lines of a sheet, and workings where it would stay bare."""
+        still, figures = list(self._still(composed, number, count)), list(self._figures(composed))
+        ink = Ink(*self.page.size)
+        ink.bar(self.page.field.inset(KEPT))
+        ink.draw([*still, *(stroke for figure in figures for stroke in figure.lines)])
+        still += fill(ink, self.page, number == count, list(self._loose(composed)))
+        bare = ink.bare(self.page.field)
+        return _Inked(still, figures, ink, bare.width * bare.height)
+
     def _still(self, composed: Composition, number: int, count: int) -> Iterator[Group]:
         """Draw what no letter is added to: the title block, tables, notes, lettering among the figures."""
         page = self.page
@@ -193,10 +208,18 @@ class _Leaves:
             told[table.name] += len(pieces)
             yield from pieces
         if composed.notes is not None:
-            yield write(self.draft.notes, composed.notes, page.hand.text, page.field.right)
+            yield write(self.notes, composed.notes, page.hand.text, page.field.right)
         for one in self.draft.shows:
             if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
                 yield one.write(composed.blocks[one.panel.item.name], *self._awaited(one, composed))
+
+    def _loose(self, composed: Composition) -> Iterator[Loose]:
+        """Give the workings of the figures of a sheet that have no place on it yet."""
+        for one in self.draft.shows:
+            if isinstance(one, Caption) and one.working and one.of in composed.spots:
+                item, spot = one.panel.item, composed.spots[one.of]
+                if isinstance(item, TextBlock) and item.name not in composed.blocks:
+                    yield Loose(item, partial(one.write, spot=spot))
 
     def _awaited(self, one: Caption, composed: Composition) -> Iterator[Any]:
         """Give what lettering is written by beside its box."""

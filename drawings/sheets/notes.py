@@ -75,7 +75,7 @@ def _cylinder(ram: Ram, link: int, rates: tuple[str, str], law: tuple[Floats, Fl
     """Tell how a cylinder turns the crank: the law m/s, m/s2 of its length, and the crank's rates as written."""
     stroke = " … ".join(number(1000 * way, language) for way in (ram.begin, ram.end))
     v, a = (span(np.ravel(rate), language) for rate in law)
-    parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.fixed}{ram.point}"}
+    parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.foot}{ram.point}"}
     return word(language, "cylinder", stroke=stroke, v=v, a=a, **parts)
 
 

@@ -14,7 +14,8 @@ from drawings.layout.contents import Panel
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import position_asked
-from drawings.sheets.leaves import Draft, Exhibit, lay_out
+from drawings.sheets.draft import Draft, Exhibit
+from drawings.sheets.leaves import lay_out
 from drawings.sheets.notes import notes
 from plans.linkage.study import LinkageStudy
 from plans.model.order import POSITIONS

@@ -7,17 +7,22 @@ from functools import partial
 from typing import Any
 
 from drawings.figures.rotor import across, along, rotor_polygon, rotor_table
+from drawings.figures.rotor.rotor_polygon import RotorPolygon
 from drawings.figures.rotor.rotor_view import RotorView, rotor_view
+from drawings.figures.workings import segment_working
+from drawings.figures.workings.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable
+from drawings.lettering.rotor_letters import lowered
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.agreement import agreed
 from drawings.report.rotor_notes import RotorNotes
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.draft import Caption, Draft, Exhibit, captions
+from drawings.sheets.leaves import lay_out
 from plans.checks.comparison import Comparison
 from plans.checks.hand.rotor import rotor_by_hand
 from plans.rotor.study import RotorStudy
@@ -43,6 +48,7 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
         *_polygons(rotor, drafting),
         _results(comparison, drafting),
         *_views(rotor, drafting),
+        *captions(_workings(rotor, drafting)),
     )
     tables = (rotor_table.masses(rotor.rotor, rotor.balance, drafting),)
     said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(rotor_table.compared(comparison), drafting)
@@ -69,12 +75,24 @@ def _thin(shown: RotorView) -> bool:
     return not shown.bearings and len(set(shown.places)) == 1
 
 
-def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
-    """Show the polygon of moments, if a second plane asks for it, then that of static moments."""
+def _workings(rotor: RotorStudy, drafting: Drafting) -> Iterator[Working]:
+    """How the polygons are laid off: beside them, where paper would stay bare."""
+    for shown in _shown(rotor):
+        sizes = {lowered(one.name, drafting.language): abs(one.value) for one in shown.vectors}
+        yield segment_working.working(sizes, shown.symbol[0].strip("{}"), shown.plan, drafting)
+
+
+def _shown(rotor: RotorStudy) -> Iterator[RotorPolygon]:
+    """Give the polygon of moments, if a second plane asks for it, then that of static moments."""
     drawing = rotor.drawing
     names = frozenset(one.mark.name for one in drawing.corrections[:-1])
     for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
-        shown = rotor_polygon.polygon(construction, names)
+        yield rotor_polygon.polygon(construction, names)
+
+
+def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the polygons in one column."""
+    for shown in _shown(rotor):
         room = rotor_polygon.measure(shown, drafting)
         yield Exhibit(Panel(room, together=TOGETHER), partial(rotor_polygon.draw, shown, room, drafting=drafting))
 

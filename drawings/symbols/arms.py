@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from drawings.layout.labels import Labels
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
+from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Line, Polyline, Stroke
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import plain_name
@@ -70,7 +71,7 @@ class Arm:
         """Draw the line of action from the force's point to a little past the foot, or past what stands aside of it."""
         end = self.ends[1]
         along = end - self.at
-        ahead = along / abs(along) if abs(along) > LEAST else self.direction
+        ahead = along / abs(along) if abs(along) > QUANTUM else self.direction
         return Line(self.at, end + ahead * PAST * hand.symbol, hand.drafted)
 
     def _square(self, hand: Hand) -> tuple[Stroke, ...]:

@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
 
 Mask = Circle | Polyline  # a circle, or a closed convex outline
@@ -41,6 +42,25 @@ def holds(mask: Mask, spot: complex) -> bool:
         return abs(spot - mask.centre) < mask.radius
     sides = [((end - start).conjugate() * (spot - start)).imag for start, end in _sides(mask)]
     return all(side > 0 for side in sides) or all(side < 0 for side in sides)
+
+
+def distinct(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
+    """Drop each line that another one is on paper already, whichever way it runs; other strokes pass.
+
+    >>> [line.start for line in distinct([Line(0j, 5 + 0j), Line(5 + 0j, 0j), Line(0j, 6 + 0j)])]
+    [0j, 0j]
+    """
+    kept: list[Line] = []
+    for one in strokes:
+        if isinstance(one, Line):
+            if any(_alike(one, other.start, other.end) or _alike(one, other.end, other.start) for other in kept):
+                continue
+            kept.append(one)
+        yield one
+
+
+def _alike(line: Line, start: complex, end: complex) -> bool:
+    return max(abs(line.start - start), abs(line.end - end)) <= QUANTUM
 
 
 def _sides(outline: Polyline) -> Iterator[tuple[complex, complex]]:

@@ -125,12 +125,12 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
     up, down = _March([first], most, 1.0), _March([first], least, -1.0)
     upper, lower = _march(shape, up, down)
     # What lies beyond one end may be reached the other way round, where there is a way round.
-    turns = shape.mechanism.drive.turns
-    if turns and upper and not lower:
+    round_ = not shape.mechanism.drive.pushed  # a crank's angles come round, also those of one that a cylinder turns
+    if round_ and upper and not lower:
         lost = ahead > upper.reached - start.phi
         down.goal = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
         (lower,) = _march(shape, down)
-    elif turns and lower and not upper:
+    elif round_ and lower and not upper:
         lost = ahead < FULL + lower.reached - start.phi
         up.goal = start.phi + float(np.max(ahead, where=lost, initial=0.0))
         (upper,) = _march(shape, up)

@@ -98,7 +98,7 @@ def ways(on: Ground) -> Mapping[str, Callable[[], Found]]:
         return Found(place * _row(first.end, count), force * _row(second.end, count))
 
     def summed() -> Found:
-        road = Analysis(study.mechanism, first=study.form.drive.first is not None, pace=study.pace)
+        road = Analysis(study.mechanism, first=study.first, pace=study.pace)
         found: MassCentre = mass_centre(study.mechanism, list(points.bodies.values()), road.motion(study.turn.phi))
         return Found(found.r, found.force)
 

@@ -57,7 +57,7 @@ def _tried(study: CyclogramStudy) -> list[float]:
 
 def _analysed(study: CyclogramStudy) -> list[float]:
     linkage = study.linkage
-    road = Analysis(linkage.mechanism, first=linkage.form.drive.first is not None, looks=linkage.looks.phi)
+    road = Analysis(linkage.mechanism, first=linkage.first, looks=linkage.looks.phi)
     found = cyclogram(road, study.task, study.output, None)
     return [] if found is None else in_order(study, found.positions)
 

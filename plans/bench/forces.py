@@ -115,7 +115,7 @@ class ForceGround:
         return errors({(MOMENT, BALANCING): moment[judged]}, self.truth.at(judged), self.largest)
 
     def _marched(self) -> tuple[Analysis, Motion]:
-        road = Analysis(self.study.mechanism, first=self.study.form.drive.first is not None)
+        road = Analysis(self.study.mechanism, first=self.study.first)
         return road, road.motion(self.study.turn.phi)
 
     @cached_property

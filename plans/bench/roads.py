@@ -150,7 +150,7 @@ def _drawing(found: Ground, order: int) -> Callable[[], Motion]:
 
 
 def _solving(study: LinkageStudy, tolerance: float = EPS) -> Callable[[], Motion]:
-    return lambda: solve(study.mechanism, study.turn.phi, tolerance=tolerance, first=study.form.drive.first is not None)
+    return lambda: solve(study.mechanism, study.turn.phi, tolerance=tolerance, first=study.first)
 
 
 def timed(ways: Sequence[Road], positions: int, rounds: int, budget: float) -> list[Row]:

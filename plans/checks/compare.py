@@ -81,8 +81,7 @@ def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
 
 def road_of(study: LinkageStudy) -> Analysis:
     """Take the analytic road of a study's mechanism, at the study's pace."""
-    first = study.form.drive.first is not None
-    return Analysis(study.mechanism, first=first, looks=study.looks.phi, pace=study.pace)
+    return Analysis(study.mechanism, first=study.first, looks=study.looks.phi, pace=study.pace)
 
 
 def comparison_of(study: Study) -> MotionComparison:

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.board import Mark
+from geometry.meet import EPS
 from geometry.precision import errors
 from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
-from plans.checks.compare import MotionComparison, cap, largest_of, with_analysis
+from plans.checks.compare import ANALYSIS, MotionComparison, cap, largest_of, with_analysis
 from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
@@ -64,7 +65,8 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     found = statics.over(motion.road.extremes)
     loads = statics.loading_over(motion.analysis, found)
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
-    ours = statics.forces
+    known = ANALYSIS * EPS * motion.kappa ** (ORDER + 1) < 1.0
+    ours, theirs = (replace(one, known=known) for one in (statics.forces, theirs))
     both = ForceFindings(statics, motion, ours, theirs)
     told = [*both.reactions(), *both.cylinder(found), *both.balancing(loads)]
     forces = *cap(study, told), both.energy(loads)
@@ -149,7 +151,9 @@ class ForceFindings:
         yield self._whole(self._told_by("", (ours.moment, self._due), off, largest))
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
-            yield self._told_by("lever", (hung, theirs.moment), self.off(hung_on.moment), largest)
+            resting = np.asarray(self.statics.study.rates.omega) == 0  # a lever without arms balances nothing
+            both = (np.where(resting, np.nan, one) for one in (hung, theirs.moment))
+            yield self._told_by("lever", tuple(both), self.off(hung_on.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
         yield self._told_by("power", (ours.moment, powered), off, largest)
 
@@ -182,11 +186,11 @@ class ForceFindings:
             return
         ours = statics.given(self.ours, motion.construction)
         theirs = statics.given(self.theirs, motion.analysis, found)
-        arm = lever(statics.study.mechanism, motion.analysis.points[drive.ram.point].r)
+        arm = lever(statics.study.mechanism, motion.analysis)
         off = self.off(self.plans.plan.balancing) / arm
         yield self.finding((DRIVING, "N"), (ours, theirs), off, max(self.largest, largest_of([np.abs(ours)])))
 
-    def _told_by(self, how: str, pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
+    def _told_by(self, how: str, pair: tuple[Any, ...], off: Floats, largest: float) -> Finding:
         """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
         name, unit, share = self._told
         both = share * pair[0], share * pair[1]
@@ -207,7 +211,7 @@ class ForceFindings:
         mechanism = self.statics.study.mechanism
         crank = mechanism.links[mechanism.drive.link].points.values()
         arm = mechanism.drive.unit if mechanism.drive.pushed else max(map(abs, crank))
-        return max(largest_of([np.abs(self.ours.balancing.moment)]), self.largest * arm)
+        return max(largest_of([np.abs(self.ours.counted(self.ours.balancing.moment))]), self.largest * arm)
 
     def sums(self) -> Iterator[Finding]:
         """Check the equilibrium of every link, group and the whole, and the power, by the construction alone."""

@@ -6,7 +6,7 @@ and epsilon of the link and the places of its points (M3.1) (составляю�
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
@@ -24,7 +24,7 @@ from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Complexes, Floats, Motion
 from plans.model.order import ACCELERATIONS, ORDERS, VELOCITIES, Order
 
@@ -66,6 +66,22 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
 def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = NONE) -> dict[str, Span]:
     """Give where the plans of some positions show each part, by its letters."""
     return {part.name: part.span for part in _Parts(study, drafts, motion, masses).all()}
+
+
+def alike(told: Iterable[Finding], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Finding, ...]]:
+    """Put together what is one vector or one rate by its cause: of a link that never turns, of links joined by a slide.
+
+    `told` are findings of velocities and accelerations; each stays in the place of the first that it is put with.
+    """
+    turning = mechanism.turning_with
+    carried = {name: link for name, (link, _) in masses.items() if turning[link] == FRAME}
+    carried |= {name: n for n, link in mechanism.links.items() if turning[n] == FRAME for name in link.points}
+    found: dict[tuple[str, object], list[Finding]] = {}
+    for one in told:
+        symbol, _, index = one.name.partition("_")
+        rate = symbol in (VELOCITIES.link.symbol, ACCELERATIONS.link.symbol)
+        found.setdefault((symbol, turning[int(index)] if rate else carried.get(index, index)), []).append(one)
+    return [tuple(same) for same in found.values()]
 
 
 def carried_from(line: Mark, direction: Mark) -> bool:
@@ -166,7 +182,7 @@ class _Parts:
         assert direction is not None  # every guide has a direction on the plan of positions
         line = next(one for one in end.step.inputs if one.step.op == "parallel" and carried_from(one, direction))
         start = line.step.inputs[0]
-        laid = start.name == plan.written.coriolis(vector.pin, vector.host) and start.step.op == "lay_off"
+        laid = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
         return Span(start, end), Span(start.step.inputs[0], start) if laid else None
 
     def _at(self, point: str, order: int) -> Complexes:

@@ -6,14 +6,15 @@ It acts between the cylinder and its rod along the line of their hinges; the cra
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from plans.forces.primary import DRIVING
-from plans.linkage.primaries.ram import triangle
+from plans.linkage.primaries.between import apart
 from plans.model.kinetostatics import Applied, Loading
 from plans.model.machine import Body, Machine
-from plans.model.mechanism import FRAME, Mechanism
+from plans.model.mechanism import FRAME, Mechanism, Ram
 from plans.model.motion import Complexes, Floats, Motion
 
 
@@ -36,32 +37,46 @@ def push(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading)
 
 
 def _growth(mechanism: Mechanism, motion: Motion) -> tuple[Complexes, Floats]:
-    """Give the unit direction from the cylinder's fixed point to the crank's, and how fast they part, m/s."""
-    corner = triangle(mechanism)
-    moved = motion.points[corner.ram.point]
-    along = (moved.r - corner.fixed) / np.abs(moved.r - corner.fixed)
-    return along, (np.conj(along) * moved.v).real
+    """Give the unit direction from the cylinder's foot to its point, and how fast they part, m/s."""
+    span, *rates = (apart(mechanism, motion, order) for order in range(3))
+    along = span / np.abs(span)
+    return along, (np.conj(along) * _way(mechanism, motion, (rates[0], rates[1]))).real
+
+
+def _way(mechanism: Mechanism, motion: Motion, rates: tuple[Any, Any]) -> Any:
+    """Give the rates by which powers are told: of first order, and where all rests those of second, as those begin."""
+    ends = motion.points[mechanism.drive.end]
+    return np.where(ends.v == 0, rates[1], rates[0])
 
 
 def _ends(mechanism: Mechanism) -> Iterator[tuple[int, str, complex]]:
-    """Give the links that a cylinder pushes apart, each with its point: rod or crank, cylinder or frame."""
+    """Give the links that a cylinder pushes apart, each with its point: rod or its link, cylinder or its link."""
     ram, links = mechanism.drive.ram, mechanism.links
     assert ram is not None  # one drives
-    sliding = {number for slide in mechanism.slides for number in (slide.slider, slide.owner)}
-    for point, spare in ((ram.point, mechanism.drive.link), (ram.fixed, FRAME)):
-        own = [number for number in mechanism.hinges.get(point, ()) if number in sliding and number != spare]
-        link = own[0] if own else spare
-        yield link, point, links[link].points[point]
+    base, moved = ram.links or (FRAME, mechanism.drive.link)
+    cylinder, rod = next(_drawn(mechanism, ram), (base, moved))
+    yield rod, ram.point, links[rod].points[ram.point]
+    yield cylinder, ram.foot, links[cylinder].points[ram.foot]
+
+
+def _drawn(mechanism: Mechanism, ram: Ram) -> Iterator[tuple[int, int]]:
+    """Give cylinder and rod where the scene has them as links: of two that slide in each other the ends of both."""
+    for slide in mechanism.slides:
+        for base, moved in ((slide.slider, slide.owner), (slide.owner, slide.slider)):
+            if ram.foot in mechanism.links[base].points and ram.point in mechanism.links[moved].points:
+                yield base, moved
 
 
 def _power(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Floats:
-    """Give the power W of loads, weights, inertia forces and moments over the positions, (N,)."""
+    """Give the power W, where all rests its rate W/s, of loads, weights, inertia forces and moments, (N,)."""
     total = np.zeros(len(motion.phi))
     for load in loads.forces:
         if load.link != FRAME:
-            total += (np.conj(load.force) * _rates(mechanism, motion, load.link, load.at)[0]).real
+            rates = _rates(mechanism, motion, load.link, load.at)
+            total += (np.conj(load.force) * _way(mechanism, motion, rates)).real
     for twist in loads.moments:
-        total += twist.moment * motion.links[twist.link].omega
+        turned = motion.links[twist.link]
+        total += twist.moment * _way(mechanism, motion, (turned.omega, turned.epsilon))
     return total + sum((_borne(mechanism, machine, motion, body) for body in machine.bodies.values()), 0.0 * total)
 
 
@@ -70,7 +85,8 @@ def _borne(mechanism: Mechanism, machine: Machine, motion: Motion, body: Body) -
     v, a = _rates(mechanism, motion, body.link, body.centre)
     turned = motion.links[body.link]
     force = body.mass * (machine.gravity - a)
-    return np.asarray((np.conj(force) * v).real - body.inertia * turned.epsilon * turned.omega)
+    way, turning = (_way(mechanism, motion, pair) for pair in ((v, a), (turned.omega, turned.epsilon)))
+    return np.asarray((np.conj(force) * way).real - body.inertia * turned.epsilon * turning)
 
 
 def _rates(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> tuple[Complexes, Complexes]:

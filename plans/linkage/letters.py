@@ -26,7 +26,7 @@ class Letters:
         for point in sorted(named, key=lambda name: (name != name.lower(), -len(name))):
             self._small[point] = apart(point.lower(), {*POLES.values(), *self._small.values()})
         self._taken = {*POLES.values(), *self._small.values()}
-        self._pins: dict[Sliding, str] = {}
+        self._pins: dict[Sliding, tuple[str, int]] = {}
 
     def small(self, point: str) -> str:
         """Write a point's letter small: B as b."""
@@ -41,14 +41,19 @@ class Letters:
         """Name the end of the normal part of a tip's acceleration about a point: n_BA, or about one at rest n_B."""
         return apart(f"n_{tip}{about}", self._taken)
 
-    def slides(self, pair: Sliding, pin: str) -> None:
-        """Keep the pin whose velocity along its guide a sliding pair gives."""
-        self._pins[pair] = pin
+    def slides(self, pair: Sliding, pin: str, host: int) -> None:
+        """Keep the pin whose velocity along its guide on a host a sliding pair gives."""
+        self._pins[pair] = pin, host
 
-    def coriolis(self, pin: str, host: int) -> str:
-        """Name the end of a pin's Coriolis part: k_A; k_A3 over link 3 where the pin has such parts over several."""
-        several = sum(one == pin and FRAME not in pair for pair, one in self._pins.items()) > 1
-        return apart(f"k_{pin}{host}" if several else f"k_{pin}", self._taken)
+    def coriolis(self, pin: str, host: int, pair: Sliding | None = None) -> str:
+        """Name the end of a pin's Coriolis part: k_A; k_A3 over link 3 where the pin has such parts over several.
+
+        What slides there in a later pair, as a yoke's point under the pin does, has a prime: k_A3'.
+        """
+        several = sum(one == pin and FRAME not in other for other, (one, _) in self._pins.items()) > 1
+        alike = [other for other, own in self._pins.items() if own == (pin, host)]
+        primes = "'" * (alike.index(pair) if pair in alike else 0)
+        return apart(f"k_{pin}{host}" if several else f"k_{pin}", self._taken) + primes
 
     def own(self, symbol: str, link: int) -> str:
         """Name a point that a link has besides its named ones, such as n3."""

@@ -118,13 +118,20 @@ class LinkageStudy:
     @cached_property
     def assembly(self) -> Assembly:
         """The assembly that the sketch chooses."""
-        first = self.form.drive.first
-        start = None if first is None else listed([Fraction(first)])
-        start = start if self.mechanism.drive.turns else self.turn.part([0])
+        start = None
+        if self.first:
+            first = Fraction(self.form.drive.first or 0)
+            start = listed([first]) if self.mechanism.drive.turns else self.turn.part([0])
         try:
             return assembly(self.mechanism, self.groups, start, self.looks)
         except SketchError as error:
             raise SketchError(self._at("sketch", error), error.points) from None
+
+    @property
+    def first(self) -> bool:
+        """Whether the sketch shows the first position: not one still to be found, by an extreme or by a length."""
+        ram = self.mechanism.drive.ram
+        return self.form.drive.first is not None and (ram is None or ram.links is None)
 
     @cached_property
     def looks(self) -> CrankPositions:
@@ -132,9 +139,9 @@ class LinkageStudy:
 
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
         """
-        told, turns = self.form.drive, self.mechanism.drive.turns
+        told, turns = self.form.drive, self.mechanism.drive.turns or not self.first
         degrees = even(Fraction(0), 360, 1) if turns else stroke.positions(self.mechanism, told.stroke, 360)
-        if told.first is None or len(self.turn) > len(degrees):
+        if not self.first or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))
         return CrankPositions(phi, np.concatenate((degrees.directions, self.turn.directions)))
@@ -184,6 +191,7 @@ class LinkageStudy:
     def _turn(self) -> CrankPositions:
         drive = self.form.drive
         if not self.mechanism.drive.turns:
+            _ = self.first or self.assembly  # without one assembly no length is that of a position
             return stroke.positions(self.mechanism, drive.stroke, drive.count - 1)
         if isinstance(drive.positions, tuple):
             return listed([Fraction(angle) for angle in drive.positions])
@@ -257,7 +265,7 @@ class LinkageStudy:
         whole, lost, clear = self._table(order), np.zeros(len(self.turn), dtype=bool), True
         blunt = lost.copy()
         for drafts, part in self.blocks():
-            _fill(whole, drafts.motion(order), part)
+            whole.fill(drafts.motion(order), part)
             lost[part], blunt[part] = drafts.lost, drafts.unborne
             clear = clear and drafts.clear
         return self._with_gaps(whole, lost, blunt, clear)
@@ -285,13 +293,6 @@ class LinkageStudy:
         gaps.forget(drawn, lost)
         named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
         return replace(drawn, gaps=tuple(sorted(named, key=attrgetter("position"))))
-
-
-def _fill(whole: Motion, part: Motion, at: slice) -> None:
-    """Put the motion over a part of the positions into that over them all."""
-    for row, value in zip(whole.rows(), part.rows(), strict=True):
-        if row.flags.writeable:
-            row[at] = value
 
 
 def study_of(study: Study) -> LinkageStudy:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from plans.model.group import Group, Joint, Pair
 from plans.model.mechanism import FRAME, Mechanism
@@ -99,6 +100,8 @@ class Kinetostatics:
     reactions: Mapping[str, Reaction]
     balancing: Balancing
     gaps: tuple[Gap, ...]
+    # Positions whose forces have a true digit; beside the others, at a jam, no force of the rest may seem nothing.
+    known: npt.NDArray[np.bool_] | None = None
 
     @property
     def unanswered(self) -> tuple[Gap, ...]:
@@ -110,21 +113,27 @@ class Kinetostatics:
 
     @property
     def size(self) -> float:
-        """The longest arm about the shaft, m, of the pairs over all positions."""
-        return _largest([one.r for one in self.reactions.values()])
+        """The longest arm about the shaft, m, of the pairs over the positions whose forces are known."""
+        return self._largest([one.r for one in self.reactions.values()])
 
     @property
     def largest(self) -> float:
-        """The largest force N: of the reactions, or of the moments on the longest arm where that is more."""
+        """The largest force N that is known: of the reactions, or of the moments on the longest arm if that is more."""
         told = self.reactions.values()
         turning = [one.moment for one in told if one.moment is not None]
-        most = _largest([*turning, self.balancing.moment]) / self.size if self.size else 0.0
-        return max(_largest([one.force for one in told]), most)
+        most = self._largest([*turning, self.balancing.moment]) / self.size if self.size else 0.0
+        return max(self._largest([one.force for one in told]), most)
 
     @property
     def nothing(self) -> tuple[float, float]:
         """The force N and the moment N*m below which there is none, but rounding of the data that a scene gives."""
         return NOTHING * self.largest, NOTHING * self.largest * self.size
+
+    def nothing_at(self, position: int) -> tuple[float, float]:
+        """The same of one position: where forces are not known, beside the largest there."""
+        if self.known is None or self.known[position]:
+            return self.nothing
+        return replace(self, known=np.arange(len(self.phi)) == position).nothing
 
     def arm(self, key: str) -> Floats | None:
         """Give the arm m of a sliding pair's reaction: 0 where it bears nothing, NaN where it bears a moment alone."""
@@ -134,9 +143,13 @@ class Kinetostatics:
         alone = np.where(np.abs(one.moment) <= moment, 0.0, np.nan)
         return np.where(np.abs(one.force) <= force, alone, one.arm)
 
+    def counted(self, row: Any) -> Any:
+        """Leave of a row over the positions only what is known; of forces that are known nowhere all of it."""
+        return row if self.known is None or not self.known.any() else np.where(self.known, row, np.nan)
 
-def _largest(rows: Sequence[Any]) -> float:
-    return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
+    def _largest(self, rows: Sequence[Any]) -> float:
+        sizes = (np.abs(self.counted(row)) for row in rows)
+        return max((float(np.fmax.reduce(size, axis=None, initial=0.0)) for size in sizes), default=0.0)
 
 
 def pair(one: int, other: int, joint: Joint) -> Pair:

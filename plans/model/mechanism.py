@@ -62,20 +62,36 @@ class Slide:
 
 
 @dataclass(frozen=True, slots=True)
-class Ram:
-    """A cylinder (гидроцилиндр) between a fixed point and a point of the crank, whose length m is the drive's law.
+class Passage:
+    """A linkage as the sketch of it chooses, and how far it moves while a cylinder in it only grows, or only shortens.
 
-    It goes from one length to another at a speed m/s and an acceleration m/s2 of their distance; `side` is +1 where the
-    crank's hinge lies to the left of the way from the fixed point to the crank's.
+    `sides` are those of its groups; `home` is the crank angle rad of the sketch, `low`, `high` are those of its ends.
     """
 
-    fixed: str
+    sides: tuple[float, ...]
+    home: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, slots=True)
+class Ram:
+    """A cylinder (гидроцилиндр) between a foot and a point, whose length m is the drive's law.
+
+    It goes from one length to another at a speed m/s and an acceleration m/s2 of their distance. Where the foot is a
+    fixed point and the point the crank's, `side` is +1 if the crank's hinge lies to the left of the way from one to the
+    other. Any other cylinder is between `links`, and has a `passage` where the linkage can be assembled.
+    """
+
+    foot: str
     point: str
     begin: float
     end: float
     speed: float
     acceleration: float
     side: float
+    links: tuple[int, int] | None = None  # of the foot and of the point, where the crank's triangle does not hold it
+    passage: Passage | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +164,15 @@ class Mechanism:
             for point in self.links[number].points:
                 owners.setdefault(point, []).append(number)
         return {point: tuple(links) for point, links in owners.items() if len(links) > 1}
+
+    @cached_property
+    def turning_with(self) -> dict[int, int]:
+        """Each link with the least number of those that turn as it does, for slides join them; 0: it never turns."""
+        least = {number: number for number in self.links}
+        for slide in self.slides:
+            one, other = sorted((least[slide.slider], least[slide.owner]))
+            least = {link: one if own == other else own for link, own in least.items()}
+        return least
 
     @cached_property
     def lower_pairs(self) -> int:

@@ -105,6 +105,12 @@ class Motion:
         links = {link: LinkMotion(map(row, rows)) for link, rows in self.links.items()}
         return replace(self, phi=phi, points=points, links=links)
 
+    def fill(self, part: Motion, at: slice) -> None:
+        """Put the motion over a part of the positions into this over them all."""
+        for row, value in zip(self.rows(), part.rows(), strict=True):
+            if row.flags.writeable:
+                row[at] = value
+
     def own(self) -> Motion:
         """Give this motion with rows of its own, in which places can be left out; else they are those of the plans."""
         return self.made(self.phi, np.array)

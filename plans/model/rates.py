@@ -61,12 +61,21 @@ def steady(drive: Drive) -> Rates:
 def stroke_rates(drive: Drive, ways: Floats, speed: float, acceleration: float) -> tuple[Floats, Floats]:
     """Give speed m/s and acceleration m/s2 of a stroke at places m, (N,) each: those told, or those of the drive's law.
 
-    The law has straight lines between its places, so that a = v dv/ds; at a place itself the line ahead of it counts.
+    The law has straight lines of v over s between its places, so that a = v dv/ds; from rest, and to it, one
+    acceleration and v = sqrt(2 a s), for along a straight line it would take for ever. At a place itself the piece
+    ahead of it counts, at the end the last.
     """
     if not drive.law:
         return np.full(ways.shape, speed), np.full(ways.shape, acceleration)
     places, speeds = np.array(drive.law).T
-    v = np.interp(ways, places, speeds)
-    ahead = ways + np.sign(speeds[0]) * ROUNDINGS * np.abs(places).max()
+    fine = ROUNDINGS * np.abs(places).max()
+    corner = places[np.abs(ways[..., None] - places).argmin(axis=-1)]
+    ways = np.where(np.abs(ways - corner) <= fine, corner, ways)  # the root would make much of a rounding
+    ahead = ways + np.sign(speeds.sum()) * fine
     part = np.clip(np.searchsorted(places, ahead) - 1, 0, len(places) - 2)
-    return v, np.asarray(v * (np.diff(speeds) / np.diff(places))[part])
+    low, high, length = speeds[part], speeds[part + 1], np.diff(places)[part]
+    share = np.clip((ways - places[part]) / length, 0.0, 1.0)
+    resting = low * high == 0.0
+    even = np.sign(low + high) * np.sqrt(low**2 + (high**2 - low**2) * share)
+    v = np.where(resting, even, np.interp(ways, places, speeds))
+    return v, np.where(resting, (high**2 - low**2) / (2 * length), v * (high - low) / length)

@@ -58,12 +58,16 @@ class ScaleTable(Table):
     length: Decimal | None = _stated(LENGTH, "Of the plan of positions.")
     velocity: Decimal | None = _stated(_factor("m/s"), "Of all velocity plans.")
     acceleration: Decimal | None = _stated(_factor("m/s2"), "Of all acceleration plans.")
+    angle: Decimal | None = _stated(
+        _factor("rad"), "Of the crank angle of the kinematic diagrams; the larger it is, the smaller these are."
+    )
     scheme: Decimal | None = _stated(LENGTH, "Of loading schemes, and of schemes of a balanced machine.")
     force: Decimal | None = _stated(_factor("N"), "Of force plans, and of the hodograph of shaking forces.")
     lever: Decimal | None = _stated(_factor("m/s"), "Of Zhukovsky's lever.")
     moment: Decimal | None = _stated(
         _factor("N*m"), "Of the graph of the balancing moment, and of the moments of a bank of cylinders."
     )
+    way: Decimal | None = _stated(_factor("m"), "Of the way of load diagrams; of a link that swings, degrees a mm.")
     unbalance: Decimal | None = _stated(_factor("kg*m"), "Of polygons of static moments.")
     couple: Decimal | None = _stated(_factor("kg*m2"), "Of the polygon of a rotor's moments of unbalance.")
     rotor: Decimal | None = _stated(LENGTH, "Of the views of a rotor.")

@@ -25,7 +25,7 @@ TOLD = 110  # letters of a reason in the table
 def main(arguments: Sequence[str] | None = None) -> int:
     """Draw the scenes that are asked for; give 1 if any is withheld or crashes."""
     wanted = _wanted(arguments)
-    numbers = range(wanted.first, wanted.mechanisms) if wanted.only is None else [wanted.only]
+    numbers = range(wanted.first, wanted.first + wanted.mechanisms) if wanted.only is None else [wanted.only]
     random = ((f"machine-{wanted.seed}-{k}", machine(wanted.seed, k)) for k in numbers)
     outcomes = []
     for one in drawings([*(gallery() if wanted.gallery else random)], wanted.workers):

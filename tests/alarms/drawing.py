@@ -4,23 +4,21 @@ from __future__ import annotations
 
 import contextlib
 import io
-import signal
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from multiprocessing import get_context
 from pathlib import Path
-from types import FrameType
 from typing import NamedTuple
 
 from drawings.commands import cli
+from tests.time_limit import limited
 
 DRAWN, REFUSED, WITHHELD, CRASHED, SLOW = "drawn", "refused", "withheld", "crashed", "too slow"
 OUTCOMES = {0: DRAWN, 4: DRAWN, 3: REFUSED, 8: REFUSED, 5: WITHHELD}
 ALARMS = (WITHHELD, CRASHED, SLOW)
 SCENES = 40  # that a process draws before another takes its place: what is kept between them grows
 LONGEST = 240.0  # s: a scene that takes longer is told as too slow
-AGAIN = 0.01  # seconds after which the alarm rings again: what rings while garbage is collected is not heard
 
 
 class Outcome(NamedTuple):
@@ -59,26 +57,14 @@ def drawing(scene_of: tuple[str, str]) -> Outcome:
         scene = Path(folder) / f"{name}.toml"
         scene.write_text(text, encoding="utf-8")
         try:
-            with _limited(), contextlib.redirect_stderr(told), contextlib.redirect_stdout(io.StringIO()):
+            with (
+                limited(LONGEST, _TooSlow),
+                contextlib.redirect_stderr(told),
+                contextlib.redirect_stdout(io.StringIO()),
+            ):
                 code = cli.main(["draw", str(scene), "-o", str(Path(folder) / "out")])
             outcome = OUTCOMES.get(code, CRASHED)
         except _TooSlow:
             outcome = SLOW
     lines = told.getvalue().replace(f"{scene}:", "").strip()
     return Outcome(name, text, outcome, lines, time.monotonic() - began)
-
-
-@contextlib.contextmanager
-def _limited() -> Iterator[None]:
-    """End what takes too long."""
-
-    def ring(_signal: int, _frame: FrameType | None) -> None:
-        raise _TooSlow
-
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, LONGEST, AGAIN)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)

@@ -13,7 +13,7 @@ from tests.parts import some
 CASES = sorted((Path(__file__).parents[1] / "cases" / "alarms").glob("*.toml"))
 
 
-@pytest.mark.parametrize("path", some(CASES, 6), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(CASES, 20), ids=lambda path: path.stem)
 def test_an_earlier_alarm_is_drawn(path: Path) -> None:
     one = drawing((path.stem, path.read_text(encoding="utf-8")))
     assert not one.alarm, one.told

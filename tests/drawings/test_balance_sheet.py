@@ -12,16 +12,17 @@ from pathlib import Path
 import pytest
 
 from drawings.bench import balance_sheet
-from drawings.checks.balance.verify_balancing import faults
+from drawings.checks.balance.verify_balancing import faults, set_faults
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.lettering.lettering import lettered
+from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.sheets.balancing import leaves
 from plans.bench.balance import PLACE, SHAKING, ground
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.words.words import said
+from plans.words.words import message, said
 from tests.drawings.balance_scenes import SCENES, scene
 from tests.drawings.conftest import Run
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
@@ -43,7 +44,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 16))
+@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 32))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
     assert study.comparison("balance").worst <= 1.0
@@ -51,6 +52,7 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
         checked(leaf, study, tmp_path)
 
 
+@pytest.mark.rest
 def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None:
     """Balanced in full it has no load on the frame's hinges: what is beside a change point is rounding, on any road."""
     study = study_of("parallel", "A3")
@@ -64,7 +66,7 @@ def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None
         checked(leaf, study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", [*some(FAULTS, 14), *some(LINES, 16)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 22), *some(LINES, 23)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A1")
     assert study.comparison("balance").worst <= 1.0
@@ -85,6 +87,20 @@ def test_a_planted_fault_withholds_a_russian_sheet(fault: DrawingFault, tmp_path
     with planted(fault), pytest.raises(SelfCheckFailed):
         for leaf in leaves(study):
             checked(leaf, study, tmp_path)
+
+
+def test_what_is_on_no_sheet_of_a_set_is_missed() -> None:
+    study, seen = study_of("engine", "A4"), Measured((), ())
+    own = [(seen, leaf) for leaf in leaves(study)]
+    assert len(own) > 1
+    assert list(set_faults(own, study)) == []
+    told = [[str(fault) for fault in set_faults(own[:k] + own[k + 1 :], study)] for k in range(len(own))]
+    lost = {fault for faults_of_one in told for fault in faults_of_one}
+    figures = ("scheme-before", "scheme-after", "static-moments", "shaking", "rocking", "shares")
+    due = [message("wrong.figure_missing", name=name) for name in figures]
+    due += [message("wrong.missing", name=name) for name in ("costs", "counterweights")]
+    assert all(told) and lost == {str(one) for one in (*due, message("wrong.notes_on", count=0))}
+    assert list(set_faults([*own, own[-1]], study))
 
 
 def test_every_fault_still_finds_the_text_that_it_replaces() -> None:

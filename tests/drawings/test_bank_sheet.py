@@ -1,6 +1,6 @@
 """The sheets of a bank are held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
 
-The table is tests/cases/bank_faults.toml.
+The tables are tests/cases/bank_faults.toml, bank_line_faults.toml line by line, bank_told_faults.toml of the report.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.checks.balance.verify_bank import faults
+from drawings.checks.bank.verify_bank import faults, set_faults
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.figures.bank.bank_view import SIDE
 from drawings.lettering.lettering import lettered
@@ -21,6 +21,8 @@ from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.report.balance.bank_report import chapters, headline, subject
+from drawings.report.report import faults as told_otherwise
+from drawings.report.report import report
 from drawings.sheets.bank import leaves, view_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -33,6 +35,7 @@ from tests.drawings.slips import Change, changed, dropped, note, reworded, row_d
 from tests.parts import some
 
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "bank_faults.toml")
+TOLD = drawing_faults(ROOT / "tests" / "cases" / "bank_told_faults.toml")
 LINES = drawing_faults(ROOT / "tests" / "cases" / "bank_line_faults.toml")
 PAPERS = (("A1", "en", "GOST"), ("A3", "ru", "ISO"), ("A4", "en", "ISO"), ("A2", "ru", "GOST"))
 
@@ -52,14 +55,14 @@ def all_checked(study: Study, folder: Path) -> list[Measured]:
     return [checked(leaf, study, folder) for leaf in leaves(study)]
 
 
-@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 18))
+@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 36))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
     assert study.comparison("bank").worst <= 1.0
     assert all_checked(study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", [*some(FAULTS, 14), *some(LINES, 8)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*some(FAULTS, 22), *some(LINES, 11)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
@@ -69,9 +72,31 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     assert "against the analysis" not in said(told.value, "ru")
 
 
+@pytest.mark.rest
+def test_what_is_on_no_sheet_of_a_set_is_missed() -> None:
+    study, seen = study_of("one", "A4", "en", "ISO"), Measured((), ())
+    own = [(seen, leaf) for leaf in leaves(study)]
+    assert len(own) > 1
+    assert list(set_faults(own, study)) == []
+    told = [[str(fault) for fault in set_faults(own[:k] + own[k + 1 :], study)] for k in range(len(own))]
+    lost = {fault.removesuffix(" is missing") for faults_of_one in told for fault in faults_of_one}
+    assert all(told)
+    assert lost == {
+        "the figure star of cranks is not on one sheet",
+        "the figure force_graph is not on one sheet",
+        "the figure compensator-1 is not on one sheet",
+        "the figure compensator-2 is not on one sheet",
+        "the notes, which stand on 0 sheets",
+        "orders",
+        "compensators",
+        "results",
+    }
+    assert list(set_faults([*own, own[-1]], study))
+
+
 def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
     assert len(FAULTS) >= 15
-    for fault in (*FAULTS, *LINES):
+    for fault in (*FAULTS, *LINES, *TOLD):
         assert fault.text
 
 
@@ -96,7 +121,7 @@ def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) ->
             (dropped("m_II", "compensator-2"), "m_II on compensator of order 2"),
             (without("orders-1"), "1 is missing from the table of orders"),
             (without("compensators-1"), "mII is missing from the table of compensators"),
-            (row_dropped("4"), "4 is missing from the table of orders"),
+            (row_dropped("4"), "the letter 4 on force_graph"),
             (reworded("2303.8", "2303.9"), "2303.9 for 2 in the table of orders"),
             (reworded("58.356", "58.357"), "58.357 for mII in the table of compensators"),
             (reworded("−628.32", "628.32"), "628.32 for m−II in the table of compensators"),
@@ -138,6 +163,7 @@ def test_places_along_the_shaft_bear_another_letter_than_the_offset() -> None:
     assert {"h1", "h4", "z", "L"} <= sizes and not {"z1", "z4", "h"} & sizes
 
 
+@pytest.mark.rest
 def test_what_turns_with_the_crank_alone_is_a_counterweight_on_it(tmp_path: Path) -> None:
     study = study_of("vee")
     all_checked(study, tmp_path)
@@ -158,6 +184,7 @@ def test_unlike_vectors_leave_couples_that_a_counterweight_would_not(tmp_path: P
     assert "mr_{O} = (F_{I}−F_{−I})/ω² = 0.048 kg·m\N{NO-BREAK SPACE}∠\N{NO-BREAK SPACE}180°" in told
 
 
+@pytest.mark.rest
 def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
     """Six cylinders in line: orders 1, 2 and 4 close by themselves, and nothing is there to be compensated."""
     study = study_of("six")
@@ -183,6 +210,7 @@ def test_what_is_too_slight_is_told_and_not_drawn(tmp_path: Path) -> None:
     assert "Over the turn F_{max} = 0.8806" in leaf.description
 
 
+@pytest.mark.rest
 def test_the_notes_say_which_polygons_are_left_out_as_mirror_images(tmp_path: Path) -> None:
     """A mass that turns with the crank has no image that turns against it: order 1 is shown both ways, order 2 once."""
     study = study_of("cancelled")
@@ -210,6 +238,21 @@ def test_the_report_tells_the_bank() -> None:
     assert f"| 2 | {second:.1f}" in told
     assert "mr_II = F_II/(2ω)² = 0.0029" in headline(study)
     assert subject(study).structure == "bank of 4 slider-cranks"
+
+
+@pytest.mark.parametrize("case", some([(name, "A1", language) for language in ("en", "ru") for name in SCENES], 10))
+def test_a_report_that_tells_the_truth_has_no_faults(case: tuple[str, str, str]) -> None:
+    own = study_of(*case)
+    assert list(told_otherwise(report(own, {}), own, {})) == []
+
+
+@pytest.mark.parametrize("fault", some(TOLD, 10), ids=lambda fault: fault.name)
+def test_a_report_told_otherwise_is_seen(fault: DrawingFault) -> None:
+    own = study_of(fault.scene)
+    _ = own.comparison("bank")
+    with planted(fault):
+        text = report(own, {})
+    assert fault.says in "; ".join(map(str, told_otherwise(text, own, {})))
 
 
 def test_a_single_vector_makes_no_polygon_and_many_make_a_convex_one() -> None:

@@ -189,6 +189,7 @@ def of_forces() -> Scene:
     return read_scene(GALLERY.parent.parent / "tests/cases/forces/shaper.toml")
 
 
+@pytest.mark.rest
 def test_a_scene_of_forces_has_rows_for_them(loaded: Bench) -> None:
     for count in (12, 360):
         rows = {row.technique: row for row in loaded.rows if row.positions == count}
@@ -201,6 +202,7 @@ def test_a_scene_of_forces_has_rows_for_them(loaded: Bench) -> None:
     assert 1e-4 < one.error < one.often < 0.05
 
 
+@pytest.mark.rest
 def test_forces_are_held_against_the_motion_they_rest_on(loaded: Bench) -> None:
     (ratio,) = (r for r in loaded.ratios if r.name.startswith("construction: forces") and r.positions == 360)
     assert ratio.goal == Goal(3.0, least=False)
@@ -215,6 +217,7 @@ def test_a_scene_of_motion_alone_says_nothing_of_forces(quick: Bench) -> None:
     assert "reaction" not in " ".join(quick.words)
 
 
+@pytest.mark.rest
 def test_the_plot_and_the_csv_show_the_forces(loaded: Bench) -> None:
     drawn = plot.svg(loaded).decode("utf-8")
     for text in (*forces.TECHNIQUES, "F"):
@@ -255,6 +258,7 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
 SHORT = ("--positions", "12", "--repetitions", "1", "--no-startup")
 
 
+@pytest.mark.rest
 def test_the_command_prints_and_keeps_a_bench(run: Run, tmp_path: Path) -> None:
     code, out, err = run(GALLERY / "crank-rocker.toml", *SHORT, "-o", tmp_path)
     assert (code, err) == (0, "")

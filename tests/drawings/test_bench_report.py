@@ -9,6 +9,8 @@ import math
 from dataclasses import replace
 from xml.etree import ElementTree
 
+import pytest
+
 from drawings.bench import plot, record, sheet, table
 from plans.bench import cam_laws, cam_path, cam_profile, cyclogram
 from plans.bench.clock import Times
@@ -91,6 +93,7 @@ def test_the_table_tells_goals_and_verdicts() -> None:
     assert "any number of positions" in text
 
 
+@pytest.mark.rest
 def test_the_plot_is_the_same_for_the_same_numbers() -> None:
     assert plot.svg(invented()) == plot.svg(invented())
 
@@ -115,6 +118,7 @@ def test_no_two_techniques_look_alike() -> None:
     assert len({(look.marker, look.filled) for look in plot.LOOKS.values()}) == len(plot.LOOKS)
 
 
+@pytest.mark.rest
 def test_the_plot_shows_techniques_that_are_not_of_linkages() -> None:
     own = replace(invented(), rows=tuple(Row(name, 8, 8, Errors({"Q": 1e-3}, "Q"), times=ONCE) for name in OTHERS))
     content = plot.svg(own).decode("utf-8")

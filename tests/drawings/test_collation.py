@@ -161,7 +161,7 @@ CASES = {
     ),
     "the paper is larger": (
         replace(LEAF, width=212.1),
-        ["the paper is 212.1 x 297 mm; it must be 210 x 297 mm"],
+        ["the paper is 212.1 × 297 mm; it must be 210 × 297 mm"],
     ),
 }  # fmt: skip
 

@@ -102,10 +102,23 @@ class Done(NamedTuple):
 @pytest.fixture(scope="module")
 def shaper(tmp_path_factory: pytest.TempPathFactory) -> Done:
     """Draw the shaper once, by the command, for all that is asked of it; nothing is changed in its folder."""
-    folder = tmp_path_factory.mktemp("shaper") / "out"
+    return shaper_in(tmp_path_factory.mktemp("shaper") / "not/made/yet")
+
+
+def shaper_in(folder: Path) -> Done:
+    """Draw the shaper by the command."""
     with redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as err:
         code = cli.main(["draw", str(SHAPER), "-o", str(folder)])
     return Done(folder, code, out.getvalue(), err.getvalue())
+
+
+@pytest.fixture(scope="module")
+def over_older(tmp_path_factory: pytest.TempPathFactory) -> Done:
+    """Draw the shaper once where two sheets of earlier runs lie."""
+    folder = tmp_path_factory.mktemp("older")
+    for name in ("shaper-kinematics.svg", "shaper-kinematics-2.svg"):
+        (folder / name).write_text("old", "utf-8")
+    return shaper_in(folder)
 
 
 def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(shaper: Done) -> None:
@@ -143,19 +156,16 @@ def test_every_vector_and_point_of_the_drawn_sheet_measures_back(shaper: Done) -
     assert len(measured.vectors) > 20
 
 
-def test_a_following_sheet_of_an_earlier_run_is_named(run: Run, tmp_path: Path) -> None:
-    (tmp_path / "shaper-kinematics-2.svg").write_text("old", "utf-8")
-    code, _, err = run("draw", SHAPER, "-o", tmp_path)
-    assert code == 0
-    assert err.startswith(f"{tmp_path / 'shaper-kinematics-2.svg'}: left by an earlier run with more sheets")
-    assert (tmp_path / "shaper-kinematics-2.svg").read_text("utf-8") == "old"
+def test_a_following_sheet_of_an_earlier_run_is_named(over_older: Done) -> None:
+    left = over_older.folder / "shaper-kinematics-2.svg"
+    assert over_older.code == 0
+    assert over_older.err.startswith(f"{left}: left by an earlier run with more sheets")
+    assert left.read_text("utf-8") == "old"
 
 
-def test_draw_replaces_an_older_sheet(run: Run, tmp_path: Path) -> None:
-    old = tmp_path / "shaper-kinematics.svg"
-    old.write_text("an older one")
-    assert run("draw", SHAPER, "-o", tmp_path)[0] == 0
-    assert sealed(old.read_bytes())
+def test_draw_replaces_an_older_sheet(over_older: Done) -> None:
+    assert over_older.code == 0
+    assert sealed((over_older.folder / "shaper-kinematics.svg").read_bytes())
 
 
 def test_a_sheet_with_gaps_is_drawn_and_each_gap_is_told_with_its_reason(
@@ -218,7 +228,7 @@ def largest(data: dict[str, Any], key: str) -> float:
     return max(math.hypot(*pair) for point in data["points"].values() for pair in point[key] if pair)
 
 
-@pytest.mark.parametrize("scene", some(LINKAGES, 3), ids=lambda scene: scene.stem)
+@pytest.mark.parametrize("scene", some(LINKAGES, 6), ids=lambda scene: scene.stem)
 def test_both_roads_print_the_same_numbers(run: Run, scene: Path) -> None:
     ours, theirs = (json.loads(run("solve", scene, "--by", by)[1]) for by in ("construction", "analysis"))
     assert theirs["by"] == "analysis"
@@ -315,15 +325,20 @@ def good(shaper: Done) -> dict[str, bytes]:
     return {file.name: file.read_bytes() for file in shaper.folder.iterdir()}
 
 
+def copied(files: dict[str, bytes], folder: Path) -> Path:
+    """Put the files of a drawn set into another folder; give the sheet."""
+    for name, content in files.items():
+        (folder / name).write_bytes(content)
+    return folder / "shaper-kinematics.svg"
+
+
 @pytest.fixture
 def before(good: dict[str, bytes], tmp_path: Path) -> Iterator[Path]:
     """A folder with a good sheet, which must be left as it is; and nothing beside it."""
-    old = good
-    assert len(old) == 3
-    for name, content in old.items():
-        (tmp_path / name).write_bytes(content)
+    assert len(good) == 3
+    copied(good, tmp_path)
     yield tmp_path
-    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == old
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == good
 
 
 def test_a_sheet_that_the_analysis_does_not_confirm_is_withheld(
@@ -374,7 +389,7 @@ def spoilt(stroke: Stroke, spoil: Callable[[Line, dict[str, str]], Group], done:
     return replace(stroke, strokes=tuple(spoilt(part, spoil, done) for part in stroke.strokes))
 
 
-@pytest.mark.parametrize("spoil", some([shifted, reversed_, dropped, misnamed, stretched, named_twice], 3))
+@pytest.mark.parametrize("spoil", some([shifted, reversed_, dropped, misnamed, stretched, named_twice], 6))
 def test_a_sheet_with_one_wrong_vector_is_withheld(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch, spoil: Callable[[Line, dict[str, str]], Group]
 ) -> None:
@@ -477,9 +492,8 @@ def test_a_link_that_does_not_turn_has_no_steps_behind_its_rate(run: Run) -> Non
 # measure
 
 
-def test_measure_prints_the_vectors_of_a_drawn_sheet_in_true_units(run: Run, tmp_path: Path) -> None:
-    run("draw", SHAPER, "-o", tmp_path)
-    sheet = tmp_path / "shaper-kinematics.svg"
+def test_measure_prints_the_vectors_of_a_drawn_sheet_in_true_units(run: Run, shaper: Done) -> None:
+    sheet = shaper.folder / "shaper-kinematics.svg"
     code, out, err = run("measure", sheet)
     assert (code, err) == (0, "")
     assert "DIFFERS" not in out
@@ -510,9 +524,10 @@ def test_measure_ends_with_8_where_a_sheet_exceeds_a_limit(run: Run, tmp_path: P
     assert err.startswith(f"{deep}: elements are nested over 256 deep")
 
 
-def test_measure_tells_which_vector_of_an_edited_sheet_differs(run: Run, tmp_path: Path) -> None:
-    run("draw", SHAPER, "-o", tmp_path)
-    sheet = tmp_path / "shaper-kinematics.svg"
+def test_measure_tells_which_vector_of_an_edited_sheet_differs(
+    run: Run, good: dict[str, bytes], tmp_path: Path
+) -> None:
+    sheet = copied(good, tmp_path)
     text = sheet.read_text("utf-8")
     line = re.search(r"<line[^>]*data-name=\"p b\"[^>]*>", text)
     assert line
@@ -523,9 +538,10 @@ def test_measure_tells_which_vector_of_an_edited_sheet_differs(run: Run, tmp_pat
     assert [row.split()[2:4] for row in out.splitlines() if "DIFFERS" in row] == [["p", "b"]]
 
 
-def test_measure_is_not_led_astray_by_moving_the_whole_drawing(run: Run, tmp_path: Path) -> None:
-    run("draw", SHAPER, "-o", tmp_path)
-    sheet = tmp_path / "shaper-kinematics.svg"
+def test_measure_is_not_led_astray_by_moving_the_whole_drawing(
+    run: Run, good: dict[str, bytes], tmp_path: Path
+) -> None:
+    sheet = copied(good, tmp_path)
     text = sheet.read_text("utf-8")
     start, end = text.index("</metadata>") + len("</metadata>"), text.index('<metadata id="seal"')
     sheet.write_text(
@@ -650,9 +666,10 @@ def test_a_folder_that_cannot_be_made_ends_with_7(run: Run, tmp_path: Path, fold
     assert (tmp_path / "taken").read_text() == "a file"
 
 
-def test_a_folder_is_made_with_all_those_above_it(run: Run, tmp_path: Path) -> None:
-    assert run("draw", SHAPER, "-o", tmp_path / "not/made/yet")[0] == 0
-    assert (tmp_path / "not/made/yet/shaper-kinematics.svg").exists()
+def test_a_folder_is_made_with_all_those_above_it(shaper: Done) -> None:
+    assert shaper.code == 0
+    assert shaper.folder.parts[-3:] == ("not", "made", "yet")
+    assert (shaper.folder / "shaper-kinematics.svg").exists()
 
 
 def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
@@ -708,6 +725,7 @@ def test_the_help_names_every_exit_code(run: Run) -> None:
 # By a real process
 
 
+@pytest.mark.rest
 def test_data_goes_to_stdout_and_talk_to_stderr(gapped: Path) -> None:
     done = process("draw", gapped, "-o", gapped.parent / "out")
     assert done.returncode == 4

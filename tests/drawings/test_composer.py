@@ -91,7 +91,7 @@ def lines(content: Contents, one: Composition) -> list[Field]:
 
 
 @given(anything(), some.sampled_from(PAGES))
-@examples(6, 40)
+@examples(3, 40)
 def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
     sheets = compose(content, page)
     for one in sheets:
@@ -104,11 +104,11 @@ def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content
     assert {name: [line for one in sheets for own in one.tables if own.table.name == name for line in own.table.lines]
             for name in rows} == rows  # fmt: skip
     assert sum(one.notes is not None for one in sheets) == (content.notes is not None)
-    assert compose(content, page) == sheets
+    assert [one[:-1] for one in compose(content, page)] == [one[:-1] for one in sheets]  # but for how others are found
 
 
 @given(anything(), some.sampled_from(PAGES))
-@examples(5, 40)
+@examples(3, 40)
 def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Contents, page: Page) -> None:
     spots = {name: spot for one in compose(content, page) for name, spot in one.spots.items()}
     pictures = {panel.item.name: panel for panel in content.panels if isinstance(panel.item, Picture)}
@@ -178,6 +178,7 @@ def test_a_small_set_fills_its_sheet() -> None:
     assert sum(box.width * box.height for box in boxes(only, page)) > 0.55 * page.field.width * page.field.height
 
 
+@pytest.mark.rest
 def test_no_sheet_is_left_barer_for_being_last_if_others_follow() -> None:
     last = Contents((Panel(figure("a", 0.3, 1.0)), Panel(figure("b", 0.3, 1.0))), (table(8),), SAID)
     page, bare = Page("A3"), []

@@ -188,3 +188,9 @@ def test_of_360_positions_as_many_are_numbered_as_have_room_and_the_shown_one_al
     middles = sorted(sum(bounds(text)[::2]) / 2 for text in told)
     assert min(np.diff(middles)) > HAND.number, "no number stands on another"
     assert {vector.name for vector in measured(drawn).vectors} == {text.plain for text in told}
+
+
+def test_a_turn_that_ends_with_position_0_again_begins_with_it_also_where_the_shown_one_is_beside_it() -> None:
+    at = np.arange(360.0)
+    drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(1,)))
+    assert {0, 1} <= {vector.position for vector in measured(drawn).vectors}

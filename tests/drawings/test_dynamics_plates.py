@@ -9,8 +9,8 @@ from functools import cache
 
 import pytest
 
+from drawings.checks.dynamics.verify_dynamics import faults
 from drawings.checks.labelled import unlettered
-from drawings.checks.verify_dynamics import faults
 from drawings.figures.dynamics.curves import dense
 from drawings.figures.dynamics.loop import Loop
 from drawings.figures.dynamics.strips import MARKED, strips
@@ -60,7 +60,7 @@ def vectors(paper: str) -> dict[tuple[str, str], MeasuredVector]:
     return {(one.plan, one.name): one for leaf in exact(paper) for one in measured(leaf).vectors}
 
 
-@pytest.mark.parametrize("paper", ["A1", "A3"])
+@pytest.mark.parametrize("paper", some(["A1", "A3"], 2))
 def test_published_segments_are_measured_back(paper: str) -> None:
     """M4.9: o1k and o1l in mm of 4 J, to what the written coordinates resolve."""
     found = vectors(paper)
@@ -187,6 +187,7 @@ def test_machines_of_every_kind_are_drawn(machine: tuple[str, set[str], set[str]
     assert [str(one) for leaf in found for one in faults(measured(leaf), leaf, own)] == []
 
 
+@pytest.mark.rest
 def test_many_strips_are_not_marked_one_by_one() -> None:
     """A thousand strips would be a grey bar: numbered ones alone have points."""
     found = leaves(study("A1", asked='fluctuation = "1/25"\ndivisions = 1000'))
@@ -196,6 +197,7 @@ def test_many_strips_are_not_marked_one_by_one() -> None:
     assert any(isinstance(one, Text) and one.plain == "1000" for leaf in found for one in walk(leaf.groups))
 
 
+@pytest.mark.rest
 def test_a_run_has_its_tachogram() -> None:
     """The speed at the end of each stage, as the table of the run has it; at rest there is no ordinate."""
     motor = 'motor = { rotor = 0.02, ratio = 10, starting = "60 N*m", synchronous = "1250 rpm" }'

@@ -13,11 +13,11 @@ from drawings.eye.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.eye.shapes import notations, shape, shapes
 from drawings.eye.sheet import SeenSheet, see
 from drawings.eye.tracks import Track, tracks
-from drawings.eye.writing import written
+from drawings.eye.writing import SeenLetter, written
 from drawings.lettering.alphabet import glyph
 from drawings.lettering.lettering import lettered
 from drawings.measure.transform import MIRROR
-from drawings.paper.strokes import INK, Circle, Group, Leaf, Line, LineStyle, Polyline, Run, Text
+from drawings.paper.strokes import INK, Circle, Curve, Group, Leaf, Line, LineStyle, Polyline, Run, Text
 from drawings.paper.walk import flat
 from drawings.paper.walk import texts as texts_of
 from drawings.pens.svg import svg
@@ -80,6 +80,20 @@ def test_a_text_is_read_in_any_direction(angle: float) -> None:
     assert abs(text.at - (100 + 100j)) < 0.01
 
 
+@pytest.mark.parametrize("idle", ["marker:none;stroke-dashoffset:0;paint-order:normal", "-webkit-filter:none"])
+def test_what_editors_write_without_effect_is_none(idle: str) -> None:
+    line, layer = f'<path d="M1 1L9 9" {PEN} style="{idle}"/>', '<g id="layer1"><g id="a"><g id="b">{}</g></g></g>'
+    assert not looked(line).unseen
+    assert [group.name for group in looked(layer.format(line)).leaf.groups] == ["b"]
+
+
+def test_a_rectangle_with_round_corners_is_a_closed_curve() -> None:
+    (found,) = flat(looked(f'<rect x="1" y="2" width="30" height="10" rx="9" {PEN}/>').leaf.groups)
+    assert isinstance(found, Curve) and found.closed
+    ends = [piece.end for piece in found.pieces]
+    assert min(one.real for one in ends) == 1 and max(one.imag for one in ends) == 98
+
+
 def test_a_text_whose_index_is_written_last_is_read_askew() -> None:
     (text,) = texts_of(seen(Text(135.911 + 175.8j, "φ_{у} = 74,577°", 2.5, slanted=True, rotation=74.171)).leaf.groups)
     assert text.plain == "φу = 74,577°"
@@ -106,6 +120,15 @@ def absolute(track: Track) -> str:
         numbers = " ".join(f"{point.real:.3f},{point.imag:.3f}" for point in piece)
         steps.append(("L" if len(piece) == 1 else "C") + numbers)
     return "".join(steps) + "Z" * track.closed
+
+
+@pytest.mark.parametrize(
+    ("spaces", "plain"), [(1000, "5" + 500 * " " + "5"), (10**6, f"5{UNREAD}"), (10**25, f"5{UNREAD}")]
+)
+def test_letters_farther_apart_than_paper_reaches_are_no_line_of_writing(spaces: int, plain: str) -> None:
+    trail, apart = written_trail("5"), 0.18 * (shape("5").width + 2 * (spaces + 1))
+    letters = [SeenLetter(place, 0.18, trail, readings(trail, 0.18)) for place in (0j, apart + 0j)]
+    assert written(letters, "", INK).plain == plain
 
 
 def test_a_stroke_lost_is_no_letter() -> None:

@@ -71,7 +71,7 @@ def test_what_has_gone_on_to_another_sheet_of_its_position_is_found_there() -> N
     assert all(told)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 6), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 10), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
         check(tmp_path)

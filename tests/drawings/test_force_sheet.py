@@ -112,7 +112,7 @@ def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> No
     assert verify_loaded(tmp_path / "sheet.svg", leaf, statics, comparison).vectors
 
 
-@pytest.mark.parametrize("fault", some(FAULTS.values(), 3), ids=FAULTS.keys())
+@pytest.mark.parametrize("fault", some(FAULTS.values(), 10), ids=FAULTS.keys())
 def test_a_fault_withholds_the_force_sheet(checked: Checked, tmp_path: Path, fault: Change) -> None:
     _study, comparison, statics, leaf = checked
     wrong = changed(leaf, fault)
@@ -186,6 +186,7 @@ def test_without_a_word_the_forces_are_those_of_the_hardest_loaded_position() ->
     assert moments.max() > 1.05 * moments[shown], "the scene must tell a loaded position from the hardest of all"
 
 
+@pytest.mark.rest
 def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematics_sheet() -> None:
     """Their inertia forces are taken from its acceleration plan; alone, the sheet shows the fastest position."""
     text = text_of("shaper", ("value = 1500", "value = 150"), ("positions = [60]", "positions = 12"))
@@ -222,6 +223,7 @@ def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas(
     assert any("1644,1" in one for one in told)
 
 
+@pytest.mark.rest
 def test_a_position_without_forces_is_refused_with_those_that_have_them() -> None:
     text = text_of("kind-1", ("positions = [0]", "start = 0\npositions = 12"), ("AB = 0.30", "AB = 0.12"))
     text = text.replace("[0.15, 0]", "[0.06, 0]").replace("B = [0.336, 0.236]", "B = [0.2, 0.1]")
@@ -253,6 +255,7 @@ def test_every_force_on_a_scheme_has_one_arrow(checked: Checked) -> None:
     assert sorted(arrows) == sorted(["Φ_4", "G_4", "Φ_5", "G_5", "F_us", "R^n_34", "R^t_34", "R_05"])
 
 
+@pytest.mark.rest
 def test_a_force_sheet_alone_draws_no_kinematics(tmp_path: Path) -> None:
     scene = tmp_path / "forces.toml"
     scene.write_text(text_of("shaper"), "utf-8")
@@ -272,6 +275,7 @@ def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() 
     assert comparison.agrees
 
 
+@pytest.mark.rest
 def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Checked, tmp_path: Path) -> None:
     study, comparison, statics, whole = checked
     gone = np.arange(len(study.turn.phi)) == 5
@@ -307,6 +311,7 @@ def test_a_spring_between_the_two_links_of_a_hinge_is_refused() -> None:
         sheets_of(LinkageStudy(parse_scene(text + "free = 0.01\n")))
 
 
+@pytest.mark.rest
 def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
     links, slides = ['1 = "OA"'], []
     frame, lengths, sketch = ["O = [0, 0]"], ["OA = 0.1"], []

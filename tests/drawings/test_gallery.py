@@ -32,9 +32,9 @@ BY_ANALYSIS = re.compile(r"<br>[^|]*")  # shown where the last of ten digits dif
 # Scenes whose mechanisms or sheets others of the gallery have too; `--whole` draws them.
 ALIKE = (
     *("rocker-cam", "feed-cam", "tappet-cam", "valve-cam", "flat-rocker-cam", "automaton"),
-    *("conveyor", "whitworth", "jaw-crusher", "tangent", "toggle-press", "scotch-yoke", "compressor"),
+    *("conveyor", "whitworth", "crank-rocker", "jaw-crusher", "tangent", "toggle-press", "scotch-yoke", "compressor"),
     *("engine-full", "engine-share", "lanchester", "engine-partial", "v-engine", "six-link-balance"),
-    *("copying-cam", "planer", "press", "oscillating-cylinder", "squeezer"),
+    *("copying-cam", "shaper", "shaper-loaded", "walking-leg", "planer", "press", "oscillating-cylinder", "squeezer"),
 )
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
 

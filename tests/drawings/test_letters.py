@@ -207,6 +207,13 @@ def test_no_two_points_share_a_letter() -> None:
     assert len({*small.values(), "p", "π"}) == len(small) + 2
 
 
+def test_two_coriolis_parts_of_a_pin_over_one_link_have_letters_of_their_own() -> None:
+    letters = Letters(linkages.shaper())
+    for pair in ((2, 3), (5, 4), (3, 4)):
+        letters.slides(pair, "A", 3 if 3 in pair else 4)
+    assert [letters.coriolis("A", 3, pair) for pair in ((2, 3), (3, 4))] == ["k_A3", "k_A3'"]
+
+
 def study(text: str) -> LinkageStudy:
     return LinkageStudy(parse_scene(text))
 

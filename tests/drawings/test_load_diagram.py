@@ -46,7 +46,7 @@ def test_a_link_that_swings_is_told_in_degrees() -> None:
     assert found.length == pytest.approx(57.29577951) and found.turning and found.couple
     assert found.out == () and found.span == (-50.0, 0.0)
     leaf = exhibited([(load_diagram, found)])
-    assert {"β = 57.3°", "0.2β", "M, N·m", "ψ, °"} <= {text.plain for text in texts(leaf.groups)}
+    assert {"ψ = 57.3°", "0.2ψ", "M, N·m", "ψ, °"} <= {text.plain for text in texts(leaf.groups)}
 
 
 def test_loads_that_never_change_have_no_diagram() -> None:

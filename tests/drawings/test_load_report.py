@@ -78,6 +78,7 @@ def test_the_way_of_a_stroke_in_words(text: str, named: tuple[str, ...]) -> None
     assert ways(study.mechanism, study.output, low, high) == named
 
 
+@pytest.mark.rest
 def test_a_load_that_rests_on_a_reversal_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     said = "its point reverses 4 times in a turn, at 19.96°, 151.1°, 204.8°, 259.3°. If it should act"
     english = ('language = "ru"', 'language = "en"')

@@ -44,13 +44,13 @@ def study_of(kind: str, scene: str) -> Study:
 
 def checked(kind: str, scene: str, folder: Path) -> None:
     study, path = study_of(kind, scene), folder / "sheet.svg"
-    held = partial(import_module(f"drawings.checks.verify_{kind}").faults, study=study)
+    held = partial(import_module(f"drawings.checks.{kind}.verify_{kind}").faults, study=study)
     for leaf in import_module(f"drawings.sheets.{kind}").leaves(study):
         path.write_bytes(svg(lettered(leaf)))
         verify(path, leaf, held)
 
 
-@pytest.mark.parametrize("fault", some(EVERY_DAY, 12), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(EVERY_DAY, 18), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study_of(fault.sheet, fault.scene).comparison(fault.sheet)
     with planted(fault), pytest.raises(SelfCheckFailed) as told:

@@ -68,7 +68,7 @@ def wrapped(source: bytes, attributes: str) -> bytes:
 # Round trips
 
 
-@examples(25, 200)
+@examples(13, 200)
 @given(st.lists(st.tuples(places, places), min_size=1, max_size=6), scales)
 def test_vectors_and_points_are_read_back(ends: list[tuple[complex, complex]], scale: float) -> None:
     parts = [vector(a, b, scale, f"B{k}") for k, (a, b) in enumerate(ends)]
@@ -108,7 +108,7 @@ def moves(draw: st.DrawFn) -> list[tuple[str, Affine]]:
     return [similarity(draw) for _ in range(draw(st.integers(1, 6)))]
 
 
-@examples(12)
+@examples(6)
 @given(places, places, moves())
 def test_a_sheet_moved_as_a_whole_keeps_its_values(a: complex, b: complex, moved: list[tuple[str, Affine]]) -> None:
     source = sheet(vector(a, b, 0.01), point(a, b, 0.01), point(b, b, 0.01, "p", "pole"))
@@ -120,7 +120,7 @@ def test_a_sheet_moved_as_a_whole_keeps_its_values(a: complex, b: complex, moved
     assert measured.vectors[0].name == "B"
 
 
-@examples(12)
+@examples(6)
 @given(places, places, moves())
 def test_a_group_moved_there_and_back_keeps_its_values(a: complex, b: complex, moved: list[tuple[str, Affine]]) -> None:
     there = " ".join(text for text, _ in moved)

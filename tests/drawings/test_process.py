@@ -83,6 +83,7 @@ def test_what_is_done_in_a_moment_is_done_wholly() -> None:
     assert done == ["all of it"]
 
 
+@pytest.mark.rest
 def test_an_ignored_signal_stays_ignored(tmp_path: Path) -> None:
     """nohup plandraft draw: the terminal may be closed."""
     command = ["sh", "-c", 'trap "" HUP; exec "$@"', "sh", sys.executable, "-c", WAITING.replace("60", "0.2")]

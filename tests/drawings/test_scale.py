@@ -27,7 +27,7 @@ ISO_LENGTHS = [f"{a}:1" for a in (50, 20, 10, 5, 2, 1)] + [
 ]
 
 
-@examples(12)
+@examples(6)
 @given(st.floats(1e-8, 1e8), st.floats(20, 800), st.sampled_from(["v", "a", "F"]), st.sampled_from(["GOST", "ISO"]))
 def test_the_chosen_scale_is_standard_fits_and_is_the_largest_that_does(
     extent: float, room: float, letter: str, standard: str
@@ -48,7 +48,7 @@ def test_a_length_that_fits_a_scale_of_the_standard_exactly_takes_it(standard: s
         assert fitting(extent, 300.0, "l", "m", standard).ratio("en") == ratio
 
 
-@examples(12)
+@examples(6)
 @given(st.floats(1e-4, 4e4), st.floats(20, 800), st.sampled_from(["GOST", "ISO"]))
 def test_a_picture_of_lengths_takes_the_first_scale_of_the_table_in_which_it_fits(
     extent: float, room: float, standard: str

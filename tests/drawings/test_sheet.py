@@ -233,6 +233,7 @@ start = "extreme"
 """
 
 
+@pytest.mark.rest
 def test_an_output_that_reverses_four_times_in_a_turn_has_no_time_ratio() -> None:
     """The toggle of a press passes its straight line twice: the ram comes to its lowest place two times in a turn."""
     study, leaf = drawn(TOGGLE)

@@ -201,7 +201,7 @@ put(Path(sys.argv[1]), NEW)
 """
 
 
-@pytest.mark.parametrize("number", some(range(1, 5), 2))
+@pytest.mark.parametrize("number", some(range(1, 5), 4))
 def test_a_set_that_was_killed_among_its_names_is_finished_by_the_next_run(tmp_path: Path, number: int) -> None:
     put(tmp_path, OLD)
     killed = subprocess.run([sys.executable, "-c", KILLED, str(tmp_path), str(number)], cwd=ROOT, check=False)
@@ -246,6 +246,7 @@ def test_the_lock_of_a_killed_run_is_no_lock(tmp_path: Path) -> None:
         assert alone
 
 
+@pytest.mark.rest
 def test_a_sheet_changed_since_is_told_by_measure_and_by_the_next_run(run: Run, tmp_path: Path) -> None:
     assert run("draw", PLAIN, "-o", tmp_path)[2] == ""
     sheet = tmp_path / "plain-kinematics.svg"
@@ -266,6 +267,7 @@ def test_a_report_of_another_run_is_told_when_the_sheet_beside_it_is_measured(ru
     assert "plain-report.md: does not fit" in run("measure", tmp_path / "plain-kinematics.svg")[2]
 
 
+@pytest.mark.rest
 def test_what_was_swept_is_said_in_the_language_of_the_scene(run: Run, tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text(PLAIN.read_text("utf-8") + '[sheet]\nlanguage = "ru"\n', "utf-8")
@@ -274,6 +276,7 @@ def test_what_was_swept_is_said_in_the_language_of_the_scene(run: Run, tmp_path:
     assert (code, err) == (0, f"{tmp_path}: здесь был прерван запуск; убраны оставленные им временные файлы: 1\n")
 
 
+@pytest.mark.rest
 def test_fewer_sheets_take_the_place_of_more(run: Run, tmp_path: Path) -> None:
     more = PLAIN.read_text("utf-8").replace('title = "', 'sheets = ["forces", "kinematics"]\ntitle = "')
     scene = tmp_path / "scene.toml"

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.verify import SelfCheckFailed, verify_scales
 from drawings.measure.measure import Measured, measure_file
 from drawings.measure.measured import MeasuredVector
@@ -19,7 +20,7 @@ from drawings.paper.strokes import SheetError
 from drawings.pens.svg import svg
 from drawings.sheets import forces, kinematics
 from drawings.sheets.admission import of_scales
-from drawings.sheets.leaves import Exhibit
+from drawings.sheets.draft import Exhibit
 from drawings.sheets.table import SHEETS
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
@@ -99,7 +100,7 @@ def test_a_figure_has_the_scale_that_the_scene_states(tmp_path: Path) -> None:
     sheets = measured(scene, tmp_path)
     assert [scales(sheets, plan) for plan in ("positions", "velocities", "accelerations")] == [{0.0015}, {0.07}, {25.0}]
     verify_scales([(KEYS, one) for one in sheets], scene.sheet)
-    for key in KEYS.values():
+    for key in ("length", "velocity", "acceleration"):
         other = scene.sheet.changed(scale=scene.sheet.scale.changed(**{key: 1}))
         with pytest.raises(SelfCheckFailed, match="which the scene states otherwise"):
             verify_scales([(KEYS, one) for one in sheets], other)
@@ -112,7 +113,7 @@ def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_roo
     said = str(refused.value)
     assert said.startswith(f'scene.toml:{line}:1: sheet.scale.length = "5:1": ')
     # The cylinder is 165 mm above the crank's circle of 90: five times 0.25 m is more than the 584 mm of A1.
-    assert float(said.split(" x ")[1].split(maxsplit=1)[0]) > 5 * 250 > 584
+    assert float(said.split(" × ")[1].split(maxsplit=1)[0]) > 5 * 250 > 584
     fitting = said.partition("Fix: choose ")[2].partition(",")[0].split(" or ")
     assert len(fitting) == 3
     assert '"1:1"' in fitting
@@ -125,6 +126,7 @@ def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> No
         kinematics.leaves(Study(scene_of("[sheet.scale]\nlength = 1000\n")))
 
 
+@pytest.mark.rest
 def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_are_refused(tmp_path: Path) -> None:
     study = Study(parse_scene(f"{LOADED}\n[sheet.scale]\nmoment = 6\n"))
     (sheet,) = forces.leaves(study)
@@ -138,8 +140,33 @@ def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_a
         forces.leaves(study)
 
 
+def test_the_angle_of_the_kinematic_diagrams_has_the_scale_that_is_stated(tmp_path: Path) -> None:
+    study = Study(scene_of("[sheet.scale]\nangle = 0.04\n"))
+    leaf = next(leaf for leaf in kinematics.leaves(study) if leaf.metadata["diagrams"])
+    (path := tmp_path / "sheet.svg").write_bytes(svg(leaf))
+    sheet = measure_file(path)
+    verify_scales([(KEYS, sheet)], study.scene.sheet)
+    assert list(verify_diagrams.faults(sheet, leaf, study)) == []
+    vars(study.scene.sheet.scale)["angle"] = Decimal("0.05")
+    wrong = [str(one) for one in verify_diagrams.faults(sheet, leaf, study)]
+    assert wrong == ["the scale of kinematic diagrams, which the scene states otherwise"]
+
+
+def test_the_way_of_a_load_diagram_has_the_scale_that_is_stated_and_its_ordinates_their_own() -> None:
+    keys, scene = SHEETS["dynamics"].scales, scene_of("[sheet.scale]\nway = 0.005\n")
+    way, load = (
+        MeasuredVector("load_diagram-F_us", quantity, name, None, 1.0, 1.0, unit, scale, 0j, 1.0 + 0j)
+        for quantity, name, unit, scale in (("S", "H", "m", 0.005), ("F", "a", "N", 20.0))
+    )
+    verify_scales([(keys, Measured((way, load), ()))], scene.sheet)
+    with pytest.raises(SelfCheckFailed, match="the scale of load diagram of F_us, which the scene states otherwise"):
+        verify_scales([(keys, Measured((replace(way, scale=0.004), load), ()))], scene.sheet)
+
+
 def test_a_scale_of_figures_that_no_sheet_has_is_refused_and_those_are_listed_that_some_has() -> None:
-    with pytest.raises(SheetError, match=r"sheet.scale.cam: .* choose from length or velocity or acceleration$"):
+    with pytest.raises(
+        SheetError, match=r"sheet.scale.cam: .* choose from length or velocity or acceleration or angle$"
+    ):
         of_scales(scene_of("[sheet.scale]\ncam = 0.001\n"))
 
 

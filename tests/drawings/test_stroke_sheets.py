@@ -11,12 +11,14 @@ from pathlib import Path
 import pytest
 
 from drawings.checks import verify_kinematics
-from drawings.checks.verify import SelfCheckFailed, verify
-from drawings.checks.verify_forces import faults
+from drawings.checks.verify import SelfCheckFailed, verify, verify_report, verify_set
+from drawings.checks.verify_forces import faults, set_faults
 from drawings.lettering.lettering import lettered
-from drawings.measure.measure import measure_file
+from drawings.measure.measure import Measured, measure_file
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
+from drawings.report.report import faults as faults_of
+from drawings.report.report import report
 from drawings.sheets import kinematics
 from drawings.sheets.forces import leaves
 from plans.scene.scene import parse_scene, read_scene
@@ -34,16 +36,24 @@ def study_of(name: str) -> Study:
     return Study(read_scene(CASES / "strokes" / f"{name}.toml"))
 
 
-def checked(leaf: Leaf, study: Study, folder: Path) -> None:
+def check(study: Study, folder: Path) -> None:
+    """Check the force sheets and the report of a study as they are checked when they are drawn."""
+    sheets = {"forces": leaves(study)}
+    read = [(checked(leaf, study, folder), leaf) for leaf in sheets["forces"]]
+    verify_set(set_faults(read, study))
+    verify_report(faults_of(report(study, sheets), study, sheets))
+
+
+def checked(leaf: Leaf, study: Study, folder: Path) -> Measured:
     path = folder / "sheet.svg"
     path.write_bytes(svg(lettered(leaf)))
-    verify(path, leaf, partial(faults, study=study))
+    return verify(path, leaf, partial(faults, study=study)).measured
 
 
-@pytest.mark.parametrize("name", some(["ram", "cylinder"], 2))
+@pytest.mark.parametrize("name", some(["cylinder", "ram", "scissor"], 3))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
+    check(study_of(name), tmp_path)
     for leaf in leaves(study_of(name)):
-        checked(leaf, study_of(name), tmp_path)
         assert collisions(leaf) == []
 
 
@@ -56,11 +66,10 @@ def test_ticks_close_to_the_drawn_position_may_lie_under_its_block(tmp_path: Pat
     assert list(verify_kinematics.faults(measure_file(path), leaf, study)) == []
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 2), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 3), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("forces").agrees
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
-        for leaf in leaves(study):
-            checked(leaf, study, tmp_path)
+        check(study, tmp_path)
     assert fault.says in str(told.value)

@@ -130,7 +130,7 @@ def test_a_mark_without_its_bearer_is_refused(kind: str) -> None:
         drawn(Group((), data={"kind": kind}))
 
 
-@examples(12)
+@examples(6)
 @given(points, st.floats(0.1, 100), st.floats(-10, 10), st.floats(0, math.tau))
 def test_arcs_turn_counter_clockwise_in_quarters(centre: complex, radius: float, start: float, sweep: float) -> None:
     arc = Arc(centre, radius, start, start + sweep)
@@ -429,7 +429,7 @@ def test_svgwrite_itself_finds_no_fault() -> None:
     checked.write(io.StringIO())
 
 
-@examples(12)
+@examples(6)
 @given(points, st.floats(0.1, 100), st.floats(-10, 10), st.floats(0, math.tau))
 def test_the_box_of_an_arc_is_tight(centre: complex, radius: float, start: float, sweep: float) -> None:
     arc = Arc(centre, radius, start, start + sweep)

@@ -54,14 +54,14 @@ def left(spots: list[complex], own: list[Mask]) -> float:
     return float(shapely.length(shapely.difference(pieces, whole)).sum())
 
 
-@examples(5)
+@examples(3)
 @given(places, places, st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_a_line_is_what_lies_outside(start: complex, end: complex, own: list[Mask]) -> None:
     kept = list(trim([Line(start, end)], own))
     assert sum(map(length, kept)) == pytest.approx(left([start, end], own), abs=2e-3)
 
 
-@examples(5)
+@examples(3)
 @given(places, st.floats(2, 30), st.floats(-3, 3), st.floats(0.1, 6), st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_an_arc_is_what_lies_outside(
     centre: complex, radius: float, start: float, sweep: float, own: list[Mask]
@@ -73,7 +73,7 @@ def test_what_is_left_of_an_arc_is_what_lies_outside(
     assert sum(map(length, kept)) == pytest.approx(left([arc.at(k / 2000) for k in range(2001)], own), abs=0.05)
 
 
-@examples(12)
+@examples(6)
 @given(st.lists(places, min_size=3, max_size=6, unique=True), st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_a_closed_chain_is_what_lies_outside(points: list[complex], own: list[Mask]) -> None:
     chain = Polyline(tuple(points), True)
@@ -82,7 +82,7 @@ def test_what_is_left_of_a_closed_chain_is_what_lies_outside(points: list[comple
     assert whole == pytest.approx(left([*points, points[0]], own), abs=5e-3)
 
 
-@examples(12)
+@examples(6)
 @given(st.floats(6, 2000), st.booleans())
 def test_dashes_fill_a_line_of_any_length(size: float, closed: bool) -> None:
     for style, least, most in ((HAND.path, 2, 8), (HAND.axis, 5, 30), (HAND.extreme, 5, 30)):

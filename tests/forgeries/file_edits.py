@@ -131,6 +131,21 @@ FILE_EDITS: dict[str, Edit] = {
     "a figure stretched": _group('transform="scale(1.02 1)"', "stretched", "refused", "missing"),
     "all covered by a white sheet": _last(PATCH.format(fill="#ffffff"), Told(("hidden", "strange", "patch"))),
     "a line over all": _last('<path d="M10 10L300 200" stroke="#000000" fill="none"/>', Told(("added",), at=None)),
+    "a line in a link": _last('<a href="#a"><path d="M10 10L300 200" stroke="#000"/></a>', Told(("added",))),
+    "a line in an element that no viewer knows": _last(
+        '<layer><path d="M10 10L300 200" stroke="#000"/></layer>', Told(("added",))
+    ),
+    "a curve that goes on by itself": _last(
+        '<path d="M10 10Q20 20 30 10T50 10" fill="none" stroke="#000"/>', Told(("unread",), says="<path>")
+    ),
+    "all covered by a white sheet with round corners": _last(
+        PATCH.format(fill="#ffffff").replace("/>", ' rx="9"/>'), Told(("hidden", "strange", "patch"))
+    ),
+    "a figure moved by a style": _group('style="translate:2px"', "unread", "refused"),
+    "a figure hidden by what is important": _group('style="display:none ! important;display:inline"', "hidden"),
+    "a figure blended with the paper": _group('style="mix-blend-mode:screen"', "unread"),
+    "a figure that another language has": _group('systemLanguage="en-x-none"', "unread"),
+    "a figure whose look a viewer works out": _group('style="visibility:var(--seen,hidden)"', "hidden", "unread"),
     "an element twice": twice,
     "torn": torn,
     "the seal broken": seal_broken,

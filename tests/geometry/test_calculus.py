@@ -248,7 +248,7 @@ diagrams = st.lists(st.tuples(st.floats(1e-3, 10), means), min_size=1, max_size=
 
 
 @example((np.array([0.0, 1.0]), np.array([5e-324])), 2.0)
-@examples(12)
+@examples(6)
 @given(diagrams, st.floats(1e-3, 1e3))
 def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Floats, Floats], pole: float) -> None:
     one, other = drawn(*diagram), drawn(*diagram, pole=pole)
@@ -257,21 +257,21 @@ def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Fl
     assert heights * pole == pytest.approx(one.values, rel=1e-9, abs=1e-9)
 
 
-@examples(12)
+@examples(6)
 @given(diagrams, st.floats(-1e3, 1e3))
 def test_another_start_lifts_the_whole_curve(diagram: tuple[Floats, Floats], start: float) -> None:
     one, other = drawn(*diagram), drawn(*diagram, start=start)
     assert np.all(np.abs(other.values - one.values - start) <= one.slacks + other.slacks)
 
 
-@examples(12)
+@examples(6)
 @given(diagrams)
 def test_a_diagram_turned_over_gives_the_curve_turned_over(diagram: tuple[Floats, Floats]) -> None:
     edges, means = diagram
     assert drawn(edges, -means).values.tolist() == (-drawn(edges, means).values).tolist()
 
 
-@examples(12)
+@examples(6)
 @given(diagrams, st.integers(0, 7), st.floats(0.1, 0.9))
 def test_a_strip_divided_anywhere_changes_nothing_where_the_means_are_true(
     diagram: tuple[Floats, Floats], at: int, share: float
@@ -284,7 +284,7 @@ def test_a_strip_divided_anywhere_changes_nothing_where_the_means_are_true(
     assert np.all(np.abs(np.delete(other.values, at + 1) - one.values) <= one.slacks + other.slacks[-1])
 
 
-@examples(12)
+@examples(6)
 @given(diagrams)
 def test_a_derivative_of_an_integral_is_the_diagram_again(diagram: tuple[Floats, Floats]) -> None:
     curve = drawn(*diagram)

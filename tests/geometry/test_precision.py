@@ -24,7 +24,7 @@ def notch(gap: float) -> Mark:
     return board.meet("B", board.arc("AB", a, 1.0), board.arc("CB", c, 2.0), side=+1)
 
 
-@examples(40, 300)
+@examples(20, 300)
 @given(constructions())
 def test_every_mark_lies_within_its_bound_of_the_exact_construction(drawn: Construction) -> None:
     marks = drawn.marks

@@ -80,7 +80,7 @@ def test_fifty_digits_agree_with_each_verb(verb: str, values: tuple[complex, ...
         assert abs(ours - complex(exactly)) <= 64 * EPS * max(1.0, abs(ours))
 
 
-@examples(12)
+@examples(6)
 @given(constructions())
 def test_any_record_drawn_again_from_its_own_givens_is_itself(drawn: Construction) -> None:
     again = redraw(drawn.marks, {})

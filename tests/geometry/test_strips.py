@@ -15,7 +15,7 @@ from tests.parts import examples
 axes = st.tuples(st.floats(-1e3, 1e3), st.floats(1e-3, 1e3)).map(lambda pair: (pair[0], pair[0] + pair[1]))
 
 
-@examples(12)
+@examples(6)
 @given(axes, st.integers(1, 64), st.lists(st.floats(0, 1), max_size=6))
 def test_every_break_is_an_edge_or_as_good_as_on_one_and_no_strip_is_a_sliver(
     axis: tuple[float, float], count: int, shares: list[float]

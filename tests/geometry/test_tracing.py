@@ -20,7 +20,7 @@ def words(mark: Mark) -> tuple[object, ...]:
     return mark.subject, mark.number, mark.name, step.op, [source.name for source in step.inputs], step.why
 
 
-@examples(20, 150)
+@examples(10, 150)
 @given(constructions(), st.floats(-0.01, 0.01))
 def test_a_record_that_is_followed_is_the_one_that_is_drawn_again(drawn: Construction, moved: float) -> None:
     free = drawn.board["A"]

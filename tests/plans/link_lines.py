@@ -45,6 +45,29 @@ class Written(NamedTuple):
         return HEAD.replace("START", f"start = {self.start}") + self.text.replace("LINE", line)
 
 
+def slotted(pivot: str, crank: str, sliding: int, stone: str, link: str) -> str:
+    """Write a crank, what is on its pin, and a link about C, with their masses; one of the two slides along LINE."""
+    return f"""
+[mechanism.frame]
+O = [0, 0]
+C = [{pivot}]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "C"
+[mechanism.lengths]
+OA = "{crank}"
+[[mechanism.slides]]
+link = {sliding}
+along = LINE
+[masses]
+2 = {stone}
+3 = {link}
+[loads]
+gravity = 9.81
+"""
+
+
 # The yoke of the sine mechanism: B on the guide, the slot square to it.
 YOKE = Written(
     """
@@ -80,25 +103,14 @@ during = "working stroke"
 )
 # A lever about C whose slot leans by 25 degrees from the lever's own +x and passes beside C, and its mass off both.
 LEVER = Written(
-    """
-[mechanism.frame]
-O = [0, 0]
-C = [0, "-200 mm"]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "C"
-[mechanism.lengths]
-OA = "70 mm"
-[[mechanism.slides]]
-link = 2
-along = LINE
-[masses]
-2 = { mass = 0.4, inertia = 0.001 }
-3 = { mass = 3, inertia = 0.02, centre = ["150 mm", "40 mm"] }
-[loads]
-gravity = 9.81
-[[loads.moments]]
+    slotted(
+        '0, "-200 mm"',
+        "70 mm",
+        2,
+        "{ mass = 0.4, inertia = 0.001 }",
+        '{ mass = 3, inertia = 0.02, centre = ["150 mm", "40 mm"] }',
+    )
+    + """[[loads.moments]]
 on = 3
 against = "motion"
 value = 15
@@ -110,25 +122,13 @@ value = 15
 )
 # A piston rod on the crank's pin, with no piston named; the cylinder swings about C.
 ROD = Written(
-    """
-[mechanism.frame]
-O = [0, 0]
-C = ["-300 mm", "-100 mm"]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "C"
-[mechanism.lengths]
-OA = "80 mm"
-[[mechanism.slides]]
-link = 3
-along = LINE
-[masses]
-2 = { mass = 1, inertia = 0.01, centre = [0, "-90 mm"] }
-3 = { mass = 2, inertia = 0.02 }
-[loads]
-gravity = 9.81
-""",
+    slotted(
+        '"-300 mm", "-100 mm"',
+        "80 mm",
+        3,
+        '{ mass = 1, inertia = 0.01, centre = [0, "-90 mm"] }',
+        "{ mass = 2, inertia = 0.02 }",
+    ),
     "{ link = 2, angle = -90 }",
     '"AB"',
     'B = { on = 2, at = [0, "-450 mm"] }',

@@ -276,7 +276,7 @@ def test_rates_are_the_derivatives_of_positions(name):
         assert abs(found.a[2] - omega * second - epsilon / omega * found.v[2]) < omega * error, point
 
 
-@examples(5)
+@examples(3)
 @given(phi=st.floats(-20, 20))
 def test_slider_crank_to_rounding_level(phi):
     a, b, e = 0.06, 0.20, 0.02

@@ -108,7 +108,7 @@ def in_balance(run: Run) -> None:
         assert (np.abs(moment) <= allowed * reach).all(), link
 
 
-@examples(5, 50)
+@examples(3, 50)
 @given(run=runs())
 def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
     in_balance(run)
@@ -118,7 +118,7 @@ def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
             assert np.abs(along) <= 4 * EPS * np.abs(reaction.force), key
 
 
-@examples(5, 50)
+@examples(3, 50)
 @given(run=runs())
 def test_three_balances_agree(run):
     found, kappa = run.forces, run.road.conditions(run.motion)

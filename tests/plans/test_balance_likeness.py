@@ -44,7 +44,7 @@ from tests.plans.machines import machine, pointed
 from tests.plans.test_balance_construction import inertia_alone
 
 TIMES = st.sampled_from((2.0**-20, 0.37, 2.0**20))
-few = examples(3, 60)
+few = examples(2, 60)
 
 
 # The mass centre, its acceleration and the main moment at one position
@@ -271,7 +271,7 @@ def same(one: Asking, other: Asking, moment: Callable[[complex], complex] = lamb
     assert one.left.keys() == other.left.keys()
 
 
-few_weights = examples(6, 200)
+few_weights = examples(3, 200)
 
 
 @few_weights

@@ -161,7 +161,7 @@ def rotor(angle: Fraction, times: int = 1) -> complex:
 
 
 @ROADS
-@examples(6)
+@examples(3)
 @given(banks(), angles)
 def test_cranks_turned(road, bank: BankTask, angle: Fraction) -> None:
     """The same bank a moment later: each order has turned by its own multiple."""
@@ -173,7 +173,7 @@ def test_cranks_turned(road, bank: BankTask, angle: Fraction) -> None:
 
 
 @ROADS
-@examples(6)
+@examples(3)
 @given(banks(), angles)
 def test_the_whole_bank_turned(road, bank: BankTask, angle: Fraction) -> None:
     """Guides and cranks turned together turn every force."""
@@ -184,7 +184,7 @@ def test_the_whole_bank_turned(road, bank: BankTask, angle: Fraction) -> None:
 
 
 @ROADS
-@examples(6)
+@examples(3)
 @given(banks())
 def test_a_bank_in_the_mirror(road, bank: BankTask) -> None:
     """Mirrored about the reference guide, the crank turning the other way, every vector is mirrored."""
@@ -198,7 +198,7 @@ def test_a_bank_in_the_mirror(road, bank: BankTask) -> None:
 
 
 @ROADS
-@examples(6)
+@examples(3)
 @given(banks(), banks())
 def test_banks_joined(road, one: BankTask, other: BankTask) -> None:
     """Two banks of like mechanisms on a shaft: their forces and moments add up."""
@@ -211,7 +211,7 @@ def test_banks_joined(road, one: BankTask, other: BankTask) -> None:
 
 
 @ROADS
-@examples(6)
+@examples(3)
 @given(banks(), places)
 def test_a_plane_shifted(road, bank: BankTask, by: Fraction) -> None:
     """About another plane the moment is other by the force times the way to it."""
@@ -229,7 +229,7 @@ def test_a_plane_shifted(road, bank: BankTask, by: Fraction) -> None:
     assert np.allclose(now.moment, was.moment + z * was.force, atol=2 * slack, rtol=0)
 
 
-@examples(4)
+@examples(2)
 @given(banks())
 def test_any_bank_by_both_roads(bank: BankTask) -> None:
     asked = (Asked(1, 1.0, 0.05, 0.3), Asked(2, None, -0.05, 0.2))

@@ -301,7 +301,7 @@ def test_a_cam_scales(cam: Cam) -> None:
 @given(
     st.floats(15, 60), st.floats(15, 60), st.floats(5, 45), st.sampled_from(BOTH), st.sampled_from(LAWS), st.booleans()
 )
-@examples(part=4)
+@examples(part=2)
 def test_both_roads_over_random_rockers(
     rise: float, back: float, swing: float, turns: int, law: str, force: bool
 ) -> None:

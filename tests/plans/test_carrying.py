@@ -126,6 +126,7 @@ def test_forces_of_a_rod_that_is_carried_through() -> None:
     assert forces.balancing.moment[known] == pytest.approx((50 + 20 * 9.81 * 0.3 * crank.real)[known], rel=1e-6)
 
 
+@pytest.mark.rest
 def test_its_sheets_are_drawn_and_verified(tmp_path) -> None:
     scene = tmp_path / "rod.toml"
     text = COUPLING_ROD.format(through='through = "parallel"', speed=20, start=60)

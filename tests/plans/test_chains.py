@@ -20,7 +20,7 @@ from tests.plans.studies import study_of, value
 NEARBY = (0, "0.5", -3, 40)  # degrees from the first position; some are out of reach
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_the_sketch_leads_back_to_the_first_position(chain):
     motion = studied(chain).motion(0)
@@ -33,14 +33,14 @@ def test_the_sketch_leads_back_to_the_first_position(chain):
             assert abs(np.exp(1j * motion.links[link].angle[0]) - turn) <= margin / 0.2, link
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_the_structure_is_the_one_it_was_built_of(chain):
     found = [(dyad.kind, tuple(sorted(dyad.links))) for dyad in decompose(chain.mechanism)]
     assert sorted(found) == sorted(chain.kinds)
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_construction_and_analysis_agree(chain):
     comparison = compare(studied(chain, NEARBY))
@@ -48,7 +48,7 @@ def test_construction_and_analysis_agree(chain):
     assert not np.isnan(comparison.construction.points["P1"].r[0])
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_the_joints_stay_closed(chain):
     """Lengths, hinges and sliding lines: every link has one image, at every position that is reached."""
@@ -79,7 +79,7 @@ def _within(difference: Complexes | Floats, margin: Floats) -> bool:
     return bool(np.all(np.isnan(size) | (size <= margin)))
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_every_link_is_similar_to_its_images(chain):
     """The image theorem: v_S = v_A + i omega AS and a_S = a_A + (i epsilon - omega^2) AS, whichever link S is of."""
@@ -105,7 +105,7 @@ def _images(plan: Plan, link: int, name: str, local: complex) -> tuple[complex, 
     return value(plan.point(name).point), value(plan.place(link, local, f"{name}'").point)
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_velocities_and_accelerations_are_the_derivatives(chain):
     drive = chain.mechanism.drive

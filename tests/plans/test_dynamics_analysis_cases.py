@@ -185,6 +185,7 @@ def test_hand_made_account_by_its_corners() -> None:
     assert [one.surplus for one in its.touches] == [-1, 2]
 
 
+@pytest.mark.rest
 def test_what_does_not_settle_is_told() -> None:
     """A crank that cannot turn fully has no numbers, and a jump that is nobody's break is not taken for smooth."""
     short = Steady(linkages.slider_crank(0.1, 0.099), machine(Force("F", 3, "B", 0j, 10.0, 1 + 0j)))

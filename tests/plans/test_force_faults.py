@@ -13,7 +13,7 @@ import pytest
 from tests.plans.seeded import FOLDER, ROOT, Fault, everyday, faults, verdicts
 
 FAULTS = faults(Path(__file__).parents[1] / "cases" / "force_faults.toml")
-HARMLESS = Fault("fewer examples", f"{FOLDER}/loaded.py", "push = examples(6, 30)", "push = examples(6, 2)", ())
+HARMLESS = Fault("fewer examples", f"{FOLDER}/loaded.py", "push = examples(3, 30)", "push = examples(3, 2)", ())
 
 
 @pytest.mark.parametrize("fault", everyday(FAULTS))

@@ -390,6 +390,7 @@ def test_no_load_is_minus_zero() -> None:
         assert not np.signbit(row[row == 0]).any()
 
 
+@pytest.mark.rest
 def test_a_drawing_of_kinematics_makes_no_inventory(tmp_path: Path) -> None:
     scene = tmp_path / "engine.toml"
     scene.write_text(ENGINE + '[masses]\n2 = { mass = 1, centre = "middle" }\n' + ON_B + "value = [1, 0]\n", "utf-8")

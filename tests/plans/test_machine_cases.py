@@ -66,7 +66,7 @@ def test_machine_that_would_stop_without_a_flywheel() -> None:
     assert isinstance(found.after, Swing)
 
 
-@pytest.mark.parametrize("by", ["construction", "analysis"])
+@pytest.mark.parametrize("by", some(["construction", "analysis"], 2))
 def test_the_run_is_told_as_plain_numbers(by: str) -> None:
     """Works and energies of each stage close; the rows end at rest, where the brake has stopped the machine."""
     motor = f"{ASKED}\nmotor = {{ starting = 300, synchronous = 14 }}\nrun = {{ turns = 1, brake = 300 }}"
@@ -185,6 +185,7 @@ def test_constant_moment_on_the_crank_takes_nothing_from_the_drive_unevenly() ->
         assert ours == pytest.approx(theirs, rel=1e-12)
 
 
+@pytest.mark.rest
 def test_motor_that_cannot_bear_the_loads() -> None:
     """I12: 55 N*m at the crank run the machine up, but do not bear 57 N*m: no steady turn is told."""
     motor = "motor = { rotor = 0.05, ratio = 14, starting = 3.9, synchronous = 200 }"

@@ -38,7 +38,7 @@ def test_a_slope_is_that_of_the_moment(law: Law) -> None:
 
 
 @pytest.mark.parametrize("law", LAWS)
-@examples(12)
+@examples(6)
 @given(moment=st.floats(0.0, 59.0))
 def test_the_speed_that_bears_a_moment_has_it_and_is_stable_and_the_greatest(law: Law, moment: float) -> None:
     speed = law.speed(moment)

@@ -36,7 +36,7 @@ def moved(chain: Chain, phi: float, frame: Map, own: Map | None = None) -> Chain
     return replace(chain, mechanism=alterations.moved(chain.mechanism, frame, own), phi=phi)
 
 
-@examples(5)
+@examples(3)
 @given(chains(), numbers(-180, 180))
 def test_everything_turned(chain, degrees):
     turn = cmath.exp(1j * radians(degrees))
@@ -55,7 +55,7 @@ def test_everything_turned(chain, degrees):
             assert abs(cmath.phase(cmath.exp(1j * apart)) if order == 0 else apart) <= margin / 0.2, (link, order)
 
 
-@examples(5)
+@examples(3)
 @given(chains())
 def test_everything_mirrored(chain):
     """A mirrored mechanism with a crank of the other sense is drawn as the mirror image of every plan."""
@@ -76,7 +76,7 @@ def test_everything_mirrored(chain):
             assert abs(cmath.phase(cmath.exp(1j * apart)) if order == 0 else apart) <= margin / 0.2, (link, order)
 
 
-@examples(3)
+@examples(2)
 @given(chains(), st.sampled_from((2.0**-60, 2.0**-1, 2.0**60)))
 def test_everything_enlarged_by_a_power_of_two_is_the_same_to_the_bit(chain, times):
     first = studied(chain, (0, 3)).motion()
@@ -89,7 +89,7 @@ def test_everything_enlarged_by_a_power_of_two_is_the_same_to_the_bit(chain, tim
             assert np.array_equal(rate, same, equal_nan=True), link
 
 
-@examples(5)
+@examples(3)
 @given(chains(), st.sampled_from((2, -1)))
 def test_a_faster_crank_stretches_the_plans(chain, times):
     """The crank n times as fast makes velocities n times, accelerations n^2 times as large; 2 and -1 round nothing."""
@@ -102,7 +102,7 @@ def test_a_faster_crank_stretches_the_plans(chain, times):
             assert old is not None and np.array_equal(times**order * old, vectors(again, name)[order]), (name, order)
 
 
-@examples(5)
+@examples(3)
 @given(chains(), st.randoms(use_true_random=False))
 def test_other_names_and_numbers_change_nothing(chain, chance):
     names, links = list(chain.places), [number for number in chain.mechanism.links if number != FRAME]
@@ -122,7 +122,7 @@ def test_other_names_and_numbers_change_nothing(chain, chance):
             assert abs(apart) <= margin / 0.2, (link, order)
 
 
-@examples(5)
+@examples(3)
 @given(chains(), st.randoms(use_true_random=False))
 def test_the_order_of_the_tables_changes_no_bit(chain, chance):
     old = chain.mechanism

@@ -114,7 +114,7 @@ def test_bounds_hold_beside_a_dead_centre(name):
     assert worst > 1e4 or name == "slotted link"  # its direction is given by A alone, however near to C
 
 
-@examples(8)
+@examples(4)
 @given(chains())
 def test_bounds_hold_for_every_mark_of_any_chain(chain):
     replay = Replay(studied(chain))

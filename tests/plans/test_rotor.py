@@ -140,14 +140,14 @@ def test_a_thousand_masses(angle, planes) -> None:
     assert len(study.drawing.forces.sides) == 1000 + rotor.dynamic
 
 
-@examples(8)
+@examples(4)
 @given(rotors())
 def test_roads_agree(rotor) -> None:
     agree(rotor)
     agree(replace(rotor, planes=rotor.planes[:1]))
 
 
-@examples(8)
+@examples(4)
 @given(rotors())
 def test_the_polygons_close(rotor) -> None:
     """A polygon's residual is at most 8 eps of the sum of its vectors."""
@@ -164,7 +164,7 @@ def near(ours: Balance, theirs: Balance, rotor: Rotor, of=lambda value: value) -
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors(), by=angles)
 def test_turn(road, rotor, by) -> None:
     turned = replace(rotor, masses=tuple(one._replace(angle=one.angle + by) for one in rotor.masses))
@@ -172,7 +172,7 @@ def test_turn(road, rotor, by) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors())
 def test_mirror(road, rotor) -> None:
     mirrored = replace(rotor, masses=tuple(one._replace(angle=-one.angle) for one in rotor.masses))
@@ -180,7 +180,7 @@ def test_mirror(road, rotor) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors(), power=st.integers(-20, 20))
 def test_scale_of_masses(road, rotor, power) -> None:
     scaled = replace(rotor, masses=tuple(one._replace(moment=one.moment * 2.0**power) for one in rotor.masses))
@@ -188,7 +188,7 @@ def test_scale_of_masses(road, rotor, power) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors(), times=st.fractions(Fraction(1, 100), 100))
 def test_scale_along_the_shaft(road, rotor, times) -> None:
     scaled = replace(
@@ -200,7 +200,7 @@ def test_scale_along_the_shaft(road, rotor, times) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors(), by=st.fractions(-100, 100))
 def test_shift_along_the_shaft(road, rotor, by) -> None:
     shifted = replace(
@@ -212,7 +212,7 @@ def test_shift_along_the_shaft(road, rotor, by) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors(), chance=st.randoms())
 def test_order_of_masses(road, rotor, chance) -> None:
     mixed = list(rotor.masses)
@@ -221,7 +221,7 @@ def test_order_of_masses(road, rotor, chance) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors())
 def test_planes_changed_over(road, rotor) -> None:
     over = road(replace(rotor, planes=rotor.planes[::-1]))
@@ -229,7 +229,7 @@ def test_planes_changed_over(road, rotor) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors(), other=rotors())
 def test_superposition(road, rotor, other) -> None:
     """What balances two rotors' masses together is the sum of what balances each."""
@@ -241,7 +241,7 @@ def test_superposition(road, rotor, other) -> None:
 
 
 @ROADS
-@examples(8)
+@examples(4)
 @given(rotor=rotors())
 def test_counterweights_applied_leave_nothing_to_balance(road, rotor) -> None:
     found = road(rotor)

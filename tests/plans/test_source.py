@@ -113,7 +113,7 @@ def leaves(value: Any, path: faults.Path = ()) -> list[tuple[faults.Path, Any]]:
     return [(path, value)]
 
 
-@examples(3)
+@examples(2)
 @given(texts())
 def test_what_stands_at_a_path_is_its_value(text: str) -> None:
     tables = tomllib.loads(text)

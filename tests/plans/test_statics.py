@@ -237,3 +237,13 @@ def test_what_is_but_rounding_is_no_force_beside_the_largest() -> None:
     force, moment = of(SLOTTED).forces.nothing
     assert force == pytest.approx(5e-8, rel=0.5)  # 1e-9 of some 50 N
     assert 0 < moment < force
+
+
+def test_beside_a_position_whose_forces_have_no_true_digit_those_of_the_others_are_not_nothing() -> None:
+    found = of(SLOTTED).forces
+    jam = np.where(np.arange(len(found.phi)) == 5, 1e15, 1.0)
+    reactions = {key: one._replace(force=one.force * jam) for key, one in found.reactions.items()}
+    jammed = replace(found, reactions=reactions)
+    assert jammed.nothing[0] > 1e3 * abs(found.balancing.moment).max()
+    assert replace(jammed, known=jam < 2.0).nothing == replace(found, known=jam < 2.0).nothing
+    assert replace(jammed, known=jam < 0.0).nothing == jammed.nothing  # known nowhere: all that there is

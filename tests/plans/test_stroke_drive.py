@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import numpy as np
@@ -283,7 +284,9 @@ def test_a_law_of_a_cylinder_is_held_by_the_analysis_at_its_corners_too() -> Non
 LAWS = {
     "too few speeds": ("speeds = [1]", "drive.stroke.speeds"),
     "no speeds": ("speeds = []", "drive.stroke.speeds"),
-    "a speed of zero": ("speeds = [0, 1]", "drive.stroke.speeds[0]"),
+    "rest on the way": ("speeds = [1, 0, 1]", "drive.stroke.speeds[1]"),
+    "rest alone": ("speeds = [0, 0]", "drive.stroke.speeds[1]"),
+    "a speed back": ("speeds = [1, -1]", "drive.stroke.speeds[1]"),
     "two laws": ("speeds = [1, 2]\nspeed = 1", "drive.stroke.speed"),
     "other ends": ("speeds = [1, 2]\nplaces = [0.5, 0.7]", "drive.stroke.places"),
     "back and forth": ("speeds = [1, 2, 1]\nplaces = [0.5, 0.7, 0.6]", "drive.stroke.places"),
@@ -299,8 +302,29 @@ def test_a_law_that_does_not_fit_its_stroke_is_refused_at_its_key(name: str) -> 
     assert where in {dotted(fault.path) for fault in refused.value.faults}
 
 
-def test_a_law_from_rest_is_refused_with_its_reason() -> None:
-    drive = "link = 1\n[drive.stroke]\nfrom = 0.5\nto = 0.6\nspeeds = [0, 1]"
-    with pytest.raises(SceneError) as refused:
-        parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive))
-    assert "never leave its place" in str(refused.value)
+RESTS = LAW.replace("[0.1, 0.3, 0.3, 0.1]", "[0, 0.3, 0.3, 0]").replace("positions = 4", "positions = 8")
+
+
+def test_a_law_from_rest_to_rest_begins_and_ends_with_one_acceleration() -> None:
+    """The trapezium of speed over time: v = sqrt(2 a s) from rest, and the other roads find the force at rest too."""
+    drive = "link = 1" + RESTS.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
+    study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
+    slider = study["linkage"].motion(2).points["B"]
+    a = 0.3**2 / (2 * 0.025)
+    half = math.sqrt(2 * a * 0.0125)
+    assert slider.v.real.tolist() == pytest.approx([0, -half, -0.3, -0.3, -0.3, -0.3, -0.3, -half, 0], abs=1e-13)
+    assert slider.a.real.tolist() == pytest.approx([-a, -a, 0, 0, 0, 0, a, a, a], abs=1e-12)
+    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
+    by = {one.name: one.construction for one in study.comparison("forces").of("forces")}
+    assert np.isnan(by["P_bal lever"][[0, -1]]).all()  # without velocities it has no arms
+    assert np.isfinite(by["P_bal"]).all() and np.isfinite(by["P_bal power"]).all()
+
+
+def test_a_cylinder_from_rest_to_rest_has_its_force_where_it_rests() -> None:
+    drive = RESTS.format(between='between = "EF"\n', begin=0.45, second=0.475, third=0.525, end=0.55)
+    study = Study(parse_scene(BOOM.format(drive=drive)))
+    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
+    assert study["linkage"].motion(1).links[1].omega[[0, -1]].tolist() == [0, 0]
+    (force,) = (one for one in study.comparison("forces").of("forces") if one.name == "P_bal")
+    assert np.isfinite(force.construction).all()
+    assert study["linkage"].mechanism.drive.omega > 0  # its sense is told though it begins at rest

@@ -132,17 +132,18 @@ def test_a_language_without_words_is_told_in_english(tmp_path: Path) -> None:
 
 # Errors that end a command whose scene has a language; a TypeError is a bug of ours, and a fault has words of its own.
 ERRORS = re.compile(r"(Limit|Sheet|Sketch|Structure|File|Draft)Error|SelfCheckFailed|NoExtreme|UnknownMark|UnknownName")
-# What a user cannot bring about, or what no scene is at hand for: the pens' own demands, and a sheet that is measured.
-ASIDE = re.compile(r"drawings/(pens|measure|bench)/|plans/bench/|(strokes|extent|words|measure)\.py")
+# What a user cannot bring about, or what no scene is at hand for: the pens' own demands.
+ASIDE = re.compile(r"drawings/(pens|bench)/|plans/bench/|(strokes|extent|words)\.py")
 FILES = [path for top in ("plans", "drawings") for path in sorted((ROOT / top).rglob("*.py"))]
 
 
 Asked = ast.Raise | ast.Call | ast.Compare
+ASKED = (ast.Raise, ast.Call, ast.Compare)  # quicker to ask for than their union
 
 
 def asked(text: str) -> tuple[Asked, ...]:
     """Give what a text of Python raises, calls and compares."""
-    return tuple(node for node in ast.walk(ast.parse(text)) if isinstance(node, Asked))
+    return tuple(node for node in ast.walk(ast.parse(text)) if isinstance(node, ASKED))
 
 
 @cache
@@ -164,10 +165,18 @@ def test_what_ends_a_command_is_raised_by_its_key() -> None:
     assert {path: texts for path, texts in found.items() if texts and not ASIDE.search(path)} == {}
 
 
+# A sheet that cannot be read is refused by a key of its own group.
+REFUSALS = ("SheetRefused", "OverLimit", "type(refused)")
+
+
 def keys(path: Path) -> Iterator[str]:
-    """Give the keys that a file names as they are; the reason of a step by its own name."""
+    """Give the keys that a file names as they are; the reason of a step and that of a refused sheet by its own name."""
     for node in nodes(path):
         name = ast.unparse(node.func) if isinstance(node, ast.Call) else ""
+        if isinstance(node, ast.Call) and name in REFUSALS and path.name != "limits.py":
+            yield from (
+                f"unreadable.{one.value}" for one in ast.walk(node.args[0]) if isinstance(getattr(one, "value", 0), str)
+            )
         if isinstance(node, ast.Call) and name in ("message", "words.word", "word", "say", "because"):
             named = (one.value for part in node.args for one in ast.walk(part) if isinstance(one, ast.Constant))
             texts = [one for one in named if isinstance(one, str)]
@@ -178,14 +187,16 @@ def test_every_key_that_is_named_is_there() -> None:
     named = {key for path in FILES for key in keys(path) if re.fullmatch(r"[a-z]+\.[a-z_0-9]*[a-z0-9]", key)}
     assert len(named) > 150
     assert named <= words(ENGLISH).keys()
+    assert sum(key.startswith("unreadable.") for key in named) > 60
 
 
 def test_no_phrase_is_left_over() -> None:
     """Of groups whose keys are named as they are, every one is asked for."""
-    groups = ("step", "advice", "limit", "gap", "refused", "structure", "sketch", "stroke", "extreme", "mark", "wrong")
+    groups = ("step", "advice", "limit", "gap", "refused", "structure", "sketch", "stroke", "extreme", "mark", "wrong",
+              "unreadable", "aside")  # fmt: skip
     texts = "\n".join(path.read_text("utf-8") for path in FILES)
     own = [key for key in words(ENGLISH) if key.partition(".")[0] in groups]
-    bare = {key: re.sub(r"^(step|wrong)\.", "", key) for key in own}
+    bare = {key: re.sub(r"^(step|wrong|unreadable)\.", "", key) for key in own}
     assert [key for key in own if f'"{bare[key]}"' not in texts and f'"{key}"' not in texts] == []
 
 

@@ -43,7 +43,7 @@ def _spots(text: str) -> list[Spot]:
 
 
 def _of_line(line: str, begin: int) -> list[Spot]:
-    own = len(line) - len(re.sub(r"^[\w']+ = (\{ on = \d+,)?", "", line))  # the key, and the link that a point is on
+    own = len(line) - len(re.sub(r"^[\w']+ = (\{ (on|link) = \d+,)?", "", line))  # the key, and the link that it is on
     start = line.startswith("start")
     return [Spot(begin + m.start(1), begin + m.end(1), start) for m in NUMBER.finditer(line, own)]
 

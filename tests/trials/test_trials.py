@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import gc
+import re
 import warnings
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
+from random import Random
 
 import numpy as np
 import pytest
@@ -24,6 +26,7 @@ from tests.gallery import LINKAGES
 from tests.trials import trial
 from tests.trials.__main__ import main
 from tests.trials.chains import KINDS as DYADS
+from tests.trials.changes import change
 from tests.trials.series import trials
 from tests.trials.table import failing, table
 from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, text_of, tried
@@ -38,6 +41,7 @@ def test_a_part_of_the_long_trials(kind):
     assert not any(verdict.faults for verdict in verdicts), "\n".join([table(verdicts), *failing(verdicts)])
 
 
+@pytest.mark.rest
 def test_a_series_is_the_same_trials_shared_between_the_cores():
     assert [*trials(("changes",), 500)] == [tried("changes", number) for number in range(0, 2000, 500)]
 
@@ -45,6 +49,10 @@ def test_a_series_is_the_same_trials_shared_between_the_cores():
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_scene_is_the_same_by_its_number_and_no_other(kind):
     assert text_of(kind, 7) == text_of(kind, 7) != text_of(kind, 8)
+
+
+def test_the_number_of_a_link_is_not_changed():
+    assert not any(re.search(r"\b(link|on) = -?\d+\.", change(Random(number))) for number in range(1000))
 
 
 def test_a_crank_rocker_obeys_grashof():

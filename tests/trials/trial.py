@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import re
-import signal
 import tempfile
 import traceback
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from random import Random
-from types import FrameType
 from typing import NamedTuple
 
 import numpy as np
@@ -24,13 +21,13 @@ from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import FORCES
 from plans.model.motion import Motion
 from plans.scene.scene import Scene, parse_scene
+from tests.time_limit import limited
 from tests.trials.chains import chain
 from tests.trials.changes import change
 from tests.trials.crank_rockers import crank_rocker
 
 KINDS = {"crank-rockers": (crank_rocker, 10_000), "chains": (chain, 2_000), "changes": (change, 2_000)}
 LONGEST = 60.0  # s: a scene that takes longer is told as too slow
-AGAIN = 0.01  # seconds after which the alarm rings again: what rings while garbage is collected is not heard
 
 DRAWN, NEAR, GAPS = "drawn", "drawn, too near a dead centre", "drawn with gaps"
 REFUSED, WITHHELD, TRACEBACK = "refused", "withheld", "traceback"
@@ -61,7 +58,7 @@ def tried(kind: str, number: int, draw: bool = False) -> Verdict:
     """Try one scene, with `draw` as far as its sheets."""
     study = None
     try:
-        with warnings.catch_warnings(record=True) as warned, _limited():
+        with warnings.catch_warnings(record=True) as warned, limited(LONGEST, _TooSlow):
             warnings.simplefilter("always")
             study = _study(parse_scene(text_of(kind, number), f"{kind}-{number}.toml"))
             comparison = _compared(study)
@@ -175,19 +172,3 @@ def _draw(kind: str, number: int) -> None:
         path = Path(folder) / f"{kind}-{number}.toml"
         path.write_text(text_of(kind, number), encoding="utf-8")
         draw(path, Path(folder))
-
-
-@contextmanager
-def _limited() -> Iterator[None]:
-    """End what takes too long."""
-
-    def ring(_signal: int, _frame: FrameType | None) -> None:
-        raise _TooSlow
-
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, LONGEST, AGAIN)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)

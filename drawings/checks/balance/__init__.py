@@ -1,1 +1,1 @@
-"""The self-checks of the sheets of balancing: of a mechanism, and of a bank of them (проверка листов)."""
+"""The self-check of the sheets of a balanced mechanism (проверка листов уравновешивания)."""

@@ -10,20 +10,20 @@ from functools import cached_property, partial
 import numpy as np
 
 from drawings.checks.balance import balance_graphs as graphs
-from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance import figure_parts as parts
 from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.balance.balance_lines import Figure
 from drawings.checks.balance.figure_parts import Axis
-from drawings.checks.balance.share_level import bare
-from drawings.checks.dynamics_graphs import written
+from drawings.checks.balance.share_level import bare, curve_letter
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.graphs.inventory import Inventory
+from drawings.checks.graphs.scale_line import scale_line, written_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import moment_graph, share_graph
 from drawings.figures.graphs.curve_graph import BEFORE as THIN
 from drawings.lettering.balance_letters import MOMENT
 from drawings.paper.strokes import Circle, Leaf, Line, Polyline, Text
+from drawings.paper.walk import group_named
 from drawings.symbols.symbols import TICK
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.balance.linkage import Choice
@@ -34,8 +34,8 @@ TURN = 360.0  # degrees
 
 def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Hold all that the graph of the main moment shows."""
-    part = marks.figure(leaf, moment_graph.NAME)
-    if part is None or "φ" not in written(part):
+    part = group_named(leaf.groups, moment_graph.NAME)
+    if part is None or "φ" not in written_scales(part):
         return
     figure = Figure(moment_graph.NAME, part, expected)
     yield from _Rocking(figure).faults()
@@ -54,7 +54,7 @@ class _Rocking:
     @cached_property
     def scales(self) -> tuple[float, float]:
         """The scales of both axes."""
-        told = written(self.figure.part)
+        told = written_scales(self.figure.part)
         return told["φ"], self.figure.mu if self.figure.vectors else told.get("M", 1.0)
 
     @cached_property
@@ -93,9 +93,9 @@ class _Rocking:
         yield from ink.faults()
 
     def _headed(self, ink: Inventory) -> None:
-        by, (across, up) = self.expected.drafting._replace(notation="mu"), self.scales
+        by, (across, up) = self.expected.drafting, self.scales
         thin = [by.word("thin before")] if self.expected.whole and len(self.expected.states) > 1 else []
-        under = [parts.scale(across, "φ", "°", by), parts.scale(up, "M", "N*m", by), *thin]
+        under = [scale_line(across, "φ", "°", by), scale_line(up, "M", "N*m", by), *thin]
         parts.headed(ink, by.word("rocking graph", point=self.expected.mechanism.drive.pivot), under)
 
     def _axes(self, ink: Inventory) -> None:
@@ -133,12 +133,12 @@ class _Rocking:
         """Tick off the curves, one chain each; at gaps, of which less is known, all chains and what is left beside."""
         states = list(self.expected.states)
         if len(states) > 1 and self.expected.whole:
-            thin = marks.figure_in(self.figure.part, THIN)
+            thin = group_named((self.figure.part,), THIN)
             parts.chains(ink, thin, 1 if self.known else len(thin.strokes) if thin is not None else 0, states[0])
         if self.known:
             ink.take(Polyline, lambda one: len(one.points) > TURN / 2, on("path", ink.plan, name=states[-1]))
             return
-        ink.every(Polyline, lambda one: True)
+        ink.every(Polyline, lambda one: self.expected.whole)  # between positions alone nothing is known
         ink.every(Circle, lambda one: True)
         ink.every(Line, lambda one: abs(abs(one.end - one.start) - 2 * TICK) <= ink.near)
         ink.every(Text, lambda one: one.plain.isdigit())
@@ -152,8 +152,8 @@ def _goes(one: Line, way: complex) -> bool:
 
 def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Hold all that the choice of the share shows."""
-    part = marks.figure(leaf, share_graph.NAME)
-    if part is None or expected.balance.shares is None or "k" not in written(part):
+    part = group_named(leaf.groups, share_graph.NAME)
+    if part is None or expected.balance.shares is None or "k" not in written_scales(part):
         return
     figure = Figure(share_graph.NAME, part, expected)
     if figure.vectors:
@@ -172,7 +172,7 @@ class _Shares:
 
     @cached_property
     def scales(self) -> tuple[float, float]:
-        return written(self.figure.part)["k"], self.figure.mu
+        return written_scales(self.figure.part)["k"], self.figure.mu
 
     @cached_property
     def best(self) -> dict[str, tuple[float, float]]:
@@ -202,7 +202,7 @@ class _Shares:
     def faults(self) -> Iterator[Wrong]:
         ink = parts.inventory(self.figure.plan, self.figure.part, parts.NEAR + KNOWN * self.high / self.scales[1])
         by, (across, up) = self.expected.drafting, self.scales
-        parts.headed(ink, by.word("share graph"), [parts.scale(across, "k", "1", by), parts.scale(up, "F", "N", by)])
+        parts.headed(ink, by.word("share graph"), [scale_line(across, "k", "1", by), scale_line(up, "F", "N", by)])
         rows = [Axis("k", self.on(0.0), self.on(1.0)), Axis(by.word("N"), self.on(0.0), self.on(0.0, self.high))]
         parts.axes(ink, rows)
         self._ticks(ink)
@@ -232,16 +232,18 @@ class _Shares:
         share = best.share if task.share is None else task.share
         ink.line(self.on(share), self.on(share, self.high), on("line", ink.plan))
         ink.line(self.on(0.0, size), self.on(1.0, size), on("line", ink.plan))
-        letter = share_graph.curve_letters(graphs.shaft_of(self.expected))[share_graph.REACTIONS]
+        letter = curve_letter(self.expected, share_graph.REACTIONS)
         text = read(self.expected.drafting.word("bare level", letter=letter))
         ink.letter(text, [self.on(0.5, size)], on("letter", ink.plan, name=text))
 
     def _curve(self, ink: Inventory, kind: str) -> None:
         """Tick off a curve with its letter, and its least place with what is told of it."""
-        found, letter = self.expected.balance.shares, share_graph.curve_letters(graphs.shaft_of(self.expected))[kind]
+        found, letter = self.expected.balance.shares, curve_letter(self.expected, kind)
         assert found is not None  # asked before
         wrong = on("letter", ink.plan, name=kind)
-        parts.chains(ink, marks.figure_in(self.figure.part, f"{ink.plan}-{kind}"), 1, kind)
+        curve, main = group_named((self.figure.part,), f"{ink.plan}-{kind}"), self.expected.drafting.hand.main
+        parts.lined(ink, curve, kind, kind == share_graph.FORCES, main)
+        parts.chains(ink, curve, 1, kind)
         one, least = self.figure.vectors.get(kind), self.on(*self.best[kind])
         if one is not None:
             ink.line(one.start, one.end)

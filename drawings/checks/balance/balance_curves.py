@@ -18,6 +18,7 @@ from drawings.figures.balance.shaking_hodograph import NUMBERED
 from drawings.layout.parallel_offsets import APART
 from drawings.lettering.balance_letters import FORCE, RESULT
 from drawings.paper.strokes import Leaf, Text
+from drawings.paper.walk import group_named
 from plans.model.motion import Complexes
 
 LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}'"}
@@ -30,14 +31,8 @@ def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     name = static_polygon.NAME
     if name not in leaf.metadata["figures"]:
         return
-    part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
-    sides = list(expected.moments())
-    size = sum(abs(one.value) for one in sides)
-    whole = sum(one.value for one in sides)
-    sides = [one for one in [*sides, Side(RESULT, 0j, whole)] if abs(one.value) > KNOWN * size]
-    mu = marks.scale(expected.measured, name)
-    slack = expected.slack("Σmr/m", position=expected.shown) * expected.balance.before.centre.mass
-    slack += expected.near * mu + KNOWN * size
+    part, seen = group_named(leaf.groups, name), marks.vectors(expected.measured, name)
+    (sides, slack), mu = static_moments(expected), marks.scale(expected.measured, name)
     yield from marks.held(seen, {one.name: one.value for one in sides}, name, slack)
     if sides:
         hand = expected.drafting.hand
@@ -48,10 +43,19 @@ def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         yield from reading.scales(part, {mu})
 
 
+def static_moments(expected: Expected) -> tuple[list[Side], float]:
+    """Give the sides of the polygon, their sum last, without what is nothing, and how far each may be off, kg*m."""
+    sides, name = list(expected.moments()), static_polygon.NAME
+    size, whole = sum(abs(one.value) for one in sides), sum(one.value for one in sides)
+    slack = expected.slack("Σmr/m", position=expected.shown) * expected.balance.before.centre.mass
+    slack += expected.near * marks.scale(expected.measured, name) + KNOWN * size
+    return [one for one in [*sides, Side(RESULT, 0j, whole)] if abs(one.value) > KNOWN * size], slack
+
+
 def _said(leaf: Leaf, expected: Expected, sides: list[Side]) -> Iterator[Wrong]:
     """See that title and heading say what the polygon is, and that it closes by itself where it does."""
     name, word = static_polygon.NAME, expected.drafting.word
-    part = marks.figure(leaf, name)
+    part = group_named(leaf.groups, name)
     title = f"{word('polygon of static moments')}, {word('position', position=expected.shown)}"
     yield from marks.titled(part, name, title)
     told = " ".join(marks.lettering(part))
@@ -66,14 +70,14 @@ def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     name = shaking_hodograph.NAME
     if name not in leaf.metadata["figures"]:
         return
-    part, mu = marks.figure(leaf, name), marks.scale(expected.measured, name)
+    part, mu = group_named(leaf.groups, name), marks.scale(expected.measured, name)
     states = [state for state, one in expected.states.items() if one.shaking > expected.none.force]
     yield from _ends(expected, states, mu)
     yield from _arrows(expected, states, mu)
     for state in states if expected.whole else ():
         yield from _curve(leaf, expected, state, mu)
     if len(states) > 1:
-        thin, thick = (marks.figure(leaf, f"{name}-{state}") for state in (BEFORE, AFTER))
+        thin, thick = (group_named(leaf.groups, f"{name}-{state}") for state in (BEFORE, AFTER))
         yield from marks.thinner(thin, thick, name)
     yield from marks.explained(part, name, expected.drafting.word("thin before"), len(states) > 1)
     yield from marks.titled(part, name, expected.drafting.word("shaking hodograph"))
@@ -121,7 +125,7 @@ def _curve(leaf: Leaf, expected: Expected, state: str, mu: float) -> Iterator[Wr
     pole = next((one.at - one.value / mu for one in marks.points(expected.measured, name).values()), 0j)
     around = expected.states[state].around.force
     near = expected.slack(f"{FORCE}{PRIMES[state]}", "costs") / mu + expected.near
-    chains = marks.lines(marks.figure(leaf, f"{name}-{state}"))
+    chains = marks.lines(group_named(leaf.groups, f"{name}-{state}"))
     places = [[pole + spot / mu for spot in spots] for spots in runs(np.asarray(around))]
     if not marks.goes_through(chains, places, near):
         yield on("path", name, name=state)

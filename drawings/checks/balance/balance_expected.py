@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,10 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.balance.nothing import Nothing, nothing
+from drawings.figures.balance.nothing import Nothing
 from drawings.figures.balance.scheme import AFTER, BEFORE
-from drawings.figures.balance.told_positions import told
-from drawings.figures.linkage.masses import unnamed
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
 from plans.analytic.balance.main_points import vectors
@@ -21,9 +20,12 @@ from plans.analytic.balance.mass_centre import bodies, placed
 from plans.balance.study import BalanceStudy
 from plans.checks.balance.comparison import BalanceComparison
 from plans.model.balance.linkage import Balance, Counterweight, State
+from plans.model.kinetostatics import NOTHING
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
 
+ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told
+APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
 KNOWN = 1e-9  # of the largest of its kind: what both roads and the file differ by in a number that is written
 
 
@@ -73,12 +75,15 @@ class Expected:
     @cached_property
     def told(self) -> frozenset[int]:
         """The positions that the graphs must tell."""
-        return frozenset(told(len(self.balance.before.centre.phi), self.shown))
+        count = len(self.balance.before.centre.phi)
+        every = 1 if count <= ROOMY else math.ceil(count / FEW)
+        return frozenset({*range(0, count, every), self.shown})
 
     @cached_property
     def none(self) -> Nothing:
         """What is nothing on the sheets."""
-        return nothing(self.states.values(), self.reach)
+        largest = max(one.forces.largest for one in self.states.values())
+        return Nothing(NOTHING * largest, NOTHING * largest * self.reach, NOTHING * self.reach)
 
     @cached_property
     def reach(self) -> float:
@@ -105,9 +110,15 @@ class Expected:
         """The places of the points of all links, the fixed ones among them, and of mass centres that no point names."""
         fixed, moving = self.mechanism.links[FRAME].points, self.comparison.motion.analysis.points
         found = dict(fixed) | {name: complex(one.r[self.shown]) for name, one in moving.items() if name not in fixed}
-        for name, (link, spot) in unnamed(self.own.linkage.scene, self.mechanism.links).items():
-            found[name] = self.at(link, spot)
+        for link, body in self.own.machine.bodies.items():
+            if f"S{link}" not in found and self._is_apart(link, body.centre):
+                found[f"S{link}"] = self.at(link, body.centre)
         return {name: spot for name, spot in found.items() if cmath.isfinite(spot)}
+
+    def _is_apart(self, link: int, centre: complex) -> bool:
+        """Tell whether a mass centre lies in none of the points of its link."""
+        sizes = [abs(place - centre) for place in self.mechanism.links[link].points.values()]
+        return min(sizes) > APART * max(sizes)
 
     def centre(self, state: str) -> complex:
         """Place the common mass centre."""

@@ -9,8 +9,8 @@ import numpy as np
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.balance.balance_schemes import PRIMES
-from drawings.checks.balance.share_level import bare, level, taken
-from drawings.checks.dynamics_graphs import written
+from drawings.checks.balance.share_level import bare, curve_letter, level, taken
+from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
@@ -20,7 +20,7 @@ from drawings.figures.graphs.curve_graph import BEFORE as THIN
 from drawings.lettering.words import number
 from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
-from drawings.paper.walk import walk
+from drawings.paper.walk import group_named, walk
 from drawings.symbols.symbols import TICK
 from plans.model.balance.linkage import Choice
 from plans.words.words import message
@@ -36,8 +36,8 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     name = moment_graph.NAME
     if name not in leaf.metadata["figures"]:
         return
-    part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
-    scales = {} if part is None else written(part)
+    part, seen = group_named(leaf.groups, name), marks.vectors(expected.measured, name)
+    scales = {} if part is None else written_scales(part)
     mu = marks.scale(expected.measured, name) if seen else scales.get("M", 1.0)
     yield from _ordinates(expected, seen, mu)
     yield from marks.titled(part, name, expected.drafting.word("rocking graph", point=expected.mechanism.drive.pivot))
@@ -158,12 +158,12 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     name, found = share_graph.NAME, expected.balance.shares
     if name not in leaf.metadata["figures"] or found is None:
         return
-    part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
+    part, seen = group_named(leaf.groups, name), marks.vectors(expected.measured, name)
     best = {share_graph.FORCES: found.least_force, share_graph.REACTIONS: found.least_reaction}
     mu = marks.scale(expected.measured, name)
     yield from _least(expected, seen, best, mu)
     yield from marks.titled(part, name, expected.drafting.word("share graph"))
-    scales = {} if part is None else written(part)
+    scales = {} if part is None else written_scales(part)
     yield from _scale(scales, "F", mu, expected)
     yield from _across(scales, "k")
     if part is None or not seen or "k" not in scales:
@@ -203,22 +203,17 @@ def _choice(
     name, near = share_graph.NAME, 2 * expected.near
     lowest = zero + best.share / across + 1j * value_of(best, kind) / up
     row = sorted([*spots, lowest], key=lambda spot: spot.real)
-    corners = [spot for chain in marks.lines(marks.figure(leaf, f"{name}-{kind}")) for spot in chain]
+    corners = [spot for chain in marks.lines(group_named(leaf.groups, f"{name}-{kind}")) for spot in chain]
     if not corners or any(min(abs(spot - corner) for corner in corners) > near for spot in row):
         yield on("path", name, name=kind)
     one = marks.vectors(expected.measured, name).get(kind)
     if one is not None and not abs(one.start - zero - best.share / across) <= near + KNOWN / across:
         yield on("foot", name, name=kind)
-    letter = share_graph.curve_letters(shaft_of(expected))[kind]
+    letter = curve_letter(expected, kind)
     if not _lettered(part, letter, row[-1]):
         yield on("letter", name, name=kind)
     if not any(tells(text, letter, best, kind, expected) for text in marks.lettering(part)):
         yield on("letter", name, name=kind)
-
-
-def shaft_of(expected: Expected) -> str:
-    """Letter the reaction of the crank's shaft."""
-    return share_graph.reaction_letter(expected.mechanism.drive.link, expected.drafting)
 
 
 def _lettered(part: Group, letter: str, spot: complex) -> bool:

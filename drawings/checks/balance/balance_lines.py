@@ -13,11 +13,13 @@ from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import runs
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.graphs.inventory import Inventory
+from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import shaking_hodograph, static_polygon
 from drawings.lettering.balance_letters import RESULT, lowered
 from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Group, Leaf
+from drawings.paper.walk import group_named
 
 POLE, ZERO = "o", "0"  # the letters of poles
 
@@ -47,7 +49,7 @@ class Figure(NamedTuple):
 
 def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Hold all that the polygon of static moments shows."""
-    part = marks.figure(leaf, static_polygon.NAME)
+    part = group_named(leaf.groups, static_polygon.NAME)
     if part is None:
         return
     figure, word = Figure(static_polygon.NAME, part, expected), expected.drafting.word
@@ -55,9 +57,10 @@ def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     own = [word("no vectors")]
     if seen:
         closed = [] if RESULT in seen else [word("closes by itself")]
-        own = [parts.scale(figure.mu, "{mr}", "kg*m", expected.drafting), *closed]
+        own = [scale_line(figure.mu, "{mr}", "kg*m", expected.drafting), *closed]
     parts.headed(ink, f"{word('polygon of static moments')}, {word('position', position=expected.shown)}", own)
     parts.spot(ink, figure.pole, ZERO, ZERO)
+    parts.weighed(ink, part, RESULT, expected.drafting.hand.main)
     starts = {one.name: one.start for one in expected.moments()} | {RESULT: 0j}
     for name, one in seen.items():
         parts.arrow(ink, one, lowered(name))
@@ -67,7 +70,7 @@ def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
 
 def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Hold all that the hodographs of the main vector show."""
-    part = marks.figure(leaf, shaking_hodograph.NAME)
+    part = group_named(leaf.groups, shaking_hodograph.NAME)
     if part is None:
         return
     figure, word = Figure(shaking_hodograph.NAME, part, expected), expected.drafting.word
@@ -75,7 +78,7 @@ def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     slack = max(expected.slack(name) for name in ("Φ", "Φ'")) / figure.mu
     ink = parts.inventory(figure.plan, part, parts.NEAR + slack)
     thin = [word("thin before")] if len(states) > 1 else []
-    parts.headed(ink, word("shaking hodograph"), [parts.scale(figure.mu, "F", "N", expected.drafting), *thin])
+    parts.headed(ink, word("shaking hodograph"), [scale_line(figure.mu, "F", "N", expected.drafting), *thin])
     parts.spot(ink, figure.pole, POLE, POLE)
     for name, one in figure.vectors.items():
         _shown(ink, one, name)
@@ -97,7 +100,7 @@ def _shown(ink: Inventory, one: MeasuredVector, name: str) -> None:
 def _state(ink: Inventory, figure: Figure, state: str) -> None:
     """Tick off the curve of a state, the points on it, and their numbers where these have room."""
     expected, one = figure.expected, figure.expected.states[state]
-    curve = marks.figure_in(figure.part, f"{figure.plan}-{state}")
+    curve = group_named((figure.part,), f"{figure.plan}-{state}")
     count = sum(1 for run in runs(np.asarray(one.around.force)) if len(run) > 1) if expected.whole else 0
     parts.chains(ink, curve, count, state)
     ends = {k: complex(one.centre.force[k]) for k in sorted(expected.told)}

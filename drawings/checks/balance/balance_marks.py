@@ -12,21 +12,11 @@ from drawings.checks.balance.balance_expected import Side
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
-from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
 from drawings.paper.walk import groups, texts, walk
 from plans.model.motion import Complexes
 
 CLEAR = 3.0  # mm: so near to a point a line may be cut off by its symbol
-
-
-def figure(leaf: Leaf, name: str) -> Group | None:
-    """Give a figure or a named part of one."""
-    return next((one for one in groups(leaf.groups) if one.name == name), None)
-
-
-def figure_in(part: Group, name: str) -> Group | None:
-    """Give a named part of a figure."""
-    return next((one for one in groups((part,)) if one.name == name), None)
 
 
 def pole(part: Group | None) -> complex:

@@ -23,7 +23,7 @@ from drawings.layout.parallel_offsets import APART
 from drawings.lettering.balance_letters import CENTRE
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Arc, Group, Leaf, Line
-from drawings.paper.walk import walk
+from drawings.paper.walk import group_named, walk
 from drawings.symbols.symbols import BLOCK, STONE
 from plans.model.balance.linkage import DISC, Counterweight
 from plans.model.mechanism import FRAME
@@ -57,7 +57,7 @@ class Scheme:
     @cached_property
     def part(self) -> Group | None:
         """Its figure."""
-        return marks.figure(self.leaf, self.plan)
+        return group_named(self.leaf.groups, self.plan)
 
     @cached_property
     def mu(self) -> float:
@@ -118,14 +118,15 @@ class Scheme:
         covers = list(self._covers())
         for state in dict.fromkeys((BEFORE, self.state)):
             name = f"{self.plan}-{PATH}{state}"
-            part = marks.figure(self.leaf, name)
+            part = group_named(self.leaf.groups, name)
             for spots in runs(self.expected.states[state].around.r) if self.expected.whole else ():
                 places = [self.on(spot) for spot in spots]
                 way = sum(abs(one - other) for one, other in pairwise(places))
                 if way > 2 * STILL and not marks.follows(marks.lines(part), places, self.near, covers):
                     yield on("path", self.plan, name=state)
             if state != self.state:
-                yield from marks.thinner(part, marks.figure(self.leaf, f"{self.plan}-{PATH}{self.state}"), self.plan)
+                own = group_named(self.leaf.groups, f"{self.plan}-{PATH}{self.state}")
+                yield from marks.thinner(part, own, self.plan)
             if part is not None and self.expected.states[state].path <= self.expected.none.way:
                 yield on("stranger_on", self.plan, name=name)
 
@@ -149,7 +150,7 @@ class Scheme:
 
     def _rim(self, one: Counterweight) -> Iterator[Wrong]:
         """Hold the outline of a counterweight to its sizes."""
-        part = marks.figure(self.leaf, f"{self.plan}-{RIM}{one.link}")
+        part = group_named(self.leaf.groups, f"{self.plan}-{RIM}{one.link}")
         strokes = [] if part is None else list(walk(part.strokes))
         arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
         ends = [stroke for stroke in strokes if isinstance(stroke, Line)]

@@ -7,12 +7,11 @@ from typing import NamedTuple
 
 from drawings.checks.graphs.figure_strokes import FLUSH, read
 from drawings.checks.graphs.inventory import Inventory
-from drawings.checks.graphs.scale_line import ratio, scale_text
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredVector
-from drawings.page.drafting import Drafting
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Circle, Group, Line, Polyline
+from drawings.paper.walk import groups
 from drawings.symbols.symbols import TICK
 
 NEAR = FLUSH + 8 * QUANTUM  # mm: places are read off marks that are rounded, their ends and their scales
@@ -34,12 +33,6 @@ def inventory(plan: str, part: Group, near: float = NEAR) -> Inventory:
     return Inventory(plan, (part,), near)
 
 
-def scale(mu: float, letter: str, unit: str, by: Drafting) -> str:
-    """Write a scale as it must be written; that of lengths with its ratio."""
-    told = scale_text(mu, letter, unit, (by.language, by.notation))
-    return f"{told} ({ratio(mu, by.language)})" if letter == "l" and by.notation != "K" else told
-
-
 def headed(ink: Inventory, title: str, under: Sequence[str]) -> None:
     """Tick off a title, and the line under it."""
     ink.text(read(title), on("title", ink.plan, text=title))
@@ -57,6 +50,21 @@ def arrow(ink: Inventory, one: MeasuredVector, letter: str) -> None:
         ink.letter_along(
             read(letter), one.start, one.end, on("letter", ink.plan, name=letter) if length > SEEN + NEAR else None
         )
+
+
+def weighed(ink: Inventory, part: Group, whole: str, main: float) -> None:
+    """See that the vector of the whole is drawn in a main line, and every other thinner."""
+    vectors = [one for one in groups((part,)) if one.data.get("kind") == "vector"]
+    for name, line in ((one.data["name"], one.strokes[0]) for one in vectors):
+        if isinstance(line, Line) and (line.style.width >= main) != (name == whole):
+            ink.wrong.append(on("line_named", ink.plan, name=name))
+
+
+def lined(ink: Inventory, part: Group | None, name: str, heavy: bool, main: float) -> None:
+    """See that the chains of a curve are drawn in a main line, mm wide, or all thinner."""
+    widths = [one.style.width for one in part.strokes if isinstance(one, Polyline)] if part is not None else []
+    if any((width >= main) != heavy for width in widths):
+        ink.wrong.append(on("line_named", ink.plan, name=name))
 
 
 def spot(ink: Inventory, at: complex, letter: str, name: str, radius: float | None = None) -> None:

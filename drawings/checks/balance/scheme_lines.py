@@ -16,6 +16,7 @@ from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import Scheme
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.graphs.inventory import Inventory
+from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.linkage import bars, drive_arrows, guides, pair_symbols, position_marks
 from drawings.checks.linkage.laid import Ground, LaidMechanism
 from drawings.checks.linkage.laid_plan import LaidPlan
@@ -120,7 +121,7 @@ class _Lines:
     def _headed(self, ink: Inventory) -> None:
         by = self.expected.drafting
         title = f"{by.word(f'scheme {self.scheme.state}')}, {by.word('position', position=self.expected.shown)}"
-        parts.headed(ink, title, [parts.scale(self.scheme.mu, "l", "m", by)])
+        parts.headed(ink, title, [scale_line(self.scheme.mu, "l", "m", by)])
 
     def _aside(self, ink: Inventory) -> None:
         """Leave paths and outlines of counterweights aside, which are held by themselves; a swinging S has dots."""
@@ -195,7 +196,7 @@ class _Lines:
     def _guide(self, ink: Inventory, slide: Slide) -> None:
         """Tick off the axis of a guide, and the ground beside its block."""
         axis, block = guides.axis_of(self.plan, slide), complex(self.plan.poses.block(slide)[self.expected.shown])
-        self._along(ink, axis, on("guide", ink.plan, name=slide.point), guides.lengthened(axis, self.plan))
+        self._along(ink, axis, on("guide", ink.plan, name=slide.point), guides.lengthened(self.plan, slide))
         if not guides.grounded(self.plan, slide, self.plan.lines(guides.GROUNDS)):
             ink.wrong.append(on("ground", ink.plan, name=slide.point))
         ink.every(Line, partial(strokes.within, at=block, far=(guides.HALF + STAND[2]) * self.symbol))

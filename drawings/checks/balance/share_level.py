@@ -9,7 +9,11 @@ from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import share_graph
+from drawings.lettering.balance_letters import FORCE
+from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Group, Leaf, Line, Text
+from drawings.paper.walk import group_named
+from plans.forces.cut import indices
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.mechanism import FRAME
 
@@ -21,14 +25,21 @@ def level(leaf: Leaf, part: Group, expected: Expected, zero: complex, scales: tu
     across, up = scales
     start = zero + 1j * bare(expected) / up
     end, near = start + 1 / across, 2 * expected.near + KNOWN * bare(expected) / up
-    lines = marks.lines(marks.figure(leaf, NAME))
+    lines = marks.lines(group_named(leaf.groups, NAME))
     if len(lines) != 1 or abs(lines[0][0] - start) > near or abs(lines[0][-1] - end) > near + KNOWN / across:
         yield on("line", share_graph.NAME)
-    crank = expected.mechanism.drive.link
-    letters = share_graph.curve_letters(share_graph.reaction_letter(crank, expected.drafting))
-    text = Text(0j, expected.drafting.word("bare level", letter=letters[share_graph.REACTIONS])).plain
+    letter = curve_letter(expected, share_graph.REACTIONS)
+    text = Text(0j, expected.drafting.word("bare level", letter=letter)).plain
     if distance(labels_of((part,)).get(text, ()), [(start + end) / 2]) > NEAREST:
         yield on("letter", share_graph.NAME, name=text)
+
+
+def curve_letter(expected: Expected, kind: str) -> str:
+    """Letter a curve: the largest shaking force, or the largest reaction of the crank's shaft."""
+    if kind == share_graph.FORCES:
+        return f"{FORCE}_{{max}}"
+    by, pair = expected.drafting, indices(FRAME, expected.mechanism.drive.link)
+    return f"{by.letter(with_index(f'{by.reactions}_{pair}'))} _{{max}}"
 
 
 def bare(expected: Expected) -> float:
@@ -43,7 +54,7 @@ def taken(leaf: Leaf, expected: Expected, zero: complex, across: float) -> Itera
     assert found is not None  # asked before
     best = found.least_force if task.least == LEAST_FORCE else found.least_reaction
     share = best.share if task.share is None else task.share
-    part = marks.figure(leaf, f"{name}-{share_graph.TAKEN}")
+    part = group_named(leaf.groups, f"{name}-{share_graph.TAKEN}")
     lines = [one for one in (part.strokes if part is not None else ()) if isinstance(one, Line)]
     spot = zero.real + share / across
     if not lines or any(abs(end.real - spot) > 2 * expected.near for one in lines for end in (one.start, one.end)):

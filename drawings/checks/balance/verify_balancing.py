@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from drawings.checks.balance import (
     balance_axes,
@@ -16,11 +16,16 @@ from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import schemes
 from drawings.checks.balance.balance_told import notes
-from drawings.checks.documents import title_block
+from drawings.checks.documents import title_block, together
 from drawings.checks.graphs.scale_line import ratio
+from drawings.checks.workings import machine_workings
+from drawings.checks.workings.due_line import DueLine, Quantity
+from drawings.checks.workings.linkage_workings import lengths
 from drawings.checks.wrong import Wrong
-from drawings.figures.balance import moment_graph, shaking_hodograph, share_graph, static_polygon
+from drawings.figures.balance import balance_table, moment_graph, shaking_hodograph, share_graph, static_polygon
 from drawings.figures.balance.scheme import BEFORE, SCHEME
+from drawings.figures.workings.working import LENGTHS, SEGMENTS
+from drawings.lettering.balance_letters import lowered
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.report.balance.balance_report import drafting_for
@@ -32,8 +37,7 @@ KIND = "balancing"  # of its sheets
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a balanced mechanism shows against the analysis (row of the table of sheets)."""
-    shown = leaf.metadata["position"]
-    expected = Expected(study["balance"], study.comparison("balance"), drafting_for(study["balance"]), shown, measured)
+    expected = _expected(measured, leaf, study)
     yield from _figures(leaf, expected)
     yield from schemes(leaf, expected)
     yield from balance_curves.polygon(leaf, expected)
@@ -47,8 +51,38 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from balance_lines.shaking(leaf, expected)
     yield from balance_axes.rocking(leaf, expected)
     yield from balance_axes.shares(leaf, expected)
+    yield from machine_workings.held(leaf, dict(_workings(leaf, expected)), expected.drafting)
     yield from notes(leaf, expected)
     yield from _page(leaf, expected)
+
+
+def set_faults(sheets: Sequence[tuple[Measured, Leaf]], study: Study) -> Iterator[Wrong]:
+    """See that the sheets have all figures, tables and notes between them, each once."""
+    leaves = [leaf for _, leaf in sheets]
+    for measured, leaf in sheets[:1]:
+        expected = _expected(measured, leaf, study)
+        tables = balance_table.COSTS, *([balance_table.WEIGHTS] if expected.balance.counterweights else [])
+        yield from together.figures(leaves, [*_due(expected)])
+        yield from together.parted(leaves, tables)
+        yield from together.notes(leaves)
+
+
+def _expected(measured: Measured, leaf: Leaf, study: Study) -> Expected:
+    own, shown = study["balance"], leaf.metadata["position"]
+    return Expected(own, study.comparison("balance"), drafting_for(own), shown, measured)
+
+
+def _workings(leaf: Leaf, expected: Expected) -> Iterator[tuple[str, list[DueLine]]]:
+    """Give what must be told of links and static moments laid off, by the figures of a sheet."""
+    mechanism, drafting = expected.mechanism, expected.drafting
+    scales = {name: marks.scale(expected.measured, name) for name in leaf.metadata["figures"]}
+    for name in (SCHEME + state for state in expected.states if SCHEME + state in scales):
+        due = lengths(mechanism, list(mechanism.links), scales[name], drafting)
+        yield machine_workings.named(LENGTHS, name), due
+    if (mu := scales.get(static_polygon.NAME)) is not None:
+        sides, slack = balance_curves.static_moments(expected)
+        own = {lowered(one.name): Quantity(abs(one.value), slack) for one in sides}
+        yield machine_workings.named(SEGMENTS, static_polygon.NAME), machine_workings.segments(own, "mr", mu, drafting)
 
 
 def _page(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:

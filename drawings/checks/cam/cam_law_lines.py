@@ -8,9 +8,10 @@ from itertools import pairwise
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_law_rows import means
 from drawings.checks.cam.cam_laws import LawGraph, named
-from drawings.checks.cam.cam_units import UNITS, written_scale
+from drawings.checks.cam.cam_units import UNITS
 from drawings.checks.graphs.figure_strokes import FLUSH, figure
 from drawings.checks.graphs.linework import FAR, Dimensioned, Linework, Way
+from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.law_graph import MARKED
 from drawings.page.drafting import Drafting
@@ -78,9 +79,9 @@ def _words(work: Linework, one: LawGraph, above: LawGraph | None, drafting: Draf
     cam, row = one.expected.cam, one.row
     unit = UNITS[cam.rocks, cam.translates][KEYS.index(row.key)]
     turn, turned = ("x", "m") if cam.translates else ("φ", "rad")
-    scales = [written_scale(f"{{{row.letter}}}", one.mu, unit, drafting)] if row.most else []
+    scales = [scale_line(one.mu, f"{{{row.letter}}}", unit, drafting)] if row.most else []
     if above is None:
-        scales.append(written_scale(turn, one.along, turned, drafting))
+        scales.append(scale_line(one.along, turn, turned, drafting))
     elif row.most and above.row.most:
         number = KEYS[::-1].index(row.key)
         distance = one.mu / (above.mu * above.along)

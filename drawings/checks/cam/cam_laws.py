@@ -12,8 +12,9 @@ import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_law_rows import Course, ExpectedRow, expected_rows
-from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read, scales
+from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read
 from drawings.checks.graphs.graph import KNOWN, Graph
+from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.law_graph import LEAST, MARKED
 from drawings.lettering.words import number
@@ -50,7 +51,7 @@ class LawGraph(Graph):
     def mu(self) -> float:
         """The scale of the ordinates."""
         stated = (one.scale for one in self.marks.values())
-        return next(stated, scales(self.strokes).get(self.row.letter, 1.0))
+        return next(stated, written_scales(self.strokes.group).get(self.row.letter, 1.0))
 
     @property
     def slack(self) -> float:
@@ -95,7 +96,7 @@ class LawGraph(Graph):
 
     def _scales(self) -> Iterator[Wrong]:
         """Hold the written scale against that of the ordinates."""
-        written = scales(self.strokes).get(self.row.letter, 0.0)
+        written = written_scales(self.strokes.group).get(self.row.letter, 0.0)
         if self.marks and number(written) != number(self.mu):
             yield message("wrong.scale", text=f"μ_{self.row.letter}")
 
@@ -189,7 +190,8 @@ def graphs(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draftin
     """Give the rows that are laid out, from the top."""
     rows = [(one, figure(leaf, named(expected.cam, one.key))) for one in expected_rows(expected)]
     turn = "x" if expected.cam.translates else "φ"
-    along = next((scales(own)[turn] for _, own in rows if own is not None and turn in scales(own)), float("nan"))
+    stated = (written_scales(own.group) for _, own in rows if own is not None)
+    along = next((own[turn] for own in stated if turn in own), float("nan"))
     return tuple(
         LawGraph(row, strokes, measured, expected, along, drafting) for row, strokes in rows if strokes is not None
     )

@@ -224,7 +224,7 @@ class ProfileLines:
         for number, phase in enumerate(cam.phases):
             ends = [self.on(complex(self.expected.back(0j, turned))).real for turned in (phase.start, phase.end)]
             letter = phase_name(cam, number, self.drafting)
-            lines = [one for one in self.strokes.lines if _spans(one.start, one.end, ends)]
+            lines = [one for one in self.strokes.lines if spans(one.start, one.end, ends)]
             if not any(self.strokes.lettered(letter, [(one.start + one.end) / 2]) for one in lines):
                 yield on("phase", NAME, name=letter)
 
@@ -233,7 +233,7 @@ def _leg(radius: float, aside: float) -> float:
     return math.sqrt(max(radius**2 - aside**2, 0.0))
 
 
-def _spans(start: complex, end: complex, ends: list[float]) -> bool:
+def spans(start: complex, end: complex, ends: list[float]) -> bool:
     """Tell whether a level line goes from one place to another."""
     level = abs((end - start).imag) <= NEAR
     xs = sorted((start.real, end.real))

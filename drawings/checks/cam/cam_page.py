@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.cam.cam_units import written_scale
 from drawings.checks.documents import title_block
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
+from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.wrong import Wrong, on
 from drawings.page.drafting import Drafting
 from drawings.paper.formats import SIZES
@@ -38,7 +38,7 @@ def headed(strokes: FigureStrokes, plan: str, title: str, mu: float, drafting: D
     """Hold the title of a figure with its scale of lengths in full."""
     if read(title) not in strokes.texts:
         yield on("title", plan, text=title)
-    scale = read(written_scale("l", mu, "m", drafting))
+    scale = read(scale_line(mu, "l", "m", drafting))
     if scale not in strokes.texts:
         yield message("wrong.scale", text=scale)
 

@@ -10,9 +10,9 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
-from drawings.checks.cam.cam_units import written_scale
-from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read, scales
+from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read
 from drawings.checks.graphs.linework import FAR, Linework, Way
+from drawings.checks.graphs.scale_line import scale_line, written_scales
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME
@@ -106,8 +106,8 @@ class PressureGraph:
         cam, drafting = self.expected.cam, self.drafting
         turn, unit = ("x", "m") if cam.translates else ("φ", "rad")
         scales = [
-            written_scale("α", self.mu, "°", drafting),
-            written_scale(turn, self.written.get(turn, math.nan), unit, drafting),
+            scale_line(self.mu, "α", "°", drafting),
+            scale_line(self.written.get(turn, math.nan), turn, unit, drafting),
         ]
         letters = [phase_name(cam, k, drafting) for k in range(len(cam.phases))]
         due = [drafting.word("cam pressure graph"), ";  ".join(scales), turn, "α, °", *letters]
@@ -136,7 +136,7 @@ class PressureGraph:
     @cached_property
     def written(self) -> dict[str, float]:
         """The written scales by their letters."""
-        return scales(self.strokes)
+        return written_scales(self.strokes.group)
 
     @cached_property
     def mu(self) -> float:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks.cam.cam_expected import EQUAL, phase_name
-from drawings.checks.cam.cam_lines import CHORDED, ProfileLines
+from drawings.checks.cam.cam_lines import CHORDED, ProfileLines, spans
+from drawings.checks.cam.shape.rack import Rack
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.graphs.linework import FAR, LEAN, OUTER, Linework, Way
 from drawings.checks.wrong import Wrong, on
@@ -62,12 +63,42 @@ class ProfileWork:
 
     def _laid(self, due: list[Way]) -> Iterator[Wrong]:
         """Hold the lines that must be there; of a roller or a point on a cam that turns no other line is drawn."""
-        cam = self.lines.expected.cam
-        if cam.flat or cam.translates:
-            yield from self.work.missing([one for one in due if one.due])
-            return
-        known = [*due, *self._turned()]
-        yield from self.work.ways(known, {id(one) for one in self.work.lines if self._hatching(one)})
+        cam, rack = self.lines.expected.cam, self._rack
+        known, but = [*due, *self._turned()], {id(one) for one in self.work.lines if self._hatching(one)}
+        known += [*self._flat()] if cam.flat else []
+        if cam.translates:
+            yield from rack.faults(self.lines.strokes, NAME)
+            known += [*rack.ways(), *self._carried()]
+            but |= {id(one) for one in self.work.lines if rack.hatching(one)}
+        yield from self.work.ways(known, but)
+
+    @property
+    def _rack(self) -> Rack:
+        lines = self.lines
+        return Rack(lines.expected.found, lines.origin, lines.mu, self.symbol)
+
+    def _carried(self) -> Iterator[Way]:
+        """Give the arrow of a cam that translates and the dimensions of its phases, which are held by themselves."""
+        strokes, lines = self.lines.strokes, self.lines
+        own = (one for one in strokes.pointings if strokes.lettered("v", [(one.start + one.tip) / 2]))
+        yield from (Way("v", one.start, one.tip, due=False) for one in own)
+        for phase in lines.expected.cam.phases:
+            ends = [lines.on(complex(lines.expected.back(0j, turned))).real for turned in (phase.start, phase.end)]
+            for one in (one for one in self.work.lines if spans(one.start, one.end, ends)):
+                yield Way("x", one.start, one.end, OUTER * ARROW_LENGTH * self.symbol, due=False)
+            yield from (
+                Way("x", complex(x, lines.origin.imag), complex(x, lines.origin.imag + 1), FAR, due=False) for x in ends
+            )
+
+    def _flat(self) -> Iterator[Way]:
+        """Give the turned faces, and of a rocker what holds each of them before its pivot."""
+        lines, expected = self.lines, self.lines.expected
+        own, held = expected.contour, expected.cam.follower.face
+        for k, (spot, normal) in enumerate(zip(lines.spots.tolist(), expected.normals.tolist(), strict=True)):
+            yield Way("", spot, spot - 1j * normal, FAR, due=False)
+            pivot = complex(expected.back(expected.sizes.pivot, own.turned[k]))
+            if expected.cam.rocks:
+                yield Way("", lines.on(pivot), lines.on(pivot + held * normal), due=False)
 
     def _turned(self) -> Iterator[Way]:
         """Give the turned axes or arms, the bounds of phases, the rod or the arm; other checks see that they are."""

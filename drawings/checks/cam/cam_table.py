@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
-from drawings.checks.cam.cam_told import BARE
+from drawings.checks.cam.cam_units import BARE
 from drawings.checks.documents import ruled
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.linkage import by_hand

@@ -22,10 +22,14 @@ from drawings.checks.cam.cam_marks import marks
 from drawings.checks.cam.cam_pressure import PressureGraph
 from drawings.checks.cam.cam_profile_lines import ProfileWork
 from drawings.checks.cam.cam_size_lines import SizeLines
-from drawings.checks.cam.cam_units import ratio, written_scale
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
+from drawings.checks.cam.shape import profile_styles
+from drawings.checks.cam.shape.round_lines import RoundLines
+from drawings.checks.cyclogram.cyclogram_charts import BARS, CIRCLE
+from drawings.checks.documents import together
 from drawings.checks.graphs.figure_strokes import figure
+from drawings.checks.graphs.scale_line import ratio, scale_line
 from drawings.checks.linkage import accord
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import NAME as PRESSURE
@@ -35,6 +39,7 @@ from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from plans.cam.study import CYCLOGRAM
 from plans.checks.cam.comparison import of_cam
 from plans.checks.comparison import Finding
 from plans.checks.hand.cam import readings
@@ -58,8 +63,33 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check(measured, leaf, expected, compared, drafting)
     profile = figure(leaf, PROFILE)
     pole = None if profile is None else cam_page.pole_of(profile)
-    title, scale = drafting.word("cam sheet title", name=name), "" if pole is None else ratio(pole[1], drafting)
+    title = drafting.word("cam sheet title", name=name)
+    scale = "" if pole is None else ratio(pole[1], drafting.language)
     yield from cam_page.paper(leaf, study.scene, "cam", title, scale)
+
+
+def set_faults(sheets: Sequence[tuple[Measured, Leaf]], study: Study) -> Iterator[Wrong]:
+    """See that every cam has its figures, its whole table and its notes on its sheets, and a shaft its charts."""
+    leaves, drafting = [leaf for _, leaf in sheets], drafting_of(study.scene)
+    cams = study.comparison("cam").analysis.cams
+    for found in cams:
+        own = [leaf for leaf in leaves if leaf.metadata["cam"] == found.cam.name]
+        expected = Expected(found, study["cam"].drawings[found.cam.name])
+        yield from together.figures(own, [*_figures(expected)])
+        rows = (row.title(drafting) for row in cam_table.rows(expected))
+        yield from together.table(own, cam_table.NAME, [*rows])
+        yield from together.notes(own)
+    shared = [leaf for leaf in leaves if leaf.metadata["cam"] not in [one.cam.name for one in cams]]
+    if shared or (CYCLOGRAM not in study.scene.sheets and sum(not one.cam.translates for one in cams) > 1):
+        yield from together.figures(shared, (BARS, CIRCLE))
+        yield from together.notes(shared)
+
+
+def _figures(expected: Expected) -> Iterator[str]:
+    """Give the figures that the sheets of a cam bear."""
+    yield from (PROFILE, cam_laws.named(expected.cam))
+    yield from () if expected.cam.translates else (DIAGRAM,)
+    yield from (PRESSURE,) if expected.cam.rocks or not expected.cam.flat else ()
 
 
 def check(
@@ -100,11 +130,14 @@ def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
     yield from wrong(measured.profiles, PROFILE, analysed(expected.found, ROLLED))
     if expected.found.roller and all(one.name != PITCH for one in measured.profiles if one.plan == PROFILE):
         yield on("missing_on", PROFILE, name=PITCH)
+    yield from profile_styles.faults(strokes, PROFILE, expected.found, drafting.hand)
     yield from wrong_marks(measured, leaf, expected.found, drafting)
     yield from marks(measured, expected, origin, mu, drafting.hand)
     lines = ProfileLines(strokes, expected, origin, mu, drafting)
     yield from lines.faults()
-    title, scale = drafting.word("cam profile"), written_scale("l", mu, "m", drafting)
+    sized = (one for one in measured.vectors if one.plan == PROFILE and one.name == "ρ_min")
+    yield from RoundLines(lines, next(sized, None)).faults()
+    title, scale = drafting.word("cam profile"), scale_line(mu, "l", "m", drafting)
     yield from ProfileWork(lines, measured, title, scale).faults()
     yield from cam_told.sizes(strokes, expected, drafting)
     yield from cam_page.headed(strokes, PROFILE, drafting.word("cam profile"), mu, drafting)

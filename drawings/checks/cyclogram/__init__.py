@@ -1,1 +1,1 @@
-"""The self-check of the charts of a cyclogram, stroke by stroke (проверка циклограммы)."""
+"""The self-check of a cyclogram: charts, tables, notes, report (проверка циклограммы)."""

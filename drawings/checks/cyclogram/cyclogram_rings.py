@@ -5,14 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
 from drawings.checks.cyclogram.cyclogram_bars import ticks
+from drawings.checks.cyclogram.cyclogram_charts import SHARE
 from drawings.checks.cyclogram.cyclogram_words import DIGITS as ANGLE_DIGITS
 from drawings.checks.cyclogram.cyclogram_words import label, row_name
-from drawings.checks.cyclogram_charts import SHARE
+from drawings.checks.cyclogram.due_rows import THIN
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.precise import precise, tells
@@ -20,10 +21,11 @@ from drawings.checks.wrong import Wrong, on
 from drawings.lettering.extent import bounds
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Text
-from plans.model.cyclogram import TURN, Row
+from plans.model.cyclogram import TURN, Row, Span
 
 CIRCLE = "circle"
 TICKED = 2.5  # mm: so far from a circle at most goes a tick
+SQUARE = 0.05  # rad that the middle of a text's box may turn it off its ring: letters are not alike on both sides
 
 
 @dataclass(frozen=True)
@@ -73,7 +75,7 @@ class RingStrokes:
         for k, row in enumerate(self.rows):
             low, high = radii[len(self.rows) - 1 - k], radii[len(self.rows) - k]
             for span in row.spans:
-                self._span(centre, (low, high), self.sense * span.start, self.sense * span.end, f"ring-{k}")
+                self._span(centre, (low, high), span, f"ring-{k}")
         for k, row in enumerate(self.rows):
             low, high = radii[len(self.rows) - 1 - k], radii[len(self.rows) - k]
             self._named(centre, (low, high), row)
@@ -88,6 +90,8 @@ class RingStrokes:
             spot = complex(left + right, bottom + top) / 2 - centre
             gone = (self.sense * cmath.phase(spot) - start) % TURN
             half = centre + cmath.rect(middle, self.sense * (start + end) / 2)
+            if one.rotation:
+                return gone <= end - start and _follows(one, centre, ring, self.sense * (start + end) / 2, end - start)
             return (ring[0] < abs(spot) < ring[1] and gone <= end - start) or own.beside(one, [half])
 
         for span in row.spans:
@@ -117,8 +121,10 @@ class RingStrokes:
             on("sense", CIRCLE, name="ω"),
         )
 
-    def _span(self, centre: complex, ring: tuple[float, float], start: float, end: float, name: str) -> None:
-        """Hold the line where a span begins, across its ring, and the arc of the span within it."""
+    def _span(self, centre: complex, ring: tuple[float, float], span: Span, name: str) -> None:
+        """Hold the line where a span begins, across its ring, and the arc of the span, main or thin, within it."""
+        start, end = self.sense * span.start, self.sense * span.end
+        wide = self.drafting.hand.construction if span.kind in (*THIN, "rest") else self.drafting.hand.main
         own, wrong, ray = self.inventory, on("differs_on", CIRCLE, name=name), cmath.rect(1.0, start)
         own.line(centre + ring[0] * ray, centre + ring[1] * ray, wrong)
         low, high = sorted((start, end))
@@ -127,6 +133,7 @@ class RingStrokes:
             lambda one: (
                 abs(one.centre - centre) <= FLUSH
                 and ring[0] < one.radius < ring[1]
+                and (one.style.width, one.style.dash) == (wide, ())
                 and max(_apart(one.start_angle, low), _apart(one.end_angle, high)) * ring[1] <= FLUSH
             ),
             wrong,
@@ -135,3 +142,13 @@ class RingStrokes:
 
 def _apart(one: float, other: float) -> float:
     return abs(math.remainder(one - other, math.tau))
+
+
+def _follows(one: Text, centre: complex, ring: tuple[float, float], middle: float, wide: float) -> bool:
+    """Tell whether a text follows its ring, upright, between the ends of a span so wide about its middle, rad."""
+    way, box = cmath.rect(1.0, math.radians(one.rotation)), bounds(replace(one, rotation=0.0))
+    corners = [one.at + (complex(x, y) - one.at) * way - centre for x in box[::2] for y in box[1::2]]
+    spot = sum(corners) / len(corners)
+    along = abs((way / spot).real) * abs(spot) <= SQUARE and way.real >= -SQUARE
+    held = all(abs(cmath.phase(one / cmath.rect(1.0, middle))) <= wide / 2 for one in corners)
+    return along and held and all(ring[0] < abs(one) < ring[1] for one in corners)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
+from drawings.checks.cyclogram.due_rows import DASHED, THIN
 from drawings.page.drafting import Drafting
-from drawings.paper.strokes import Text
-from plans.model.cyclogram import Row, Span
+from drawings.paper.strokes import Arc, Line, Text
+from plans.model.cyclogram import Row, Span, within
 
 DIGITS = 5
 OWN = ("strokes", "tool", "feed")  # rows of the main mechanism and of the feed; any other is a cam's
@@ -24,6 +25,19 @@ def doing(span: Span, drafting: Drafting) -> str:
     if span.label:
         return Text(0j, drafting.letter(f"φ_{{{span.label}}}")).plain
     return Text(0j, drafting.word(f"cyclogram {span.kind}")).plain
+
+
+def setting(row: Row, begin: float, drafting: Drafting) -> str:
+    """Write what dimensions a setting angle: of one that stands before φ = 0 also what it lacks of a whole turn."""
+    told = f"{row_name(row, drafting)}: {drafting.number(math.degrees(within(row.setting or 0.0)), DIGITS)}°"
+    back = within(-begin) - within((row.setting or 0.0) - begin)
+    return told if back <= 0 else f"{told} = 360° − {drafting.number(math.degrees(back), DIGITS)}°"
+
+
+def in_style(line: Line | Arc, span: Span, drafting: Drafting) -> bool:
+    """Tell whether a line is the one that a span is drawn by: main, thin, or thin and dashed."""
+    wide = drafting.hand.thin if span.kind in THIN else drafting.hand.main
+    return line.style.width == wide and bool(line.style.dash) == (span.kind in DASHED)
 
 
 def angle(span: Span, drafting: Drafting) -> str:

@@ -9,8 +9,9 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.diagrams.expected_rows import ExpectedRow
-from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read, scales
+from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read
 from drawings.checks.graphs.graph import KNOWN, Graph
+from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.figures.diagrams.row_graph import LEAST, MARKED
@@ -45,7 +46,7 @@ class RowGraph(Graph):
     @cached_property
     def mu(self) -> float:
         """The scale of the ordinates: that which is written."""
-        return scales(self.strokes).get(self.row.letter, 1.0)
+        return written_scales(self.strokes.group).get(self.row.letter, 1.0)
 
     @property
     def slack(self) -> float:
@@ -61,6 +62,7 @@ class RowGraph(Graph):
 
     def faults(self, shared: frozenset[int]) -> Iterator[Wrong]:
         """Hold the whole row; `shared` are the positions that any row numbers."""
+        yield from self.axes()
         yield from self._ordinates(shared)
         yield from self._ticks()
         yield from self._numbers(shared)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow
+from drawings.checks.documents import ruled
 from drawings.checks.graphs.figure_strokes import read
-from drawings.checks.precise import precise, tells
-from drawings.checks.reading import reads
+from drawings.checks.precise import precise, rounded, tells
+from drawings.checks.reading import NOTES, reads
 from drawings.checks.wrong import Wrong, within
 from drawings.figures.diagrams.output_table import ABSENT, NAME
 from drawings.page.drafting import Drafting
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
@@ -23,7 +24,6 @@ from plans.model.diagrams import TURN
 from plans.model.motion import Floats
 from plans.words.words import Message, said
 
-NOTES = "notes"  # the name of their figure
 FASTER = KEYS[1]  # whose chords span a step each
 DIGITS, PER_CENT = 4, 2
 ANGLE = 2  # decimals of φ
@@ -36,7 +36,9 @@ def table(leaf: Leaf, comparison: DiagramsComparison, omega: float, drafting: Dr
     """Read the table of the output's course back; the one that a lone sheet bears is whole."""
     columns, heads = _columns(comparison, omega), _heads(comparison, drafting)
     axis, seen = comparison.analysis.axis, set[int]()
-    own = [one for one in leaf.groups if one.name.startswith(f"{NAME}-")]
+    own = output_tables(leaf)
+    for group in own:
+        yield from ruled.faults(group, NAME, [read(drafting.word("position head")), *heads])
     decimals = [ANGLE, *(_decimals(*column) for column in columns[1:])]
     for row in (row for group in own for row in reading.rows(group)):
         cells = [text.plain for text in row]
@@ -52,8 +54,19 @@ def table(leaf: Leaf, comparison: DiagramsComparison, omega: float, drafting: Dr
         for text, (values, slack), places in zip(cells[1:], columns, decimals, strict=True):
             if not _holds(text, float(values[k]), slack, places):
                 yield within("cell", NAME, name=cells[0], text=text)
-    count = len(axis.numbers) - axis.closed
-    if leaf.metadata["of"] == 1 and len(seen) < min(count, MOST // 2):
+    if leaf.metadata["of"] == 1:
+        yield from too_few(seen, comparison)
+
+
+def output_tables(leaf: Leaf) -> list[Group]:
+    """Give the tables of the output's course on a sheet."""
+    return [one for one in leaf.groups if one.name.startswith(f"{NAME}-")]
+
+
+def too_few(seen: Collection[int], comparison: DiagramsComparison) -> Iterator[Wrong]:
+    """See that so many positions are told of as there are, or of very many a good part."""
+    axis = comparison.analysis.axis
+    if len(seen) < min(len(axis.numbers) - axis.closed, MOST // 2):
         yield within("missing_from", NAME, name=str(len(seen)))
 
 
@@ -103,7 +116,7 @@ def notes(leaf: Leaf, own: DiagramsStudy, rows: tuple[ExpectedRow, ...], draftin
         if words or leaf.metadata["of"] == 1:
             for one in due:
                 if not _among(words, one):
-                    yield within("missing_from", NOTES, name=" ".join(one))
+                    yield within("missing_from", NOTES, name=rounded(" ".join(one)))
 
 
 def _among(words: list[str], due: list[str]) -> bool:

@@ -9,7 +9,9 @@ from drawings.checks.diagrams import diagram_told
 from drawings.checks.diagrams.diagram_poles import poles
 from drawings.checks.diagrams.diagram_rows import graphs
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_rows
-from drawings.checks.graphs.figure_strokes import figure, scales
+from drawings.checks.graphs.figure_strokes import figure
+from drawings.checks.graphs.scale_line import written_scales
+from drawings.checks.workings import diagram_workings
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.lettering.words import number
@@ -47,10 +49,12 @@ def _figure(
 ) -> Iterator[Wrong]:
     """Hold the heading with the scales along the axis, each row, the poles."""
     head, omega = figure(leaf, NAME), abs(own.linkage.mechanism.drive.omega)
-    stated = {} if head is None else scales(head)
+    stated = {} if head is None else written_scales(head.group)
     along = stated.get("φ", 1.0)
     if _written(stated.get("t", math.inf), drafting) != _written(along / omega, drafting):
         yield message("wrong.scale", text="μ_t")
+    if _written(dict(own.linkage.scene.sheet.scale.stated).get("angle", along), drafting) != _written(along, drafting):
+        yield on("scale_stated", NAME)
     due = _title(own, drafting)
     if head is None or due not in head.texts:
         yield on("title", NAME, text=due)
@@ -62,6 +66,7 @@ def _figure(
     for one in found:
         yield from one.faults(shared)
     yield from poles(leaf, found, omega)
+    yield from diagram_workings.of_diagrams(leaf, found, omega, own.linkage.mechanism.drive.link, drafting)
 
 
 def _written(mu: float, drafting: Drafting) -> str:

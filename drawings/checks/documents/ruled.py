@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from operator import attrgetter
 
 from drawings.checks import reading
@@ -14,8 +14,11 @@ from drawings.paper.strokes import Group, Line, Text
 from drawings.paper.walk import flat
 
 
-def faults(group: Group, table: str, heads: Sequence[str]) -> Iterator[Wrong]:
-    """See that a table has all its lines, and that its headings and the texts of its rows stand in their cells."""
+def faults(group: Group, table: str, heads: Sequence[str], blank: Collection[tuple[str, int]] = ()) -> Iterator[Wrong]:
+    """See that a table has all its lines, and that its headings and the texts of its rows stand in their cells.
+
+    `blank` are the cells that are empty, each by the name of its row and the number of its column.
+    """
     lines = [one for one in flat((group,)) if isinstance(one, Line)]
     upright = [one for one in lines if abs((one.end - one.start).real) <= QUANTUM]
     level = [one for one in lines if abs((one.end - one.start).imag) <= QUANTUM]
@@ -28,7 +31,9 @@ def faults(group: Group, table: str, heads: Sequence[str]) -> Iterator[Wrong]:
     for k, row in enumerate(rows):
         if k == 0 and [text.plain for text in row] != [*heads]:
             yield within("in", table, text="; ".join(text.plain for text in row))
-        elif [_cell(text, columns, floors) for text in row] != [(j, len(rows) - 1 - k) for j in range(len(heads))]:
+            continue
+        due = [(j, len(rows) - 1 - k) for j in range(len(heads)) if (row[0].plain, j) not in blank]
+        if k and [_cell(text, columns, floors) for text in row if text.plain] != due:
             yield within("row", table, name=row[0].plain)
 
 

@@ -14,6 +14,9 @@ from plans.scene.sheet import SheetTable
 
 Sheets = Sequence[tuple[Mapping[str, str], Measured]]  # how names of figures begin, and their keys of [sheet.scale]
 
+# Keys that govern an axis of graphs, with the quantities of the marks along it: the others measure ordinates.
+AXES: Mapping[str, tuple[str, ...]] = {"angle": (), "way": ("S", "ψ")}
+
 
 def faults(sheets: Sheets, sheet: SheetTable) -> Iterator[Wrong]:
     """Give the figures of measured sheets whose scales are not those that are stated, or not common ones."""
@@ -27,7 +30,7 @@ def _not_stated(sheets: Sheets, stated: Mapping[str, float]) -> Iterator[Wrong]:
         for mark in (*measured.vectors, *measured.points, *measured.profiles):
             figure = f"{mark.plan.replace(' ', '-')}-"
             key = next((key for begin, key in keys.items() if figure.startswith(begin)), "")
-            if mark.scale != stated.get(key, mark.scale):
+            if mark.quantity in AXES.get(key, (mark.quantity,)) and mark.scale != stated.get(key, mark.scale):
                 yield on("scale_stated", mark.plan)
 
 

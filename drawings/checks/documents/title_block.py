@@ -37,6 +37,17 @@ FORM = (
     (135, 20, 185, 20), (65, 15, 185, 15), (7, 30, 7, 55), (17, 0, 17, 55), (40, 0, 40, 55), (55, 0, 55, 55),
     (65, 0, 65, 55), (135, 0, 135, 40), (150, 20, 150, 40), (167, 20, 167, 40), (155, 15, 155, 20),
 )  # fmt: skip
+# Its thin lines: those of the table of changes, and of the marks of the document.
+ROWS = (
+    *((0, y, 65, y) for y in (5, 10, 15, 20, 25, 40, 45, 50)), (140, 20, 140, 35), (145, 20, 145, 35),
+)  # fmt: skip
+# What is printed in it, by the keys of its words.
+PRINTED: Mapping[str, Cell] = {
+    "change": (0, 30, 7, 5), "page": (7, 30, 10, 5), "document": (17, 30, 23, 5), "signature": (40, 30, 15, 5),
+    "date": (55, 30, 10, 5), "drawn": (0, 25, 17, 5), "checked": (0, 20, 17, 5), "technical": (0, 15, 17, 5),
+    "norms": (0, 5, 17, 5), "approved": (0, 0, 17, 5), "letter": (135, 35, 15, 5), "mass": (150, 35, 17, 5),
+    "scale": (167, 35, 18, 5), "sheet": (135, 15, 11, 5), "sheets": (155, 15, 14, 5),
+}  # fmt: skip
 BAR = 100.0  # mm of the control bar, by which a print is measured
 FRAME, RULER = "frame", "control-bar"  # the names of their groups
 CUT = "…"
@@ -64,6 +75,7 @@ def faults(leaf: Leaf, scene: Scene, kind: str, subtitle: str, scale: str) -> It
     yield from _entries(leaf, corner, CELLS[sheet.standard], due)
     if sheet.standard == "GOST":
         yield from _form(leaf, corner)
+        yield from _printed(leaf, corner, sheet.language)
         told = {text.plain for one in groups(leaf.groups) if one.name == EXTRA for text in texts((one,))}
         if word(sheet.language, "format", format=sheet.format) not in told:
             yield message("wrong.paper", format=sheet.format)
@@ -127,12 +139,23 @@ def _short(date: str) -> str:
 
 
 def _form(leaf: Leaf, corner: complex) -> Iterator[Wrong]:
-    """See that the heavy lines of form 1 are drawn."""
+    """See that the lines of form 1 are drawn, and no others."""
     drawn = [one for group in leaf.groups if group.name == BLOCK for one in flat((group,)) if isinstance(one, Line)]
-    for x, y, right, top in FORM:
+    if len(drawn) > len(FORM) + len(ROWS):
+        yield message("wrong.title_line", place=f"{len(drawn)} > {len(FORM) + len(ROWS)}")
+    for x, y, right, top in (*FORM, *ROWS):
         start, end = corner + complex(x, y), corner + complex(right, top)
         if not any(_joins(one, start, end) for one in drawn):
             yield message("wrong.title_line", place=f"({x}, {y})–({right}, {top})")
+
+
+def _printed(leaf: Leaf, corner: complex, language: str) -> Iterator[Wrong]:
+    """See that what is printed in form 1 stands in its cells, each once."""
+    told = list(texts(one for one in groups(leaf.groups) if one.name == BLOCK))
+    for key, cell in PRINTED.items():
+        due = Text(0j, word(language, key)).plain
+        if [text.plain for text in told if _in(cell, text.at - corner)].count(due) != 1:
+            yield message("wrong.title_cell", text="—", due=due)
 
 
 def _joins(line: Line, start: complex, end: complex) -> bool:

@@ -1,1 +1,1 @@
-"""The self-check of the figures of a machine's motion, stroke by stroke (проверка фигур динамики)."""
+"""The self-check of the sheets of a machine's motion and their report (проверка листов динамики)."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
+from drawings.checks.dynamics.dynamics_expected import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
 from drawings.checks.graphs.figure_strokes import FLUSH, read
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line
@@ -152,7 +152,9 @@ class GraphStrokes:
                     lambda one, foot=foot: self._ticks(one, foot),  # type: ignore[misc]
                     on("tick", self.name, name=self.names[k]),
                 )
-            own.line(foot, tips[0])
+            line = own.line(foot, tips[0])
+            if line is not None and line.style.width >= self.drafting.hand.main:
+                own.wrong.append(on("line_named", self.name, name=self.names[k]))
             dots = [own.every(Circle, lambda one, tip=tip: own.at(one.centre, tip)) for tip in tips]  # type: ignore[misc]
             if not dots[0]:
                 own.wrong.append(on("edge", self.name, name=self.names[k]))

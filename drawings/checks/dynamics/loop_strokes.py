@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.dynamics_expected import Expected
+from drawings.checks.dynamics.dynamics_expected import Expected
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line

@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.checks.dynamics_graphs import written
+from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.attachments import SEEN
 from drawings.paper.hand import Hand
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Circle, Group, Leaf, Polyline
+from drawings.paper.strokes import Circle, Group, Leaf, Polyline, Stroke
 from drawings.paper.walk import groups
 from drawings.symbols.symbols import HINGE
 from plans.checks.force_expected import ExpectedForces
@@ -60,16 +60,17 @@ class Schemes(NamedTuple):
 
     def _friction(self, group: Group, links: set[int]) -> Iterator[Wrong]:
         """Hold each friction circle by its radius f*r at the scale that is written, and that none is missing."""
-        mu = written(group).get("l", math.nan)
+        mu = written_scales(group).get("l", math.nan)
         told = (one for one in groups((group,)) if one.data.get("kind") == FRICTION)
-        seen = {one.data["name"]: one.strokes[0] for one in told}
-        for name, radius in self._radii(links):
-            circle, least = seen.pop(name, None), HINGE * self.hand.symbol + SEEN
-            if isinstance(circle, Circle) and not abs(circle.radius - radius / mu) <= QUANTUM:
-                yield on("differs_on", group.name, name=f"ρ_{name}")
-            elif circle is None and radius / mu > least + QUANTUM:
+        seen = [(one.data["name"], one.strokes[0]) for one in told]
+        least = HINGE * self.hand.symbol + SEEN
+        for name, radius in dict.fromkeys(self._radii(links)):
+            fits = [one for one in seen if one[0] == name and _as_wide(one[1], radius / mu)]
+            if fits:
+                seen.remove(fits[0])
+            elif radius / mu > least + QUANTUM and name not in (one for one, _ in seen):
                 yield on("missing_on", group.name, name=f"ρ_{name}")
-        yield from (on("differs_on", group.name, name=f"ρ_{name}") for name in seen)
+        yield from (on("differs_on", group.name, name=f"ρ_{name}") for name, _ in seen)
 
     def _radii(self, links: set[int]) -> Iterator[tuple[str, float]]:
         for key, one in self.expected.machine.friction.items():
@@ -77,6 +78,10 @@ class Schemes(NamedTuple):
             if one.radius and links & {int(link) for link in key.split("-")}:
                 shared = (name for name in own[0] if name in own[1] and name in self.expected.mechanism.hinges)
                 yield from ((name, one.coefficient * one.radius) for name in shared)
+
+
+def _as_wide(stroke: Stroke, radius: float) -> bool:
+    return isinstance(stroke, Circle) and abs(stroke.radius - radius) <= QUANTUM
 
 
 def _kinds(group: Group) -> set[str]:

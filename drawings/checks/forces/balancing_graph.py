@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.graphs.figure_strokes import FigureStrokes, scales
+from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.wrong import on
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
@@ -35,4 +35,4 @@ def ordinates(measured: Measured, leaf: Leaf, moments: Floats, slack: float) -> 
 
 def _written(group: Group) -> float:
     """Give the scale of the ordinates that the heading states, for where no ordinate is long enough to be measured."""
-    return max((mu for letter, mu in scales(FigureStrokes(group)).items() if letter != "φ"), default=0.0)
+    return max((mu for letter, mu in written_scales(group).items() if letter != "φ"), default=0.0)

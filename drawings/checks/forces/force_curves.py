@@ -93,8 +93,8 @@ class TurnGraph:
                 yield on("letter", self.PLAN, name=read(text))
         symbol = letter.split("_")[0]
         for scale in (
-            scale_text(self.along, *self.axis, (language, "mu")),
-            scale_text(self.up, symbol, unit, (language, "mu")),
+            scale_text(self.along, *self.axis, self.how),
+            scale_text(self.up, symbol, unit, self.how),
         ):
             if not any(scale in text for text in self.strokes.texts):
                 yield on("scale_missing", self.PLAN, text=scale)

@@ -8,19 +8,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.checks import reading
 from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.wrong import Wrong
-from drawings.lettering.words import number, word
+from drawings.lettering.words import number, span, word
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import texts
 from plans.checks.force_bill import ForceBill
 from plans.checks.hand.quantity import SLIP
-from plans.forces.primary import BALANCING, DRIVING
+from plans.checks.ram_law import stroke_of
 from plans.forces.statics import Statics
-from plans.model.kinetostatics import NOTHING
-from plans.model.machine import GEAR
+from plans.model.machine import ALWAYS, GEAR, Force
 from plans.words.words import message
 
 MOST_LENGTHS = 16  # of a mechanism with more the notes do not tell them
@@ -38,11 +36,10 @@ class ForceNotes:
     floor: Floor
 
     def faults(self) -> Iterator[Wrong]:
-        """Hold what is given, and the powers on the lever."""
-        for due in self._given():
+        """Hold what is given, and what is said of the lever."""
+        for due in (*self._given(), *self._lever()):
             if _flat(read(due)) not in self.said:
                 yield message("wrong.missing", name=_flat(read(due)))
-        yield from self._lever()
 
     @property
     def _expected(self) -> ForceBill:
@@ -58,12 +55,7 @@ class ForceNotes:
             yield from [f"m_{{{link}}} = {self._number(body.mass)} {word(language, 'kg')}"] if body.mass else []
             inertia = f"J_{{S{link}}} = {self._number(body.inertia)} {word(language, 'kg*m2')}"
             yield from [inertia] if body.inertia else []
-        drive, expected = self.statics.study.mechanism.drive, self._expected.expected
-        if drive.turns and drive.ram is None:
-            turned = expected.motion.links[drive.link]
-            omega, epsilon = (float(rate[expected.k]) for rate in (turned.omega, turned.epsilon))
-            rates = {"omega": self._number(omega), **({"epsilon": self._number(epsilon)} if epsilon else {})}
-            yield word(language, "crank" if epsilon else "even crank", link=drive.link, **rates)
+        yield from self._drive()
         lengths = self.statics.study.form.mechanism.lengths
         for name, length in lengths.items() if len(lengths) <= MOST_LENGTHS else ():
             yield f"l_{{{name}}} = {self._number(1000 * float(length))}"
@@ -73,12 +65,27 @@ class ForceNotes:
         yield word(language, "known lines")
         yield word(language, "force hand note", slip=self._number(SLIP))
 
+    def _drive(self) -> Iterator[str]:
+        """Tell the crank's rates in the position, and of a cylinder its law."""
+        language, drive, expected = self.floor.language, self.statics.study.mechanism.drive, self._expected.expected
+        turned = expected.motion.links[drive.link]
+        omega, epsilon = (float(rate[expected.k]) for rate in (turned.omega, turned.epsilon))
+        rates = {"omega": self._number(omega), "epsilon": self._number(epsilon)}
+        if drive.ram is not None:
+            lengths, v, a = stroke_of(self.statics.study.mechanism, len(expected.motion.phi))
+            line = f"{drive.ram.foot}{drive.ram.point}"
+            stroke = " … ".join(self._number(1000 * float(end)) for end in lengths[[0, -1]])
+            law = {"v": span(v, language), "a": span(a, language)}
+            yield word(language, "cylinder", link=drive.link, line=line, stroke=stroke, **law, **rates)
+        elif drive.turns:
+            rates = rates if epsilon else {"omega": rates["omega"]}
+            yield word(language, "crank" if epsilon else "even crank", link=drive.link, **rates)
+
     def _loads(self) -> Iterator[str]:
         language, machine, letter = self.floor.language, self.statics.machine, self.floor.letter
         for force in machine.forces:
             yield letter(force.name)
-            if force.diagram is None:
-                yield f"{self._number(force.size)} {word(language, 'N')}"
+            yield self._load(force)
         for moment in machine.moments:
             yield f"{self._number(moment.size)} {word(language, 'N*m')}"
         for spring in machine.springs:
@@ -95,44 +102,45 @@ class ForceNotes:
                 language, "gear given", radius=f"{self._number(1000 * how.radius)} {word(language, 'mm')}", **angles
             )
 
-    def _powers(self) -> Iterator[tuple[str, float]]:
-        """Give the powers of what hangs on the lever, W, by letters."""
-        loads = {one.name for one in self._expected.expected.loading.moments}
+    def _load(self, force: Force) -> str:
+        """Tell a force: its size and what it acts against, where it resists, on which stroke, with what overrun."""
+        language, letter = self.floor.language, self.floor.letter(force.name)
+        size = f"{self._number(force.size)} {word(language, 'N')}"
+        if force.diagram is not None:
+            said = word(language, "load diagram", name=letter)
+        elif force.direction is None and force.line is None:
+            said = word(language, "load against", name=letter, size=size, point=force.point)
+        else:
+            said = word(language, "load always", name=letter, size=size)
+        if force.other is not None or force.line is not None:  # between two points, or along a line that it names
+            return said
+        told = [said, *([word(language, "load resisting")] if force.resists else [])]
+        told += [] if force.during == ALWAYS else [word(language, force.during)]
+        if any(force.overrun):
+            shares = dict.fromkeys(self._number(share) for share in force.overrun)
+            told.append(word(language, "overrun", share="; ".join(shares)))
+        return ", ".join(told)
+
+    @property
+    def hung(self) -> bool:
+        """Whether anything has a moment on the lever, which at rest has no arms."""
+        return any(abs(one) > self._slack for one in self._powers())
+
+    def _lever(self) -> Iterator[str]:
+        """Give what the notes must say of a lever on which anything has a moment, which the analysis says."""
+        if not self.hung:
+            return
+        yield word(self.floor.language, "lever arms")
+        if self.statics.study.mechanism.drive.ram is not None:
+            yield word(self.floor.language, "balanced lever")
+
+    def _powers(self) -> Iterator[float]:
+        """Give the powers of the known forces and of the couples, W."""
         for bill in self.bills.values():
             for force in (one for one in bill.known if not one.name.startswith("R_")):
-                speed = bill.speed(force.link, force.at)
-                yield read(self.floor.letter(force.name)), (speed.conjugate() * force.value).real
+                yield (bill.speed(force.link, force.at).conjugate() * force.value).real
             for couple in bill.couples:
-                hung = couple.name in loads or not couple.name[2:].replace(",", "").isdigit()
-                if couple.name != BALANCING and hung:
-                    omega = float(bill.expected.motion.links[couple.link].omega[bill.expected.k])
-                    yield read(self.floor.letter(couple.name)), couple.moment * omega
-
-    def _lever(self) -> Iterator[Wrong]:
-        """Hold the powers on the lever one by one, and their sum."""
-        if self.statics.study.mechanism.drive.ram is not None:
-            return
-        due, slack = dict(self._powers()), self._slack
-        parts = {"powers": "@1", "total": "@2", "drive": "@3", "force": self.floor.letter(DRIVING)}
-        pattern = re.escape(_flat(read(word(self.floor.language, "forces of lever", **parts))))
-        found = re.search(re.sub(r"@\d", r"(.+?)", pattern) + r"(?= |$)", self.said)
-        least = NOTHING * max(map(abs, due.values()), default=0.0) + slack
-        if found is None:
-            yield from (
-                [message("wrong.missing", name=_flat(pattern)[:8])]
-                if any(abs(one) > least for one in due.values())
-                else []
-            )
-            return
-        told = dict(one.rsplit(" ", 1) for one in found[1].split(", ") if " " in one)
-        for name, power in due.items():
-            due_here = name in told or abs(power) > least
-            if due_here and not (name in told and reading.reads(told[name], power, slack, 4)):
-                yield message("wrong.told", text=f"{name} {told.get(name, '')}")
-        total = sum(due.values())
-        for text, value in ((found[2], total), (found[3], -total)):
-            if not reading.reads(text, value, slack, DIGITS):
-                yield message("wrong.told", text=text)
+                yield couple.moment * float(bill.expected.motion.links[couple.link].omega[bill.expected.k])
 
     @property
     def _slack(self) -> float:

@@ -11,12 +11,9 @@ from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import word
-from drawings.page.page import BLOCK
 from drawings.paper.strokes import Leaf
-from drawings.paper.walk import groups, texts
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
-from plans.forces.statics import Statics
 from plans.words.words import message
 
 
@@ -38,14 +35,8 @@ def rows(leaves: Sequence[Leaf], comparison: ForceComparison, floor: Floor) -> I
     for name, one in named.items():
         if name in seen and seen[name] != word(floor.language, one.unit):
             yield message("wrong.row_cell", text=seen[name], name=name)
-        elif name not in seen and np.nanmax(np.abs(one.analysis), initial=0.0) > 2 * nothing[one.unit]:
+        elif (
+            name not in seen
+            and np.nanmax(np.abs(comparison.analysis.counted(one.analysis)), initial=0.0) > 2 * nothing[one.unit]
+        ):
             yield message("wrong.row_missing", name=name)
-
-
-def title(leaf: Leaf, statics: Statics) -> Iterator[Wrong]:
-    """Hold that the title block says what the sheet is of, and what it shows."""
-    language = statics.study.language
-    told = "".join(text.plain for one in groups(leaf.groups) if one.name == BLOCK for text in texts((one,)))
-    for due in (statics.study.scene.heading(language), word(language, "forces sheet title")):
-        if read(due).replace(" ", "") not in told.replace(" ", "").replace("\N{NO-BREAK SPACE}", ""):
-            yield message("wrong.missing", name=due)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.force_notes_told import ForceNotes, notes_of
 from drawings.checks.forces.force_rows import rows
+from drawings.checks.forces.lever_forces import PLAN as LEVER
 from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.wrong import Wrong
 from drawings.paper.strokes import Leaf
@@ -31,10 +32,11 @@ class ForceSet(NamedTuple):
         names = {one.name for leaf in leaves for one in leaf.groups}
         due = [name for bill in self.bills.values() for name in self._of(bill)]
         due += [f"hodograph-{key}" for key in self.statics.form.sheet.hodographs]
-        due += [BALANCING] if first else []
+        notes = ForceNotes(notes_of(leaves), self.statics, self.bills, self.floor)
+        due += [*([BALANCING] if first else []), *([f"{LEVER}-{self.position}"] if notes.hung else [])]
         yield from (message("wrong.missing", name=name) for name in due if name not in names)
         yield from rows(leaves, self.comparison, self.floor)
-        yield from ForceNotes(notes_of(leaves), self.statics, self.bills, self.floor).faults()
+        yield from notes.faults()
 
     def _of(self, bill: ForceBill) -> tuple[str, ...]:
         """Name the figures of a cut; one on which no force acts has no polygon."""

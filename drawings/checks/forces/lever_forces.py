@@ -21,6 +21,7 @@ from plans.model.kinetostatics import NOTHING
 from plans.model.mechanism import FRAME
 
 PLAN = "lever"
+POLE = "p"
 LEGS = 2  # of the stand of the pole
 SHORT = 0.5  # mm: a shorter line is not drawn
 FAR = 4 * 26.0  # mm: a force stands at its image, or further on along its line where others stand: four lengths at most
@@ -34,6 +35,7 @@ class LeverForces(NamedTuple):
     bills: Sequence[ForceBill]
     letters: Mapping[str, str]  # of the images of points
     floor: Floor
+    vectors: Sequence[tuple[str, str]] = ()  # of the velocity plan, by the names of their ends
 
     def faults(self) -> Iterator[Wrong]:
         """Hold every image, every rod from the pole, the stand, and every force at its image."""
@@ -151,10 +153,21 @@ class LeverForces(NamedTuple):
             others = (spot for spot in spots if abs(spot - one.at) > FINE)
             if abs(one.at - pole) > SHORT and not any(self.strokes.joins(one.at, spot, FINE) for spot in others):
                 yield on("line", PLAN)
+        yield from (on("line_named", PLAN, name=name) for name in self._unjoined(laid))
         radius = max((one.radius for one in self.strokes.circles if abs(one.centre - pole) <= FINE), default=0.0)
         ends = [end for line in self.strokes.lines for end in (line.start, line.end)]
         if sum(abs(abs(end - pole) - radius) <= FINE for end in ends) < LEGS:
-            yield on("missing_on", PLAN, name="p")
+            yield on("missing_on", PLAN, name=POLE)
+
+    def _unjoined(self, laid: LaidScheme) -> Iterator[str]:
+        """Name the vectors of the velocity plan that no line of the turned one is, between images that it has."""
+        known = {one.name: one.at for one in self.points} | {POLE: laid.on(0j)}
+        for name in self.vectors:
+            start, end = (known.get(one) for one in name)
+            if start is None or end is None or not abs(end - start) > SHORT:
+                continue
+            if not self.strokes.joins(start, end, FINE):
+                yield " ".join(name)
 
 
 def _matched(fit: Sequence[Sequence[Arrow]], begun: Mapping[int, Arrow]) -> dict[int, Arrow]:

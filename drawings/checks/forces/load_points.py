@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from drawings.checks.dynamics_expected import KNOWN
-from drawings.checks.dynamics_graphs import has, part
-from drawings.checks.dynamics_sizes import loads as corners
+from drawings.checks.dynamics.dynamics_expected import KNOWN
+from drawings.checks.dynamics.dynamics_graphs import has
+from drawings.checks.dynamics.dynamics_sizes import loads as corners
 from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics import load_diagram
 from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Circle, Leaf
-from drawings.paper.walk import texts, walk
+from drawings.paper.walk import group_named, texts, walk
 from plans.forces.loading import size_of, working_of
 from plans.forces.stroke import Stroke, asks
 from plans.model.machine import Force, Machine, Moment, Track
@@ -23,31 +24,45 @@ from plans.model.motion import Floats, Motion
 
 
 def loads(
-    measured: Measured, leaf: Leaf, machine: Machine, strokes: Mapping[Track, Stroke], motion: Motion
+    measured: Measured,
+    leaf: Leaf,
+    machine: Machine,
+    strokes: Mapping[Track, Stroke],
+    motion: Motion,
+    drafting: Drafting,
 ) -> Iterator[Wrong]:
     """Hold each load diagram of a force sheet: its corners, and the load in every position that bears a number."""
-    shown = [load for load in machine.loads if asks(load) and part(leaf, _name(load)) is not None]
-    yield from corners([_name(load) for load in shown], measured, leaf, machine, strokes)
+    shown = [load for load in machine.loads if asks(load) and group_named(leaf.groups, _name(load)) is not None]
+    spots = {_name(load): _spots(measured, load, strokes, motion) for load in shown}
+    yield from corners([*spots], measured, leaf, machine, strokes, drafting, spots)
     for load in shown:
-        yield from _positions(measured, leaf, load, strokes, motion)
+        yield from _positions(measured, leaf, load, spots[_name(load)])
 
 
 def _name(load: Force | Moment) -> str:
     return f"{load_diagram.NAME}-{load.name}"
 
 
-def _positions(
-    measured: Measured, leaf: Leaf, load: Force | Moment, strokes: Mapping[Track, Stroke], motion: Motion
-) -> Iterator[Wrong]:
-    plan, group = _name(load), part(leaf, _name(load))
-    own = {one.name: one for one in measured.vectors if one.plan == plan}
-    whole = own.get("H") or own.get("β")
+def _spots(
+    measured: Measured, load: Force | Moment, strokes: Mapping[Track, Stroke], motion: Motion
+) -> Sequence[complex]:
+    """Give where the load is in each position, on paper; none where the diagram tells no place."""
+    own = {one.name: one for one in measured.vectors if one.plan == _name(load)}
+    whole = own.get("H") or own.get("ψ")
     ordinate = next((one for one in own.values() if one.value.imag), None)
-    if group is None or whole is None or ordinate is None:
-        return  # told of by the check of the corners
+    if whole is None or ordinate is None:
+        return ()  # told of by the check of the corners
     way = abs(whole.value) * strokes[load.stroke].share(motion) / whole.scale
     base = complex(whole.start.real, ordinate.start.imag)
-    spots = base + way + 1j * _signed(load, strokes, motion) / ordinate.scale
+    return [complex(spot) for spot in base + way + 1j * _signed(load, strokes, motion) / ordinate.scale]
+
+
+def _positions(measured: Measured, leaf: Leaf, load: Force | Moment, spots: Sequence[complex]) -> Iterator[Wrong]:
+    plan, group = _name(load), group_named(leaf.groups, _name(load))
+    own = {one.name: one for one in measured.vectors if one.plan == plan}
+    whole = own.get("H") or own.get("ψ")
+    if group is None or whole is None or not spots:
+        return
     dots = np.array([one.centre for one in walk((group,)) if isinstance(one, Circle)])
     labels = labels_of((group,))
     told = {int(text.plain) for text in texts((group,)) if text.plain.isdigit()} | {int(leaf.metadata["position"])}

@@ -11,10 +11,13 @@ import numpy as np
 from drawings.checks.reading import reads
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
+from drawings.page.drafting import drafting_of
+from drawings.report.formula import Formula
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
+from plans.forces.stroke import asks
 from plans.words.words import Message, message, word
 
 DIGITS = 10  # of a reaction in the report; of what balances the drive six
@@ -43,6 +46,7 @@ class ForceTables(NamedTuple):
         yield from self._table(list(self._reactions()), DIGITS)
         yield from self._table(list(self._balancing()), FEW)
         yield from self._given()
+        yield from self._said()
 
     @property
     def _language(self) -> str:
@@ -64,7 +68,9 @@ class ForceTables(NamedTuple):
             slack = next((slack for name, slack in allowed.items() if name == f"R_{index}"), np.zeros(len(one.force)))
             yield Column(self._letter(f"{own}_{{{index}}}"), one.force, slack + found.nothing[0])
             moment = allowed.get(f"M_{index}")
-            if moment is not None and one.moment is not None and np.nanmax(np.abs(one.moment)) > 2 * found.nothing[1]:
+            if moment is None or one.moment is None:
+                continue
+            if np.nanmax(np.abs(found.counted(one.moment))) > 2 * found.nothing[1]:
                 yield Column(self._letter(f"M_{{{index}}}"), one.moment, moment + found.nothing[1])
 
     def _balancing(self) -> Iterator[Column]:
@@ -127,6 +133,40 @@ class ForceTables(NamedTuple):
             if not any(line.startswith(f"- {name} ") and line.endswith(ending) for line in self.text.splitlines()):
                 yield message("wrong.missing", name=f"{name}{ending}")
         yield from (message("wrong.missing", name=line) for line in due if line not in self.text)
+
+    def _said(self) -> Iterator[Message]:
+        """Hold what is said of loads: where each acts and when; the heads of the table of what balances the drive."""
+        seen, language = self.text.splitlines(), self._language
+        for force in self.statics.machine.forces:
+            ends = {"point": force.point, "link": force.link, "during": force.during}
+            far = {} if force.other is None else {"far": force.other.point, "other": force.other.link}
+            line = word(language, "report.force_between" if far else "report.force", name=force.name, **ends, **far)
+            if not any(one.startswith(line) for one in seen):
+                yield message("wrong.missing", name=line)
+        told = balancing_quantity(self.statics.study.mechanism.drive)
+        parts = {"letter": lettering.letter(language, told.name), "unit": lettering.word(language, told.unit)}
+        heads = [word(language, f"report.{key}", **parts) for key in ("by_plans", "by_equilibrium")]
+        rows = [_cells(line) for line in seen if line.startswith("|")]
+        if list(self._balancing()) and not any(row[1:3] == heads for row in rows):
+            yield message("wrong.missing", name="; ".join(heads))
+        yield from self._pointed(rows)
+
+    def _pointed(self, rows: Sequence[Sequence[str]]) -> Iterator[Message]:
+        """See that each reaction of the table is said to act where its pair is, each load over its stroke."""
+        own, language = self.statics.form.sheet.reactions, self._language
+        formula = Formula(drafting_of(self.statics.study.scene))
+        heads = {cell for row in rows for cell in row}
+        for one in self.comparison.analysis.reactions.values():
+            letter = f"${formula.letter(f'{own}_{{{indices(one.giver, one.taker)}}}')}$"
+            head = word(language, "report.reaction", letter=letter, point=f"${formula.line(one.point)}$")
+            if head not in heads:
+                yield message("wrong.missing", name=head)
+        loads = [load for load in self.statics.machine.loads if asks(load)]
+        for track in dict.fromkeys(load.stroke for load in loads):
+            names = ", ".join(load.name for load in loads if load.stroke == track)
+            line = word(language, "report.counted", names=names, line="")
+            if line not in self.text:
+                yield message("wrong.missing", name=line)
 
     def _number(self, value: float) -> str:
         return number(value, self._language)

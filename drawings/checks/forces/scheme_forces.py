@@ -55,8 +55,9 @@ class SchemeForces:
     def _force(self, one: ActingForce, place: complex) -> Iterator[Wrong]:
         """Hold a force: its arrow, true in direction, at its place, and its letter at the free end."""
         arrow = self._arrow(one.value, self.laid.on(place), self.floor.letter(one.name))
-        if arrow is None:
-            if abs(one.value) > self.floor.force:
+        nothing = abs(one.value) <= self.floor.force
+        if arrow is None or (nothing and self._off(arrow, place, one.name) > NEAREST):
+            if not nothing:  # a rounding has an arrow only where that bears its letter: another may have its direction
                 yield on("missing_on", self.plan, name=one.name)
             return
         self.arrows.remove(arrow)

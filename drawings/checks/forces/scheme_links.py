@@ -10,12 +10,14 @@ import numpy as np
 from drawings.checks.forces.laid_scheme import FINE, LaidScheme
 from drawings.checks.linkage.laid import within
 from drawings.checks.linkage.link_bars import hanging
+from drawings.checks.linkage.position_marks import is_led
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.link_numbers import BESIDE
+from drawings.figures.linkage.masses import is_centre
 from drawings.figures.linkage.ties import nearest
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Text
 from drawings.paper.walk import groups
-from drawings.symbols.symbols import BLOCK, DOUBLE, MASS
+from drawings.symbols.symbols import BLOCK, MASS
 from plans.checks.force_bill import ForceBill
 from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Floats
@@ -55,15 +57,17 @@ class SchemeLinks:
             yield from self._stand(laid.on(self.bill.place(self.mechanism.drive.pivot)), laid)
 
     def _bars(self, link: int, laid: LaidScheme) -> Iterator[Wrong]:
-        """Hold that lines join all points of a link, whichever of them they go between."""
-        own = list(self.mechanism.links[link].points)
+        """Hold that lines join all points of a link, whichever of them they go between; a mass centre may be tied."""
+        own, hinges = self.mechanism.links[link].points, self.mechanism.hinges
         spots = [laid.on(self.bill.place(name)) for name in own]
+        tied = {k for k, name in enumerate(own) if is_centre(name) and name not in hinges and _ends_at(laid, spots[k])}
         ties = [{j for j, other in enumerate(spots) if self._joined(one, other, link, laid)} for one in spots]
-        reached, edge = {0}, {0}
+        edge = {next((k for k in range(len(own)) if k not in tied), 0)}
+        reached = set(edge)
         while edge:
             edge = set[int]().union(*(ties[k] for k in edge)) - reached
             reached |= edge
-        yield from (on("line", self.plan) for k in range(len(own)) if k not in reached)
+        yield from (on("line", self.plan) for k in range(len(own)) if k not in reached | tied)
 
     def _joined(self, start: complex, end: complex, link: int, laid: LaidScheme) -> bool:
         """Tell whether a line goes from one place to another, but for what symbols hide of it."""
@@ -84,6 +88,8 @@ class SchemeLinks:
             match group:
                 case Group((Circle() as circle, Text() as text, *_)) if text.plain == str(link):
                     dot = group.strokes[-1]
+                    if not is_led(group):
+                        continue
                     led = dot if isinstance(dot, Circle) and dot is not circle else None
                     spot, room = (circle.centre, circle.radius + BESIDE) if led is None else (led.centre, 0.0)
                     own = [laid.on(self.bill.place(name)) for name in self.mechanism.links[link].points]
@@ -137,10 +143,11 @@ class SchemeLinks:
 
     def _stand(self, pivot: complex, laid: LaidScheme) -> Iterator[Wrong]:
         """Hold the stand of the crank: a base that is square to its axis, and two legs from the hinge to it."""
+        hinge = min((one.radius for one in laid.strokes.circles if abs(one.centre - pivot) <= FINE), default=0.0)
         for base in laid.strokes.lines:
             off = abs(abs(base.start - pivot) - abs(base.end - pivot))
             middle = (base.start + base.end) / 2 - pivot
-            if off <= FINE and abs(middle) > DOUBLE[0] and _legs(base, pivot, laid) >= 2:
+            if off <= FINE and abs(middle) > hinge and _legs(base, pivot, laid) >= 2:
                 return
         if FRAME not in self.bill.links:
             yield on("missing_on", self.plan, name=self.mechanism.drive.pivot)

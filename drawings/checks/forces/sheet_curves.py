@@ -16,7 +16,7 @@ from drawings.checks.forces.force_curves import ReactionHodograph, TurnGraph
 from drawings.checks.forces.laid_scheme import FINE
 from drawings.checks.forces.polygon_chain import heads
 from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
-from drawings.checks.graphs.figure_strokes import scales as figure_scales
+from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
 from drawings.measure.measure import Measured
@@ -26,7 +26,8 @@ from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
-from plans.model.motion import Floats
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Floats, Motion
 
 TURN = 360.0  # degrees
 
@@ -51,10 +52,10 @@ class SheetCurves:
         told = self.comparison.analysis
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
         strokes = self.statics.over(self.comparison.motion.road.extremes)
-        sizes = self.statics.given(told, self.comparison.motion.analysis, strokes)
+        sizes = told.counted(self.statics.given(told, self.comparison.motion.analysis, strokes))
         moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
-        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
-        slack = 2 * float(largest) + share * told.nothing[1]
+        bounds = [told.counted(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name)]
+        slack = 2 * float(max(map(np.nanmax, bounds))) + share * told.nothing[1]
         yield from self._held(BALANCING, moments, slack)
         yield from ordinates(self.measured, self.leaf, sizes, slack)
         yield from self._graph(sizes, slack)
@@ -76,7 +77,8 @@ class SheetCurves:
         study, group = self.statics.study, figure(self.leaf, BALANCING)
         if group is None:
             return
-        drive, told, scales = study.mechanism.drive, balancing_quantity(study.mechanism.drive), figure_scales(group)
+        drive, scales = study.mechanism.drive, written_scales(group.group)
+        told = balancing_quantity(drive)
         symbol = force_letter(told.name, study.language).split("_")[0]
         none = np.zeros(0)
         turn = self._whole(group)
@@ -92,8 +94,7 @@ class SheetCurves:
         """Give the abscissas of the positions: of a swing from where it begins, which the first ordinate tells."""
         study, motion, mu = self.statics.study, self.comparison.motion.analysis, self.leaf.metadata["scales"][BALANCING]
         if not study.mechanism.drive.turns:
-            way = motion.points[study.mechanism.drive.end].r
-            return np.asarray(np.abs(way - way[0]))
+            return _ways(study.mechanism, motion)
         turned = np.degrees(study.sense * (motion.phi - motion.phi[0])) % 360.0
         if self._whole(group):
             return np.asarray(turned)
@@ -134,3 +135,15 @@ class SheetCurves:
             allowed = slack + 2 * self.measured.quantum * scale
             if own == plan and name in expected and not abs(value - expected[name]) <= allowed:
                 yield on("differs_on", plan, name=name)
+
+
+def _ways(mechanism: Mechanism, motion: Motion) -> Floats:
+    """Give how far a drive over a stroke has gone: a slider on the frame, a cylinder by the distance of its ends."""
+    ram = mechanism.drive.ram
+    if ram is None:
+        way = motion.points[mechanism.drive.end].r
+        return np.asarray(np.abs(way - way[0]))
+    fixed = mechanism.links[FRAME].points
+    foot = fixed[ram.foot] if ram.foot in fixed else motion.points[ram.foot].r
+    length = np.abs(motion.points[ram.point].r - foot)
+    return np.asarray(np.abs(length - length[0]))

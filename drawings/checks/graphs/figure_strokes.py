@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,7 +21,6 @@ Kind = TypeVar("Kind", bound=Stroke)
 # mm: what arithmetic moves a place on paper by, and what two roads that agree in 1e-9 of a metre differ by.
 NEAR = 1e-6
 FLUSH = 1e-3  # mm: chains and points of one curve that are so near are on it; no eye sees less
-_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")
 STEEP = 1e-9  # rad by which a direction on paper may be off
 
 
@@ -165,13 +163,6 @@ class FigureStrokes:
 def read(letter: str) -> str:
     """Write a letter as it is read, without its levels."""
     return Text(0j, letter).plain
-
-
-def scales(strokes: FigureStrokes) -> dict[str, float]:
-    """Give the scales that a part states, by their letters; a K is the inverse of mu."""
-    found = (match for text in strokes.texts for match in _SCALE.finditer(text))
-    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
-    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs}
 
 
 def figure(leaf: Leaf, name: str) -> FigureStrokes | None:

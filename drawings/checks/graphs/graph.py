@@ -8,7 +8,7 @@ from functools import cached_property
 
 from drawings.checks.graphs.figure_strokes import NEAR, FigureStrokes, read
 from drawings.checks.precise import tells
-from drawings.checks.wrong import Wrong
+from drawings.checks.wrong import Wrong, on
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
@@ -47,6 +47,15 @@ class Graph(ABC):
         """The beginning of the axis of abscissas on paper, mm."""
         axis = (one for one in self.strokes.pointings if abs((one.tip - one.start).imag) <= NEAR)
         return next((one.start for one in axis), complex("nan"))
+
+    def axes(self) -> Iterator[Wrong]:
+        """See that the axis of abscissas and the upright one through its beginning have their arrowheads."""
+        upright = (one for one in self.strokes.pointings if abs((one.tip - one.start).real) <= NEAR)
+        if not any(one.tip.imag > one.start.imag and abs((one.start - self.zero).real) <= NEAR for one in upright):
+            yield on("line", self.name)
+        level = (one for one in self.strokes.pointings if abs((one.tip - one.start).imag) <= NEAR)
+        if not any(one.tip.real > one.start.real for one in level):
+            yield on("line", self.name)
 
     def on(self, turned: float, value: float = 0.0) -> complex:
         """Give the place on paper of a value, mm."""

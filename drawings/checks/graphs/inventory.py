@@ -8,15 +8,16 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar
 
 from drawings.checks.graphs.figure_strokes import FLUSH
-from drawings.checks.labelled import along
+from drawings.checks.labelled import along, leaders, off
 from drawings.checks.wrong import Wrong, on
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Stroke, Text
-from drawings.paper.walk import flat, groups
+from drawings.paper.walk import flat
 
 Kind = TypeVar("Kind", bound=Stroke)
 BESIDE = 4.0 + NEAR[-1]  # mm from a spot to its letter, or to the beginning of its leader
+TICKED = 2.5  # mm: so far from the axis at most goes a tick
 SLANT = 1e-3  # of its length by which an arrowhead may look aside
 
 
@@ -26,7 +27,7 @@ class Inventory:
     def __init__(self, plan: str, strokes: Sequence[Group], near: float = FLUSH) -> None:
         self.plan, self.near, self.wrong = plan, near, list[Wrong]()
         self._left = list(flat(strokes))
-        self._leaders = {id(text): line for one in groups(strokes) for line, text in _led(one)}
+        self._leaders = {id(text): line for line, text in leaders(strokes)}
 
     def faults(self) -> Iterator[Wrong]:
         """Give what was missed, then what nothing asked for."""
@@ -63,6 +64,14 @@ class Inventory:
         there = abs(one.start - start) <= self.near and abs(one.end - end) <= self.near
         return there or (abs(one.start - end) <= self.near and abs(one.end - start) <= self.near)
 
+    def tick(self, foot: complex, wrong: Wrong | None = None) -> None:
+        """Tick off a tick (засечка) across a level axis."""
+        self.take(Line, lambda one: self._upright(one, foot), wrong)
+
+    def _upright(self, one: Line, foot: complex) -> bool:
+        half = (one.end - one.start) / 2
+        return self.at((one.start + one.end) / 2, foot) and abs(half.real) <= self.near < abs(half) < TICKED
+
     def circle(self, centre: complex, wrong: Wrong | None = None, radius: float | None = None) -> Circle | None:
         """Tick off a circle about a place, of any radius or of one."""
         return self.take(Circle, lambda one: self.at(one.centre, centre) and self._sized(one.radius, radius), wrong)
@@ -93,7 +102,8 @@ class Inventory:
 
     def dimension(self, start: complex, end: complex, wrong: Wrong) -> Line | None:
         """Tick off a dimension of a distance: its line beside it, what leads to that, its two heads."""
-        line = self.take(Line, lambda one: self._offset(one, start, end), wrong)
+        line = self.take(Line, lambda one: self._beside(one, start, end))
+        line = line or self.take(Line, lambda one: self._offset(one, start, end), wrong)
         if line is None:
             return None
         off = line.start - start
@@ -101,6 +111,10 @@ class Inventory:
             self.take(Line, lambda one, spot=spot: self._leads(one, spot, off), wrong)  # type: ignore[misc]
         self.heads(line.start, line.end, wrong)
         return line
+
+    def _beside(self, one: Line, start: complex, end: complex) -> bool:
+        """Tell whether a line is one of a dimension beside what it measures, not another on it."""
+        return self._offset(one, start, end) and abs(one.start - start) > 2 * self.near
 
     def _offset(self, one: Line, start: complex, end: complex) -> bool:
         off = one.start - start
@@ -144,9 +158,9 @@ class Inventory:
         """Tell whether a text, or the beginning of its leader, is beside one of some places."""
         leader, box = self._leaders.get(id(text)), bounds(text)
         if leader is not None:
-            led, box = _off(leader.end, box) <= BESIDE, (leader.start.real, leader.start.imag) * 2
-            return led and any(_off(spot, box) <= BESIDE for spot in spots)
-        return any(_off(spot, box) <= BESIDE for spot in spots)
+            led, box = off(leader.end, box) <= BESIDE, (leader.start.real, leader.start.imag) * 2
+            return led and any(off(spot, box) <= BESIDE for spot in spots)
+        return any(off(spot, box) <= BESIDE for spot in spots)
 
     def at(self, one: complex, other: complex) -> bool:
         """Tell whether two places are one."""
@@ -157,13 +171,6 @@ class Inventory:
             return on("stranger_on", self.plan, name=one.plain)
         spot = _spot(one)
         return on("stray", self.plan, x=f"{spot.real:.1f}", y=f"{spot.imag:.1f}")
-
-
-def _led(group: Group) -> Iterator[tuple[Line, Text]]:
-    """Give a leader with its letter, if a group is that."""
-    match group.strokes:
-        case (Line() as line, Text() as text):
-            yield line, text
 
 
 def _points(head: Fill, way: complex) -> bool:
@@ -177,11 +184,6 @@ def _ahead(head: Fill, tip: complex, way: complex, radius: float) -> bool:
     """Tell whether a head goes on from the end of an arc: its tip is further on the circle, its back at the end."""
     back = sum(head.points[1:]) / max(len(head.points) - 1, 1)
     return abs(back - tip) <= SLANT * radius and ((head.points[0] - tip) / way).real > 0
-
-
-def _off(spot: complex, box: Sequence[float]) -> float:
-    left, bottom, right, top = box
-    return abs(spot - complex(min(max(spot.real, left), right), min(max(spot.imag, bottom), top)))
 
 
 def _spot(one: Stroke) -> complex:

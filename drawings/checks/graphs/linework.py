@@ -11,10 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read
-from drawings.checks.labelled import along
+from drawings.checks.labelled import along, leaders
 from drawings.checks.wrong import Wrong, on
-from drawings.paper.strokes import Arc, Group, Line, Text
-from drawings.paper.walk import groups
+from drawings.paper.strokes import Arc, Line
 from drawings.symbols.symbols import ARROW_LENGTH
 from plans.model.motion import Complexes, Floats
 from plans.words.words import message
@@ -59,8 +58,8 @@ class Linework:
     @cached_property
     def lines(self) -> tuple[Line, ...]:
         """The straight lines but leaders of letters."""
-        leaders = {id(one.strokes[0]) for one in groups((self.strokes.group,)) if _leads(one)}
-        return tuple(one for one in self.strokes.lines if id(one) not in leaders)
+        led = {id(line) for line, _ in leaders((self.strokes.group,))}
+        return tuple(one for one in self.strokes.lines if id(one) not in led)
 
     def ways(self, due: Sequence[Way], but: Collection[int] = ()) -> Iterator[Wrong]:
         """See that each line that is due is drawn along its whole length, and that no line lies elsewhere.
@@ -166,10 +165,6 @@ class Linework:
         for one in self.strokes.circles:
             if not known.size or np.abs(known - one.centre).min() > FLUSH:
                 yield on("stranger_on", self.plan, name=name)
-
-
-def _leads(one: Group) -> bool:
-    return len(one.strokes) == 2 and isinstance(one.strokes[0], Line) and isinstance(one.strokes[1], Text)
 
 
 def _ends(arc: Arc, spot: complex) -> bool:

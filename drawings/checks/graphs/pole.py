@@ -50,6 +50,10 @@ def pole(strokes: FigureStrokes, graph: Graph, due: DuePole, told: FigureStrokes
     sizes = [one for one in strokes.lines if level(one.start, one.end, at.real, graph.zero.real)]
     if not any(strokes.lettered(due.letter, [(one.start + one.end) / 2]) for one in sizes):
         yield on("letter", graph.name, name=due.letter)
+    tips = {one.points[0] for one in strokes.heads}
+    ends = [(one.start, one.end) for one in sizes]
+    if not any(all(min(abs(end - tip) for tip in tips) <= FLUSH for end in own) for own in ends if tips):
+        yield on("line_named", graph.name, name=due.letter)
     seen = [match for text in told.texts for match in _DISTANCE.finditer(text)]
     if [one[1] for one in seen] != [read(due.letter)] or not reads(seen[0][2], due.distance, FLUSH, DIGITS):
         yield message("wrong.scale", text=seen[0][0] if seen else due.letter)

@@ -1,12 +1,17 @@
-"""The line under a heading that states a scale: its letter, its number, its unit, its ratio (строка масштаба)."""
+"""The line under a heading that states a scale, as it must be and as it stands there (строка масштаба)."""
 
 from __future__ import annotations
+
+import re
 
 from drawings.checks.graphs.figure_strokes import read
 from drawings.lettering.words import number, word
 from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Group
+from drawings.paper.walk import texts
 
 METRE = 1000.0  # mm
+_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")
 
 
 def scale_line(mu: float, letter: str, unit: str, drafting: Drafting) -> str:
@@ -38,3 +43,15 @@ def ratio(mu: float, language: str) -> str:
     """Write the ratio of a scale of lengths, m/mm: what is 1 on paper, or 1 in truth."""
     reduced = METRE * mu
     return f"1:{number(reduced, language)}" if reduced >= 1 else f"{number(1 / reduced, language)}:1"
+
+
+def written_scales(group: Group) -> dict[str, float]:
+    """Read the scales that a figure states by their letters, true units a mm; a K is the inverse of mu.
+
+    >>> from drawings.paper.strokes import Text
+    >>> written_scales(Group((Text(0j, "μ_{φ} = 0,02 рад/мм;  K_M = 4 mm/(N·m)"),)))
+    {'φ': 0.02, 'M': 0.25}
+    """
+    found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
+    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
+    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs}

@@ -59,6 +59,11 @@ def _is_within(bound: float, findings: Sequence[Finding]) -> bool:
     return all(_share(one) <= bound for one in findings if one.largest > 0)
 
 
+def is_told(leaf: Leaf, language: str) -> bool:
+    """Tell whether a sheet bears the sentence about both roads."""
+    return re.search(_pattern(language), _notes(leaf)) is not None
+
+
 def _notes(leaf: Leaf) -> str:
     """Read the notes of a sheet, its lines as one."""
     lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]

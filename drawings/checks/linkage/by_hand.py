@@ -7,7 +7,7 @@ the record drawn again with it. How slips add up to what 95 of 100 drawings are 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Set
 from typing import NamedTuple
 
 from drawings.checks import reading
@@ -24,6 +24,7 @@ Errors = Mapping[tuple[str, int], float]  # by the name and the position of a fi
 DIGITS = 2  # of what is told
 PLACES = 5  # digits of the largest value of a row, which tell how many decimals its cells have
 HEADS = ("quantity", "by plan", "by analysis", "by hand")
+EQUAL = " = "  # between the names of what is one, and has one row
 TRIED = 1e-4  # of an error: what trying a slip, instead of its slope, leaves out
 
 
@@ -70,17 +71,20 @@ def _wrong(
     return (row for row in rows if not holds(row.third, told.of(row.finding, row.position), row.finding.largest))
 
 
-def missing_rows(leaf: Leaf, due: Sequence[str]) -> Iterator[Wrong]:
+def missing_rows(leaf: Leaf, due: Mapping[str, Set[str]]) -> Iterator[Wrong]:
     """Name the rows that are left out: all that are due stand on a set of one sheet, of a longer one each has a run.
 
-    `due` are the rows in their order, by what their first cells say before the unit.
+    `due` are the rows in their order, by what their first cells say before the unit, each with those before it that
+    are the same vector: a row of several names has the place of the first, so that a sheet before this one may have it.
     """
-    lines = (row for group in reading.value_tables(leaf) for row in reading.rows(group))
-    seen = {text.plain.rsplit(", ", 1)[0] for row in lines for text in row}
-    places = [k for k, name in enumerate(due) if name in seen]
+    rows = [row for group in reading.value_tables(leaf) for row in reading.rows(group)]
+    heads = [text.plain.rsplit(", ", 1)[0].split(EQUAL) for row in rows for text in row]
+    order, seen = list(due), {name for head in heads for name in head}
+    places = sorted(min(map(order.index, own)) for head in heads if (own := [one for one in head if one in due]))
     whole = leaf.metadata["of"] == 1 or not places
-    run = due if whole else due[places[0] : places[-1]]
-    yield from (message("wrong.row_missing", name=name) for name in run if name not in seen)
+    run, before = (order, []) if whole else (order[places[0] : places[-1]], order[: places[0]])
+    lost = (name for name in run if name not in seen and not due[name] & {*before})
+    yield from (message("wrong.row_missing", name=name) for name in lost)
 
 
 def wrong_scales(measured: Measured, leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -34,7 +35,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         if not grounded(plan, slide, grounds):
             yield on("ground", POSITIONS.plan, name=slide.point)
     ticks = Segments.joined([_ticks(plan, slide) for slide in slides])
-    if not (Segments.joined([*(lengthened(one, plan) for one in known), ticks]).holds(drawn, plan.near)).all():
+    if not (Segments.joined([*map(partial(lengthened, plan), slides), ticks]).holds(drawn, plan.near)).all():
         yield on("line", POSITIONS.plan)
 
 
@@ -45,11 +46,10 @@ def axis_of(plan: LaidPlan, slide: Slide) -> Segments:
     return Segments(np.array([through + low * way]), np.array([through + high * way]))
 
 
-def lengthened(axis: Segments, plan: LaidPlan) -> Segments:
+def lengthened(plan: LaidPlan, slide: Slide) -> Segments:
     """Give an axis as far as it may be drawn; how far blocks come is known where the crank turns freely."""
-    run = axis.ends - axis.starts
-    past = PAST if plan.way is not None else plan.leaf.width
-    more = past * run / np.maximum(np.abs(run), 1e-9)
+    axis, past = axis_of(plan, slide), PAST if plan.way is not None else plan.leaf.width
+    more = past * slide.on_owner.direction
     return Segments(axis.starts - more, axis.ends + more)
 
 

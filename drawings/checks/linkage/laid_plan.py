@@ -15,11 +15,12 @@ from drawings.paper.walk import flat
 from drawings.symbols.symbols import BLOCK, DOUBLE, MASS, SLOT
 from plans.analytic.kinematics import Analysis
 from plans.linkage.primary import PRIMARIES
-from plans.model.mechanism import Slide
+from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Complexes, Extremes, Floats
 
 ROOM = 0.1  # mm that lines end before a symbol at the most
 WAY = 180  # places on the way round, close enough to tell how far blocks come
+REACH = 1.25  # a path runs on beyond the positions that are drawn by so much of their size, as to infinity, not farther
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,6 +102,28 @@ class LaidPlan:
     def symbol(self) -> float:
         """How far the largest symbol reaches from its middle, mm."""
         return float(self._symbols[1].max(initial=0.0))
+
+    def reached(self, spots: Complexes) -> Flags:
+        """Tell of the spots of a path whether they are not too far off the positions and the drive's circle."""
+        low, high = self._box
+        middle, half = (low + high) / 2, REACH * max((high - low).real, (high - low).imag) / 2
+        off = spots - middle
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.maximum(np.abs(off.real), np.abs(off.imag)) <= half - self.near)
+
+    @cached_property
+    def _box(self) -> tuple[complex, complex]:
+        """The corners of the box about the positions that are drawn and the drive's circle, mm."""
+        mechanism, drive = self.laid.mechanism, self.laid.mechanism.drive
+        names = {name for link in mechanism.links.values() for name in link.points}
+        drawn = [one for one in (self.poses, self.extremes) if one is not None]
+        spots = [one.point(name) for one in drawn for name in names]
+        if drive.turns:
+            pivot = self.laid.on(FRAME, mechanism.links[FRAME].points[drive.pivot])
+            spots.append(pivot + abs(self.crank_ends[0] - pivot) * np.array([1, 1j, -1, -1j]))
+        known = np.concatenate(spots)
+        known = known[np.isfinite(known)]
+        return complex(known.real.min(), known.imag.min()), complex(known.real.max(), known.imag.max())
 
     def clear(self, spots: Complexes, by: float = 0.0) -> Flags:
         """Tell of spots whether they are clear of the symbols of the shown position, by so many mm; a gap is not."""

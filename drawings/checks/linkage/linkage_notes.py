@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.precise import ALL_DIGITS, tells
+from drawings.checks.precise import ALL_DIGITS, rounded, tells
 from drawings.checks.reading import NOTES, notes
 from drawings.checks.wrong import within
-from drawings.lettering.words import number, runs, word
+from drawings.lettering.words import fixed, number, runs, word
 from drawings.paper.strokes import Leaf, Text
 from plans.checks.compare import MotionComparison
 from plans.checks.hand.quantity import SLIP
+from plans.checks.ram_law import stroke_of
+from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import Drive
 from plans.model.motion import Extremes, Floats
 from plans.model.structure import formula, mechanism_class
 from plans.words.words import Message
@@ -33,7 +36,7 @@ def faults(leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Ite
     for due in _Due(study, comparison).sentences():
         words = Text(0j, due).plain.replace("\N{NO-BREAK SPACE}", " ").split()
         if not among(seen, words):
-            yield within("missing_from", NOTES, name=" ".join(words))
+            yield within("missing_from", NOTES, name=rounded(" ".join(words)))
 
 
 def among(seen: list[str], due: list[str]) -> bool:
@@ -64,17 +67,18 @@ class _Due(NamedTuple):
         extremes = None if self.study.travel is None else self.comparison.road.extremes(self.study.output)
         if extremes is not None:
             yield f"{self._stroke(extremes)};  {self._ratio(extremes)}"
+        yield from self._pressures()
         yield from self._gaps()
         if np.isfinite(self.comparison.kappa).any():
             yield word(self.language, "hand note", slip=number(SLIP, self.language))
 
     def _drive(self) -> Iterator[str]:
-        """Tell how the primary link moves; of a cylinder the law is that of its own table."""
+        """Tell how the primary link moves."""
         drive = self.study.mechanism.drive
-        if drive.ram is not None:
-            return
         omega, epsilon = (np.ravel(rate) * drive.unit for rate in self.comparison.road.rates(self.study.turn.phi))
-        if drive.pushed:
+        if drive.ram is not None:
+            yield self._cylinder(drive, {"omega": self._span(omega), "epsilon": self._span(epsilon)})
+        elif drive.pushed:
             ends = (self._full(1000 * drive.unit * float(phi)) for phi in self.study.turn.phi[[0, -1]])
             rates = {"v": self._span(omega), "a": self._span(epsilon)}
             yield word(self.language, "pushed", point=drive.end, stroke=" … ".join(ends), **rates)
@@ -84,12 +88,31 @@ class _Due(NamedTuple):
         else:
             yield word(self.language, "even crank", link=drive.link, omega=self._span(omega))
 
+    def _cylinder(self, drive: Drive, rates: Mapping[str, str]) -> str:
+        """Tell the law of the cylinder that drives, by its lengths over the stroke."""
+        ram = drive.ram
+        assert ram is not None  # asked only where there is one
+        lengths, *law = stroke_of(self.study.mechanism, len(self.study.turn))
+        stroke = " … ".join(self._full(1000 * float(end)) for end in lengths[[0, -1]])
+        told = dict(zip("va", map(self._span, law), strict=True))
+        line = f"{ram.foot}{ram.point}"
+        return word(self.language, "cylinder", link=drive.link, line=line, stroke=stroke, **told, **rates)
+
     def _lengths(self) -> Iterator[str]:
         """Tell the lengths: as far as the named points of a link are apart, but for those of the sketch's own frame."""
         given = self.study.form.mechanism.lengths
         if 0 < len(given) <= MOST:
             told = (f"l_{{{name}}} = {self._full(1000 * float(size))}" for name, size in given.items())
             yield word(self.language, "lengths", lengths=",  ".join(told))
+
+    def _pressures(self) -> Iterator[str]:
+        """Tell between what the pressure angle of each group goes; of one that stays at one value nothing is told."""
+        for group in self.study.groups:
+            seen = interval(self.study.sweep, group, self.study.nodes)
+            ends = math.degrees(seen.low), math.degrees(seen.high)
+            if len({fixed(end, self.language) for end in ends}) > 1:
+                low, high = map(self._full, ends)
+                yield word(self.language, "pressure", group=group.label, low=low, high=high)
 
     def _stroke(self, extremes: Extremes) -> str:
         if extremes.sliding:

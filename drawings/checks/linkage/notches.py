@@ -22,9 +22,10 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     arcs = [one for one in plan.strokes(NOTCHES) if isinstance(one, Arc)]
     known = [one for one in _laid(plan) if not math.isnan(one[2].real)]
     for name, centre, spot in known:
-        if not any(_notched(arc, centre, spot, plan) for arc in arcs):
+        hidden = 2 * abs(spot - centre) <= plan.symbol  # the symbol at its meeting covers all of its circle
+        if not hidden and not any(notched(arc, centre, spot, plan) for arc in arcs):
             yield on("notch", POSITIONS.plan, name=name)
-    if known and not all(any(_about(arc, centre, spot, plan) for _, centre, spot in known) for arc in arcs):
+    if known and not all(any(about(arc, centre, spot, plan) for _, centre, spot in known) for arc in arcs):
         yield on("notch", POSITIONS.plan, name=NOTCHES)
 
 
@@ -43,12 +44,13 @@ def _due(plan: LaidPlan) -> Iterator[tuple[str, str]]:
             yield from ((start, group.inner) for start in outer)
 
 
-def _about(arc: Arc, centre: complex, spot: complex, plan: LaidPlan) -> bool:
+def about(arc: Arc, centre: complex, spot: complex, plan: LaidPlan) -> bool:
+    """Tell whether an arc has a centre and goes as far from it as a place."""
     return abs(arc.centre - centre) <= plan.near and abs(arc.radius - abs(spot - centre)) <= plan.near
 
 
-def _notched(arc: Arc, centre: complex, spot: complex, plan: LaidPlan) -> bool:
+def notched(arc: Arc, centre: complex, spot: complex, plan: LaidPlan) -> bool:
     """Tell whether an arc about a centre goes through its meeting, or up to the symbol that stands there."""
-    if not _about(arc, centre, spot, plan):
+    if not about(arc, centre, spot, plan):
         return False
     return holds(arc, spot, plan.near) or min(abs(arc.at(share) - spot) for share in (0.0, 1.0)) <= plan.symbol

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from drawings.checks.linkage.bars import holds
+from drawings.checks.linkage.bars import SHOWN, holds
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.laid_poses import LaidPoses, Segments
 from drawings.checks.wrong import on
@@ -38,11 +38,11 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     marks = plan.lines(TICKS)
     ticks = (marks.starts + marks.ends) / 2
     for name, rows in _traced(plan):
-        spots = np.concatenate([row[:: EVERY if k else 1] for k, row in enumerate(rows)])
+        spots = np.concatenate([rows[0], *(_drawn(plan, name, row)[::EVERY] for row in rows[1:])])
         spots = spots[plan.clear(spots)]
         if spots.size and np.ptp(spots.real) + np.ptp(spots.imag) > STILL:
             off = np.fmin(drawn.nearest(spots), _off_arcs(arcs, spots, within))
-            if (off > within).any():
+            if (np.fmin(off, _off_links(plan, spots)) > within).any():
                 yield on("trajectory", POSITIONS.plan, name=name)
             due = rows[0][_ticked(plan)]
             due = due[plan.clear(due, TICK)]
@@ -50,6 +50,18 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
                 yield on("ticks", POSITIONS.plan, count=len(due))
     if plan.way is not None and not _all_known(plan, drawn, arcs, within):
         yield on("path", POSITIONS.plan, name=PATHS)
+
+
+def _drawn(plan: LaidPlan, name: str, way: Complexes) -> Complexes:
+    """Give a point's way round, NaN where it or its neighbour is farther off than paths are drawn.
+
+    A mass centre that no point names is placed by the first point of its link, and goes no farther than that one.
+    """
+    reached = plan.reached(way)
+    if name in plan.laid.centres and plan.way is not None:
+        link, _ = plan.laid.centres[name]
+        reached &= plan.reached(plan.way.point(next(iter(plan.laid.mechanism.links[link].points))))
+    return np.where(reached & np.roll(reached, 1) & np.roll(reached, -1), way, np.nan)
 
 
 def _ticked(plan: LaidPlan) -> slice:
@@ -71,6 +83,13 @@ def _off_arcs(arcs: list[Arc], spots: Complexes, within: float) -> Floats:
     return np.array([0.0 if any(holds(arc, complex(spot), within) for arc in arcs) else np.inf for spot in spots])
 
 
+def _off_links(plan: LaidPlan, spots: Complexes) -> Floats:
+    """Give how far places are beside the links in full lines: a path that runs along one is hidden by it."""
+    full = [one for one in plan.strokes(SHOWN) if isinstance(one, Line)]
+    widest = max((one.style.width for one in full), default=0.0)
+    return plan.lines(SHOWN).nearest(spots) - widest / 2
+
+
 def _traced(plan: LaidPlan) -> Iterator[tuple[str, list[Complexes]]]:
     """Give the points that have paths: their places in the positions, and on the way round where that is known."""
     mechanism = plan.laid.mechanism
@@ -90,5 +109,5 @@ def _all_known(plan: LaidPlan, drawn: Segments, arcs: list[Arc], within: float) 
     known = Segments.joined([Segments(row[:-1], row[1:]) for row in rows])
     bent = (float(np.nanmax(np.abs(np.diff(row, 2)), initial=0.0)) for row in rows)
     ends = [spot for arc in arcs for spot in (arc.at(0.0), arc.at(0.5), arc.at(1.0))]
-    spots = np.array([*ends, *drawn.starts, *drawn.ends])
+    spots = np.array([*{*ends, *drawn.starts.tolist(), *drawn.ends.tolist()}])
     return bool((known.nearest(spots) <= within + max(bent, default=0.0) / SAG).all())

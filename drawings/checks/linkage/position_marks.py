@@ -69,6 +69,8 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
     """Tell whether a number stands at its link; the frame's stands under the stand of a hinge."""
     circle, dot = number.strokes[0], number.strokes[-1]
     assert isinstance(circle, Circle)
+    if not is_led(number):
+        return False
     if isinstance(dot, Circle) and dot is not circle:
         if link != FRAME and within(laid.corners(link), dot.centre):
             return True
@@ -77,11 +79,23 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
     return laid.apart(link, circle.centre) <= circle.radius + BESIDE + clear + EXACT
 
 
+def is_led(number: Group) -> bool:
+    """Tell whether a number has no leader, or one from its circle's rim to the dot on its link."""
+    match number.strokes:
+        case (Circle(), Text()):
+            return True
+        case (Circle() as circle, Text(), Line() as leader, Circle() as dot):
+            from_rim = abs(abs(leader.start - circle.centre) - circle.radius) <= EXACT
+            return from_rim and abs(leader.end - dot.centre) <= EXACT
+    return False
+
+
 def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each mass centre off its link is tied to it."""
     lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
-        tied = _joins(lines, spot, link, laid)
+        ends = list(_reached(lines, spot))
+        tied = any(laid.apart(link, end) <= HIDING / 2 or _covered(leaf, laid.foot(link, end), end) for end in ends)
         if not tied and laid.apart(link, spot) > MASS and not _covered(leaf, laid.foot(link, spot), spot):
             yield on("tie", POSITIONS.plan, name=name)
 
@@ -116,10 +130,11 @@ def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:
         yield name, number, laid.on(number, own)
 
 
-def _joins(lines: Sequence[Line], spot: complex, link: int, laid: LaidMechanism) -> bool:
-    """Tell whether a line runs from a link, or from a hinge or block of it, to the symbol of its mass centre.
+def _reached(lines: Sequence[Line], spot: complex) -> Iterator[complex]:
+    """Give the places to which lines run from the symbol of a mass centre, as far as each goes toward its link.
 
     What it crosses may part it: from the mass centre on each piece begins where a symbol may hide the end of the last.
+    Beyond the link another line may go on, as the axis of its guide does.
     """
     for last in (one for one in lines if _far(one, spot) <= MASS + EXACT):
         way = (last.start - last.end) / abs(last.start - last.end)
@@ -129,9 +144,8 @@ def _joins(lines: Sequence[Line], spot: complex, link: int, laid: LaidMechanism)
             runs = sorted(sorted(((end - spot) / way).real * side for end in (one.start, one.end)) for one in own)
             for near, far in runs:
                 reached = max(reached, far) if near <= reached + HIDING else reached
-            if reached > 0 and laid.apart(link, spot + side * reached * way) <= HIDING / 2:
-                return True
-    return False
+                if reached > 0:
+                    yield spot + side * reached * way
 
 
 def _far(line: Line, spot: complex) -> float:

@@ -12,7 +12,7 @@ from drawings.checks.wrong import on
 from drawings.lettering.extent import bounds
 from drawings.lettering.words import fixed
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Fill, Leaf, Line, Text
+from drawings.paper.strokes import Fill, Leaf, Line, Stroke, Text
 from plans.analytic.kinematics import Analysis
 from plans.linkage.strokes import other_sliders
 from plans.linkage.travel import frame_slide
@@ -52,12 +52,16 @@ class DueStroke(NamedTuple):
         return reaches and above and pointed and abs(tips[0][1] + tips[1][1]) <= EXACT
 
 
-def faults(leaf: Leaf, laid: LaidMechanism, road: Analysis) -> Iterator[Message]:
-    """See that each slider's stroke has its dimension, and that no other dimension stands there."""
-    drawn = [stroke for group in named(leaf, "stroke") for stroke in group.strokes]
+def faults(leaf: Leaf, laid: LaidMechanism, road: Analysis, others: bool = True) -> Iterator[Message]:
+    """See that each slider's stroke has its dimension, of `others` than the output too, and that there is no other."""
+    own = _strokes(laid, road) if others else _of_output(laid, road)
+    return held([stroke for group in named(leaf, "stroke") for stroke in group.strokes], list(own))
+
+
+def held(drawn: Sequence[Stroke], expected: Sequence[DueStroke]) -> Iterator[Message]:
+    """See that strokes are the dimensions that are due, and no other."""
     begins = [k for k, stroke in enumerate(drawn) if isinstance(stroke, Text)]
     sets = [drawn[k:end] for k, end in pairwise([*begins, len(drawn)])]
-    expected = list(_strokes(laid, road))
     for one in expected:
         if not any(_is(one, dimension) for dimension in sets):
             yield on("stroke", POSITIONS.plan, name=one.text)
@@ -86,6 +90,20 @@ def _tip(head: Fill, along: complex, origin: complex) -> tuple[complex, int]:
     return tip, 1 if (tip - back).real > 0 else -1
 
 
+def _of_output(laid: LaidMechanism, road: Analysis) -> Iterator[DueStroke]:
+    """Find the stroke of the output alone, if it slides on the frame."""
+    out, found = laid.study.output, road.extremes(laid.study.output)
+    slide = frame_slide(laid.mechanism, out.link)
+    if slide is not None and found is not None:
+        ends = on_guide(laid, slide, found.reach)
+        yield DueStroke(f"H = {length(found.stroke, laid.study.language)}", ends)
+
+
+def length(size: float, language: str) -> str:
+    """Write a length m in millimetres, of two decimals those that are not zero."""
+    return fixed(1000 * size, language).rstrip("0").rstrip(".,")
+
+
 def _strokes(laid: LaidMechanism, road: Analysis) -> Iterator[DueStroke]:
     """Find the stroke of each slider on the frame: of the output, and of the others by their points' letters."""
     mechanism, out = laid.mechanism, laid.study.output
@@ -96,14 +114,13 @@ def _strokes(laid: LaidMechanism, road: Analysis) -> Iterator[DueStroke]:
     moving = [(slide, output.point or slide.point, told) for slide, output, told in found if told is not None]
     several = sum(slide != own[0][0] for slide, _, _ in moving) if own else len(moving)
     for slide, point, told in moving:
-        ends = _ends(laid, slide, point, told.reach)
+        ends = on_guide(laid, slide, told.reach)
         if abs(ends[1] - ends[0]) > SEEN or slide in [one for one, _ in own]:
             letter = f"H{point}" if several else "H"
-            size = fixed(1000 * told.stroke, laid.study.language).rstrip("0").rstrip(".,")
-            yield DueStroke(f"{letter} = {size}", ends)
+            yield DueStroke(f"{letter} = {length(told.stroke, laid.study.language)}", ends)
 
 
-def _ends(laid: LaidMechanism, slide: Slide, point: str, reach: tuple[float, float]) -> tuple[complex, complex]:
+def on_guide(laid: LaidMechanism, slide: Slide, reach: tuple[float, float]) -> tuple[complex, complex]:
     """Place both ends of a stroke on the guide's own line, in the order in which their paper has them."""
     way = slide.way(FRAME)
     first, last = (laid.at.on(way.through + one * way.direction) for one in sorted(reach))

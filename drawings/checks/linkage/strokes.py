@@ -70,8 +70,8 @@ def faults(leaf: Leaf, laid: LaidMechanism, extremes: Extremes | None) -> Iterat
     for name, sectors, halves in (("phases", _phases(laid, extremes), 1), ("swing", _swing(laid, extremes), 2)):
         arrows = list(_arrows(leaf, name))
         shown = [(one, _radius(one, arrows, halves)) for one in sectors]
-        due = bool(sectors) and not arrows and _must(name, laid, sectors)
-        if due or len(arrows) != halves * sum(radius is not None for _, radius in shown):
+        lost = any(radius is None for _, radius in shown) and (bool(arrows) or _must(name, laid, sectors))
+        if lost or len(arrows) != halves * sum(radius is not None for _, radius in shown):
             yield on("arc", POSITIONS.plan, name=name)
         for one, radius in shown:
             text = one.text(laid.study.language)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import letter, word
 from drawings.measure.measure import Measured
-from drawings.paper.strokes import Leaf, Text
+from drawings.paper.strokes import Group, Leaf, Text
 from geometry import draughtsman, hand_error
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
@@ -22,6 +22,7 @@ from plans.model.order import ORDERS, PLANS
 from plans.words.words import message
 
 TABLE = "values"  # the name of the table
+EQUAL = by_hand.EQUAL
 
 
 def faults(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Iterator[Wrong]:
@@ -35,16 +36,21 @@ def faults(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: Moti
         yield message("wrong.missing", name=TABLE)
     if not positions:
         return
-    named = _named([*comparison.findings, *told.parts], study.language)
-    yield from reading.tables(leaf, named)
+    single = named([*comparison.findings, *told.parts], study.language)
+    every = dict(_joined(tables, single))
+    known = single | {head: same[0] for head, same in every.items()}
+    yield from reading.tables(leaf, known)
+    for head, same in every.items():
+        for one in same[1:]:
+            yield from reading.tables(leaf, {head: one})
     for table in tables:
         yield from table_grid.faults(table, TABLE, by_hand.HEADS, study.language)
-    yield from _labels(leaf, named, study.language)
+    yield from _labels(leaf, known, study.language)
     ruled, tried = (
         told.on_sheet(positions, leaf.metadata["scales"], slopes) for slopes in (hand_error.slopes, draughtsman.slopes)
     )
-    yield from by_hand.wrong_cells(leaf, named, by_hand.Told(ruled, tried))
-    yield from by_hand.missing_rows(leaf, [*_named(due_rows(comparison, told), study.language)])
+    yield from by_hand.wrong_cells(leaf, known, by_hand.Told(ruled, tried))
+    yield from by_hand.missing_rows(leaf, _with_same(named(due_rows(comparison, told), study.language)))
 
 
 def due_rows(comparison: MotionComparison, told: MotionByHand) -> list[Finding]:
@@ -54,8 +60,8 @@ def due_rows(comparison: MotionComparison, told: MotionByHand) -> list[Finding]:
     """
     found: list[Finding] = []
     for order in ORDERS[1:]:
-        own = [one for one in comparison.of(order.plan) if _is_something(one)]
-        parts = [one for one in told.parts if one.plan == order.plan and _is_something(one)]
+        own = [one for one in comparison.of(order.plan) if is_something(one)]
+        parts = [one for one in told.parts if one.plan == order.plan and is_something(one)]
         points = [one for one in own if one.unit == order.point.unit]
         beside = [one for one in parts if not _whole(one, {one.name for one in points}, {one.name for one in parts})]
         found += [*points, *beside, *(one for one in own if one not in points)]
@@ -68,15 +74,39 @@ def _whole(part: Finding, points: set[str], parts: set[str]) -> bool:
     return name != part.name and name in points and part.name.replace("^n", "^t") not in parts
 
 
-def _is_something(one: Finding) -> bool:
+def is_something(one: Finding) -> bool:
+    """Tell whether a finding is more than rounding in some position, by the analysis."""
     most = np.nanmax(np.abs(one.analysis), initial=0.0)
     return bool(most > 2 * np.nanmax(one.allowed, initial=0.0))
 
 
-def _named(told: Sequence[Finding], language: str) -> dict[str, Finding]:
+def named(told: Sequence[Finding], language: str) -> dict[str, Finding]:
     """Give findings of velocities and accelerations by their letters as they are read."""
     plans = [order.plan for order in ORDERS[1:]]
     return {_letter(one, language): one for one in told if one.plan in plans}
+
+
+def _joined(tables: Sequence[Group], single: Mapping[str, Finding]) -> Iterator[tuple[str, list[Finding]]]:
+    """Give the findings of each row that several names stand before: "vD = vS5"; all of them are known, and one.
+
+    Vectors of equal size alone are not: the analysis has them equal in every position.
+    """
+    for head in (text.plain.rsplit(", ", 1)[0] for one in tables for row in reading.rows(one) for text in row):
+        same = [single[name] for name in head.split(EQUAL) if name in single]
+        if len(same) == head.count(EQUAL) + 1 > 1 and all(_one(same[0], other) for other in same[1:]):
+            yield head, same
+
+
+def _with_same(due: Mapping[str, Finding]) -> dict[str, frozenset[str]]:
+    """Give with each row those before it that the analysis has equal to it in every position."""
+    names = list(due)
+    return {name: frozenset(one for one in names[:k] if _one(due[one], due[name])) for k, name in enumerate(names)}
+
+
+def _one(first: Finding, other: Finding) -> bool:
+    apart = np.abs(first.analysis - other.analysis)
+    known = np.isfinite(apart)
+    return first.unit == other.unit and bool(np.all(apart[known] <= (first.allowed + other.allowed)[known]))
 
 
 def _letter(one: Finding, language: str) -> str:

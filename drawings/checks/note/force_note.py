@@ -15,7 +15,7 @@ from drawings.checks.verify_friction import report_of
 from drawings.note.force_equations import drafting_of_forces, drawn_scales, equations
 from plans.checks.compare import MOST_ALLOWED
 from plans.study import Study
-from plans.words.words import Message, word
+from plans.words.words import Message, message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -35,3 +35,9 @@ def report_faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]])
     """Hold a whole report: the note, and the tables of forces over the positions."""
     yield from faults(text, study, leaves)
     yield from ForceTables(text, study["forces"], study.comparison("forces")).faults()
+    shown = dict.fromkeys(
+        leaf.metadata["position"] for own in leaves.values() for leaf in own if "position" in leaf.metadata
+    )
+    due = word(study.scene.sheet.language, "report.forces_drawn", positions=", ".join(map(str, shown)))
+    if due not in text.splitlines():
+        yield message("wrong.missing", name=due)

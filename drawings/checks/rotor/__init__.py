@@ -1,1 +1,1 @@
-"""The self-check of a rotor's figures: views and polygons, stroke by stroke (проверка фигур ротора)."""
+"""The self-check of the sheet of a rotor: views, polygons, tables, notes (проверка листа ротора)."""

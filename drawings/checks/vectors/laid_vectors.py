@@ -10,7 +10,7 @@ from drawings.checks.linkage.position_marks import EXACT
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf
-from drawings.paper.walk import groups
+from drawings.paper.walk import group_named, groups
 from plans.checks.expected import Expected
 from plans.linkage.groups.vector_sums import VectorSums
 from plans.linkage.letters import POLES
@@ -47,7 +47,7 @@ class LaidVectorPlan:
     def figure(self) -> Group | None:
         """The strokes of the plan; None where the sheet has none."""
         name = f"{self.plan}-{self.position}"
-        return next((one for one in groups(self.leaf.groups) if one.name == name), None)
+        return group_named(self.leaf.groups, name)
 
     @cached_property
     def pole(self) -> complex | None:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.graphs.scale_line import ratio
+from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on
-from drawings.lettering.words import number
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
@@ -15,10 +14,10 @@ from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message, message
 
 
-def of_positions(leaf: Leaf, mu: float, drafting: Drafting) -> Iterator[Message]:
-    """See that the plan of positions has its title and its scale."""
+def of_positions(leaf: Leaf, mu: float, drafting: Drafting, title: str = POSITIONS.plan) -> Iterator[Message]:
+    """See that the plan of positions has its title, by its word, and its scale."""
     written = {text.plain for text in texts(leaf.groups)}
-    yield from _of(POSITIONS.plan, drafting.word(POSITIONS.plan), _scale("l", mu, "m", drafting), written)
+    yield from _of(POSITIONS.plan, drafting.word(title), scale_line(mu, "l", "m", drafting), written)
 
 
 def of_vectors(laid: LaidVectorPlan) -> Iterator[Message]:
@@ -26,7 +25,7 @@ def of_vectors(laid: LaidVectorPlan) -> Iterator[Message]:
     if laid.figure is None:
         return
     point, by = next(one.point for one in ORDERS if one.plan == laid.plan), laid.drafting
-    scale = _scale(point.symbol, laid.scale, point.unit, by) if laid.vectors else by.word("at rest")
+    scale = scale_line(laid.scale, point.symbol, point.unit, by) if laid.vectors else by.word("at rest")
     written = {text.plain for text in texts((laid.figure,))}
     yield from _of(laid.plan, by.word(laid.plan, position=laid.position), scale, written)
 
@@ -36,14 +35,3 @@ def _of(plan: str, title: str, scale: str, written: set[str]) -> Iterator[Messag
         yield on("title", plan, text=title)
     if scale not in written:
         yield message("wrong.scale", text=scale)
-
-
-def _scale(letter: str, mu: float, unit: str, by: Drafting) -> str:
-    """Write a scale as it is read, mu with the ratio of lengths, or K."""
-    true, mm = by.word(unit), by.word("mm")
-    true = f"({true})" if "/" in true else true
-    if by.notation == "K":
-        return f"K{letter} = {number(1 / mu, by.language)} {mm}/{true}"
-    return f"μ{letter} = {number(mu, by.language)} {true}/{mm}" + (
-        f" ({ratio(mu, by.language)})" if letter == "l" else ""
-    )

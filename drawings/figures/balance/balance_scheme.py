@@ -23,6 +23,7 @@ from drawings.figures.linkage.rotation import turnings
 from drawings.figures.linkage.ties import ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
+from drawings.layout.outline import traced
 from drawings.layout.parallel_offsets import APART, Segment, offset
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -215,15 +216,23 @@ def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
 
 
 def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting) -> Picture:
-    """Measure the room of a scheme: of the points of all that stand beside it, letters around them, its heading above.
+    """Measure the room of a scheme: of its points, letters around them, its heading above.
 
-    Schemes of the same points are of one size, and their links lie alike.
+    Beside others, of whose `points` it is drawn with its own, it is as high above its links as they all ask, so that
+    links lie alike under level headings; and it is read at the scale at which these are.
     """
     hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     title = text_width(Text(0j, title_of(shown, drafting), hand.title)) + 2 * LEAN * hand.title
-    return picture(shown.name, points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    subject, least = (SYMBOL, UNIT), LETTERS * hand.letter
+    every = picture(shown.name, points, subject, margins, title, least)
+    highest = max(shown.points, key=lambda one: one.imag).real
+    top = complex(highest, max(one.imag for one in points))
+    held = [*shown.points, top]
+    own = picture(shown.name, held, subject, margins, title)
+    smaller = max(own.wide, own.high) / max(every.wide, every.high)
+    return own._replace(least=least * smaller, bands=traced(shown.lines, held))
 
 
 def draw(shown: BalanceScheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:

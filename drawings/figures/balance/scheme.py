@@ -91,20 +91,29 @@ class BalanceScheme:
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        spots = [0j, *self.named.values(), self.centre, *self._links()]
-        spots += [end for one in self.chain for end in (one.at, one.end)]
-        spots += [spot for path in self.paths.values() for spot in path[~np.isnan(path.real)].tolist()]
-        return spots + [spot for one in self.weights for spot in one.rim]
+        return [spot for line in self.lines for spot in line]
 
-    def _links(self) -> Iterator[complex]:
-        """Give the ends of all bars, slots as long as their stones' travel, and the ends of the frame's guides."""
+    @cached_property
+    def lines(self) -> list[list[complex]]:
+        """All that the figure must hold, in true lines from point to point."""
+        runs = (path[~np.isnan(path.real)].tolist() for path in self.paths.values())
+        return [
+            *([spot] for spot in (0j, *self.named.values(), self.centre)),
+            *map(list, self._links()),
+            *([one.at, one.end] for one in self.chain),
+            *(run for run in runs if run),
+            *(one.rim for one in self.weights),
+        ]
+
+    def _links(self) -> Iterator[tuple[complex, complex]]:
+        """Give all bars, slots as long as their stones' travel, and the frame's guides, by their ends."""
         numbered, k = self.bones.numbered, self.shown
         bars = [(one.link, bar) for one in outlines(self.bones, self.bones.travels) for bar in one.bars]
-        ends = [complex(numbered.of(link, spot)[k]) for link, bar in bars for spot in bar]
+        ends = [tuple(complex(numbered.of(link, spot)[k]) for spot in bar) for link, bar in bars]
         for slide, travel in self.bones.travels.items():
             if slide.owner == FRAME:
-                ends += [slide.on_owner.through + along * slide.on_owner.direction for along in travel]
-        yield from (end for end in ends if not math.isnan(end.real))
+                ends.append(tuple(slide.on_owner.through + along * slide.on_owner.direction for along in travel))
+        yield from ((one, other) for one, other in ends if not (math.isnan(one.real) or math.isnan(other.real)))
 
 
 def placed_weight(weight: Counterweight, bones: Skeletons) -> PlacedWeight:

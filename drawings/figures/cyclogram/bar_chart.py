@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from drawings.figures.cyclogram import course
+from drawings.figures.cyclogram import course, row_names
 from drawings.figures.cyclogram.course import Stretch, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -26,10 +26,11 @@ ROWS, SETTING = "rows", "set."  # the group of its bars; the names of setting an
 SYMBOL, UNIT = "φ", "rad"
 # In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
 ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.11, 0.2
-NAMES = 1.7  # of the turn: the column of names stands left of the rows
+NAMES = 1.45  # of the turn: the column of names stands left of the rows
 MARGINS = Margins(1.85, 2.0, 3.2)  # paper around it in sizes of its letters
 LARGER = 2.1  # times as large it is drawn at most: from one standard scale to the next is twice
-DEGREES = 30  # from one number of the abscissa to the next
+DEGREES = 30  # from one tick of the abscissa to the next
+TOLD = (DEGREES, 2 * DEGREES)  # from one number of it to the next, as the scale has room for them
 BESIDE = 0.8  # mm from a line to its letters
 OVER = 1.6  # mm from the upper end of a course to its letters
 STEP = 1.7  # sizes of the letters from line to line
@@ -69,7 +70,7 @@ class BarFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart, what is too long for its bar lettered beside it."""
-        letters = (*self._numbers(labels), *self._long(labels))
+        letters = (*self._numbers(labels), *self._long(labels), *self._names(labels))
         return *self.lines, *([Group(letters, f"{NAME}-letters")] if letters else [])
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
@@ -86,6 +87,14 @@ class BarFigure:
                 text, size = course.doing(one.span, self.drafting), self.drafting.hand.number
                 yield labels.beside(self.place.on(spot), text, size, BESIDE, math.pi / 2)
 
+    def _names(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the rows whose names have no room in their column."""
+        size = self.drafting.hand.number
+        for k, row in enumerate(self.chart.rows):
+            if not _named(row, self.place, self.drafting):
+                spot = self.place.on(complex(-NAMES, -ROW * (k + 0.5)))
+                yield labels.beside(spot, course.name(row, self.drafting), size, BESIDE, math.pi)
+
 
 def measure(chart: Chart, drafting: Drafting) -> Picture:
     """Measure the room that it needs."""
@@ -94,8 +103,7 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     low = chart.bottom - LEVEL * len(chart.settings)
     corners = (complex(-NAMES, low), complex(TURN, 0.0))
     title = text_width(Text(0j, drafting.word(TITLE), hand.title))
-    widest = max(_wide(course.name(row, drafting), hand) for row in chart.rows)
-    least = (TURN + NAMES) * max((widest + 2 * BESIDE) / NAMES, _written(hand) / (ROW - HIGH))
+    least = (TURN + NAMES) * max(row_names.width(chart.rows, drafting, BESIDE) / NAMES, _written(hand) / (ROW - HIGH))
     margins = Margins(side, below + 2 * hand.number, above + 2 * hand.title + hand.text)
     room = picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
     return room._replace(most=LARGER * least)
@@ -143,7 +151,14 @@ def _told(one: Stretch, place: Place, drafting: Drafting) -> tuple[str, ...]:
     room = place.length(one.end - one.start) - 2 * BESIDE
     texts = course.angle(one.span, drafting), course.doing(one.span, drafting)
     angle, doing = (_wide(text, drafting.hand) <= room for text in texts)
-    return texts if angle and doing else texts[1:] if doing else ()
+    fit = _lines(one, place, drafting.hand)
+    return texts if angle and doing and fit > 1 else texts[1:] if doing and fit else ()
+
+
+def _lines(one: Stretch, place: Place, hand: Hand) -> int:
+    """Count the lines of letters that have room over the line of a span in its row: of a small chart not two."""
+    room = place.length(ROW - _level(max(one.low, one.high))) - OVER
+    return int((room + (STEP - 1) * hand.number) / (STEP * hand.number))
 
 
 def _grid(chart: Chart, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -160,8 +175,18 @@ def _grid(chart: Chart, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _names(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     hand = drafting.hand
     for k, row in enumerate(chart.rows):
-        spot = place.on(complex(-NAMES, -ROW * (k + 0.5))) + BESIDE - 0.5j * hand.number
-        yield Text(spot, course.name(row, drafting), hand.number, "start", True)
+        lines = _named(row, place, drafting)
+        first = (
+            place.on(complex(-NAMES, -ROW * (k + 0.5))) + BESIDE + 0.5j * hand.number * (STEP * (len(lines) - 1) - 1)
+        )
+        for line, text in enumerate(lines):
+            yield Text(first - 1j * line * STEP * hand.number, text, hand.number, "start", True)
+
+
+def _named(row: Row, place: Place, drafting: Drafting) -> tuple[str, ...]:
+    """Give the lines of a row's name in the column; none, if they have no room there."""
+    room = complex(place.length(NAMES), place.length(ROW)) - complex(2 * BESIDE, 2 * BESIDE)
+    return row_names.lines(row, room, STEP, drafting)
 
 
 def _axis(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
@@ -172,10 +197,13 @@ def _axis(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     yield Line(start, end + 2 * PAST, hand.other)
     yield from () if head is None else (head,)
     yield Text(end - 1j * (TICK + BESIDE + hand.number), "φ, °", hand.number, "start", True)
+    room = _wide("330", hand) + 2 * BESIDE
+    told = next((step for step in TOLD if place.length(math.radians(step)) >= room), 3 * DEGREES)
     for degrees in range(0, 360, DEGREES):
         foot = place.on(complex(chart.at(math.radians(degrees)), chart.bottom))
         yield Line(foot - 1j * TICK, foot, hand.other)
-        yield Text(foot - 1j * (TICK + BESIDE + hand.number), str(degrees), hand.number, "middle", True)
+        if degrees % told == 0:
+            yield Text(foot - 1j * (TICK + BESIDE + hand.number), str(degrees), hand.number, "middle", True)
 
 
 def _bars(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:

@@ -90,7 +90,7 @@ def _cell(value: float, drafting: Drafting) -> str:
 
 def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and by how much the strips are out; then the inertia by other methods."""
-    pairs = zip(_values(own), _values(exact), strict=True)
+    pairs = zip(_values(own, drafting), _values(exact, drafting), strict=True)
     lines = [_compared(one, two, drafting) for one, two in pairs]
     lines += _others(exact, methods, drafting)
     heads = tuple(drafting.word(head) for head in COLUMNS)
@@ -106,7 +106,7 @@ class _Value(NamedTuple):
     whole: float | None = None
 
 
-def _values(account: Account) -> Iterator[_Value]:
+def _values(account: Account, drafting: Drafting) -> Iterator[_Value]:
     """Give what is compared; segments are parts of one length, however small one of them is."""
     cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
     if cycle is not None:
@@ -115,7 +115,10 @@ def _values(account: Account) -> Iterator[_Value]:
         yield _Value("A_{us}(2π)", "J", 0.0 if lost else -float(cycle.work[-1]))
     if wheel is not None:
         both = sum(map(abs, wheel.cuts))
-        yield from (_Value("o_1k·μ_T", "J", wheel.cuts[1], both), _Value("o_1l·μ_T", "J", wheel.cuts[0], both))
+        yield from (
+            _Value(drafting.true("o_1k", "T"), "J", wheel.cuts[1], both),
+            _Value(drafting.true("o_1l", "T"), "J", wheel.cuts[0], both),
+        )
         yield from (_Value("J_0", "kg*m2", wheel.whole), _Value("T_0", "J", wheel.energy))
         yield from (_Value("J_0^*", "kg*m2", wheel.own + wheel.present), _Value("J_{fly}", "kg*m2", wheel.inertia))
     if speeds is not None:

@@ -61,7 +61,8 @@ def _origin(wheel: Flywheel, axes: Axes, drafting: Drafting) -> Iterator[str]:
     x, y = (number(-value, DIGITS) for value in (wheel.whole / axes.across.mu, wheel.energy / axes.up.mu))
     yield f"x_O = (o_1l − o_1k)/(tg ψ_{{max}} − tg ψ_{{min}}) = {x} {mm};  y_O = o_1k + x_O·tg ψ_{{max}} = {y} {mm}"
     inertia, energy = number(wheel.whole, DIGITS), number(wheel.energy, DIGITS)
-    yield f"J_0 = −x_O·μ_J = {inertia} {drafting.word('kg*m2')};  T_0 = −y_O·μ_T = {energy} {drafting.word('J')}"
+    across, up = (drafting.true(one, axis.letter) for one, axis in (("x_O", axes.across), ("y_O", axes.up)))
+    yield f"J_0 = −{across} = {inertia} {drafting.word('kg*m2')};  T_0 = −{up} = {energy} {drafting.word('J')}"
 
 
 def _wheel(wheel: Flywheel, drafting: Drafting) -> str:

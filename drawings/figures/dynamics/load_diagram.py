@@ -38,7 +38,7 @@ APART = 2.6  # sizes of a number from one numbered corner to the next
 SPARE = 0.5  # sizes of a number that stay free between those of two positions
 ABOVE = 1.2  # mm from a dimension line to its letters
 DIGITS = 4
-SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "β")  # letters of the way and of the whole stroke, unit of the way
+SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "ψ")  # letters of the way and of the whole stroke, unit of the way
 LEAST = 0.05  # mm: a shorter line is a point
 
 
@@ -116,7 +116,7 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     room = room.filling(spot)
     hand, scale = drafting.hand, scale_of(course, room, spot, drafting.standard)
     axes, (low, high) = _axes(course, room, spot, scale), course.span
-    said = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"
+    said = f"{drafting.scale(spot.scale)};  {drafting.scale(scale)}"
     lines: list[Stroke] = [heading(spot.box, _title(course, drafting), said, hand)]
     lines += axes.lines((0.0, course.length), (low, high), hand)
     sizes = tuple(_sizes(course, axes, drafting))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import combinations
+from collections.abc import Iterator
 
 from drawings.figures.forces.scheme import Scheme
 from drawings.layout.ink import Ink
@@ -32,7 +31,7 @@ def springs(shown: Scheme, place: Place, hand: Hand) -> Iterator[Group]:
 
 def friction_circles(shown: Scheme, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the friction circles that are to be seen at the scheme's scale, each about its hinge."""
-    for one in shown.circles:
+    for one in dict.fromkeys(shown.circles):  # a point that joins three links has a circle for each two of them
         radius = place.length(one.radius)
         if radius > HINGE * hand.symbol + SEEN and one.point in shown.named:
             circle = Circle(place.on(shown.named[one.point]), radius, hand.drafted)
@@ -47,13 +46,3 @@ def coupled(shown: Scheme, place: Place, hand: Hand, ink: Ink) -> Iterator[Group
     choices = [coupling(shaft + way * OFF * hand.symbol, way, hand, REACH) for way in WAYS]
     best = min(choices, key=ink.crossed_by)
     yield Group(tuple(best), "", {"kind": "coupling", "name": str(shown.links.mechanism.drive.link)})
-
-
-def nearest(spot: complex, points: Sequence[complex]) -> complex:
-    """Give the place nearest to a spot on the lines between points, or the one point there is."""
-
-    def foot(start: complex, end: complex) -> complex:
-        along = end - start
-        return start + along * min(max(((spot - start) / along).real, 0.0), 1.0) if along else start
-
-    return min((foot(*pair) for pair in combinations(points, 2)), key=lambda one: abs(one - spot), default=points[0])

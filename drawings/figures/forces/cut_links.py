@@ -9,6 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
+from drawings.figures.linkage.outlines import offset_foot
 from drawings.figures.linkage.poses import Poses, poses
 from plans.forces.cut import INERTIA, WEIGHT, Cut
 from plans.forces.force import ForcePlan
@@ -76,6 +77,12 @@ class CutLinks:
         for slide in self.mechanism.slides:
             if slide.owner == FRAME:
                 yield complex(self.numbered.blocks(slide)[self.shown]), slide.on_owner.direction
+
+    @property
+    def feet(self) -> list[complex]:
+        """The shown places of blocks that stand off their points, on guides beside these."""
+        held = (slide for slide in self.mechanism.slides if slide.owner == FRAME)
+        return [complex(self.numbered.blocks(one)[self.shown]) for one in held if offset_foot(self, one) is not None]
 
     def middle(self, link: int) -> complex:
         """Give the middle of a link's points, m."""

@@ -26,5 +26,5 @@ def rows(comparison: ForceComparison, position: int, language: str, reactions: s
     return [
         row_by_hand(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")
-        if np.nanmax(np.abs(finding.construction), initial=0.0) > nothing[finding.unit]
+        if np.nanmax(np.abs(comparison.construction.counted(finding.construction)), initial=0.0) > nothing[finding.unit]
     ]

@@ -78,6 +78,7 @@ class Scheme:
         places = [*(place for name, place in self.named.items() if name not in away), *self.links.slots]
         places += [arm.foot for arm in self.dimensioned]
         places += [force.at for force in self.acting.forces]
+        places += self.links.feet
         if self.wheel is not None:
             wheel = self.wheel
             turns = (1, 1j, -1, -1j) if wheel.whole else ()

@@ -6,14 +6,15 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
-from drawings.figures.forces.acting import ShownMoment
-from drawings.figures.forces.attachments import coupled, friction_circles, nearest, springs
+from drawings.figures.forces.attachments import coupled, friction_circles, springs
 from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
 from drawings.figures.forces.force_kinds import KNOWN, PRESSING
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
 from drawings.figures.linkage.pairs import Joints
+from drawings.figures.linkage.ties import ties
 from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
@@ -65,7 +66,7 @@ class Layout:
     def links(self) -> list[Stroke]:
         """The links with their pairs; under them the axes of guides."""
         joints = self.joints
-        under = [*self._axes(), *self._ties()]
+        under = [*self._axes(), *ties(joints)]
         return [*under, *joints.bars(), *(block for _, block in joints.blocks), *joints.corners(), *joints.stands()]
 
     def _axes(self) -> Iterator[Stroke]:
@@ -77,15 +78,6 @@ class Layout:
             low, high = min([0.0, *reach]), max([0.0, *reach])
             more = GUIDE * self.hand.symbol
             yield from fit_dashes([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
-
-    def _ties(self) -> Iterator[Stroke]:
-        """Tie a mass centre that is off its link's bars to the nearest place on them."""
-        links = self.shown.links
-        for link, centre in links.masses.values():
-            spots = [links.of(link, place) for place in links.mechanism.links[link].points.values()]
-            start, end = nearest(links.of(link, centre), spots), links.of(link, centre)
-            if self.place.length(abs(end - start)) > LEAST:
-                yield Line(self.place.on(start), self.place.on(end), self.hand.other)
 
     @cached_property
     def marks(self) -> list[Stroke]:
@@ -208,29 +200,38 @@ class Layout:
         arcs: list[CoupleArc] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
-            before = sum(abs(other.at - at) < RADIUS for other in arcs)
+            before = [other for other in arcs if abs(other.at - at) < RADIUS]
             least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
-            arcs.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, ink))
+            radius = (least + APART * len(before)) * self.hand.symbol
+            choices = self._facing(CoupleArc(self.letter(moment.name), at, moment.sense, radius))
+            arcs.append(min(choices, key=lambda one: (one.crowded(before), self._crossing(one, ink))))
         return arcs
 
-    def _couple(self, moment: ShownMoment, at: complex, radius: float, ink: Ink) -> CoupleArc:
-        letter = self.letter(moment.name)
-        choices = [
-            CoupleArc(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
-            for sweep in (THREE_QUARTERS, HALF)
-            for k in range(FACINGS)
-        ]
-        return min(choices, key=lambda one: ink.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
+    def _facing(self, arc: CoupleArc) -> Iterator[CoupleArc]:
+        """Turn an arc all ways, of three quarters of a turn and of half a turn."""
+        for sweep, k in product((THREE_QUARTERS, HALF), range(FACINGS)):
+            yield arc._replace(facing=2 * math.pi * k / FACINGS, sweep=sweep)
+
+    def _crossing(self, arc: CoupleArc, ink: Ink) -> float:
+        return ink.crossed_by([arc.draw(self.hand)]) + NARROW * (arc.sweep == HALF)
+
+    def _hidden(self, spot: complex) -> bool:
+        """Tell whether a block would hide the arrowhead of an arm that ends at a place."""
+        corners = [[abs(corner - spot) for corner in block.points] for _, block in self.joints.blocks]
+        sizes = (abs(block.points[0] - block.points[2]) for _, block in self.joints.blocks)
+        return any(max(reach) <= size for reach, size in zip(corners, sizes, strict=True))
 
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
-        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.draw(hand))
+        over = [arm for arm in self.arms if any(self._hidden(end) for end in arm.ends)]
+        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms if arm not in over for stroke in arm.draw(hand))
         arms += tuple(stroke for shift in self.shifts for stroke in shift.draw(hand))
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.draw(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.attached, *self.coupling, *self.marks))
+        yield from [Group(tuple(stroke for arm in over for stroke in arm.draw(hand)))] if over else []
         leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
         forces: tuple[Stroke, ...] = (*leads, *(arrow.draw(hand) for arrow in self.arrows))
         yield from [Group(forces)] if forces else []

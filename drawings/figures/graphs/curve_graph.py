@@ -149,7 +149,7 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Gr
     spare = room.high / spot.scale.mu - (high - low) / scale.mu
     zero = place.on(0j)
     frame = Axes(zero + 1j * (spare / 2 - low / scale.mu), spot.scale, scale)
-    scales = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"
+    scales = f"{drafting.scale(spot.scale)};  {drafting.scale(scale)}"
     scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
     ordinates, stations = _ordinates(curve, room.name, frame, hand)
     title = heading(spot.box, curve.title, scales, hand)
@@ -170,7 +170,9 @@ def _numbered(curve: GraphCurve, feet: Sequence[complex], length: float, hand: H
         return tuple(range(0, len(feet), step))
     last = max(curve.numbers, default=len(feet) - 1)
     wide = text_width(Text(0j, str(last), hand.number))
-    return numbered(feet, length, wide + SPARE * hand.number, curve.shown)
+    # Where a turn ends with position 0 again it begins with its number, and that of the shown one is beside it.
+    first = dict.fromkeys((*([0] if curve.closed else []), *curve.shown))
+    return numbered(feet, length, wide + SPARE * hand.number, first)
 
 
 def _axes(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:

@@ -20,7 +20,7 @@ from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke
 from drawings.symbols import symbols
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import BLOCK, HINGE, MASS, POINT, STONE
-from drawings.symbols.trimming import Mask, trim
+from drawings.symbols.trimming import Mask, distinct, trim
 from plans.model.mechanism import FRAME, Slide
 
 LEAST = 0.5  # of a symbol's size: smaller hinges are no circles any more
@@ -120,11 +120,16 @@ class Joints:
         return [*self.rounds, *(block for _, block in self.blocks)]
 
     def bars(self) -> Iterator[Stroke]:
-        """Draw the links of the shown position: they end at their hinges and at the blocks that they slide in."""
-        for outline in self.outlines:
-            own = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
-            lines = (Line(*ends, self.hand.result) for ends in self.placed(outline))
-            yield from trim(lines, [*self.rounds, *own])
+        """Draw the links of the shown position: they end at their hinges and at the blocks that they slide in.
+
+        Where one lies on another, as a rod on its crank in a dead centre, the line that both have is drawn once.
+        """
+        yield from distinct(piece for outline in self.outlines for piece in self._pieces(outline))
+
+    def _pieces(self, outline: Outline) -> Iterator[Stroke]:
+        own = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
+        lines = (Line(*ends, self.hand.result) for ends in self.placed(outline))
+        return trim(lines, [*self.rounds, *own])
 
     def placed(self, outline: Outline) -> Iterator[tuple[complex, complex]]:
         """Give the ends of an outline's bars on paper."""
@@ -163,10 +168,11 @@ class Joints:
                     yield from _welded(exit_, far, block, self.hand)
 
     def stands(self) -> Iterator[Stroke]:
-        """Draw the stands of the fixed hinges, each to the side where the fewest links run."""
-        for name in sorted(self.bones.mechanism.links[FRAME].points):
-            if name in self.hinges:
-                yield from self.stand(name)
+        """Draw the stands of the fixed hinges, each to the side where the fewest links run; in one place one."""
+        points = self.bones.mechanism.links[FRAME].points
+        fixed = {points[name]: name for name in sorted(points, reverse=True) if name in self.hinges}
+        for name in sorted(fixed.values()):
+            yield from self.stand(name)
 
     def stand(self, name: str) -> tuple[Stroke, ...]:
         """Draw the stand of a fixed hinge: its two legs, its base, the hatching."""

@@ -60,16 +60,16 @@ class Turning(NamedTuple):
 
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later its letters stand beside them
 def turnings(pairs: Pairs) -> tuple[Turning, ...]:
-    """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε where the crank has one."""
+    """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε, of each that is not zero."""
     bones, drive = pairs.bones, pairs.bones.mechanism.drive
     ink = Ink()
     ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
     ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
-    arrows = [_best(f"ω_{drive.link}", bones.study.sense, pairs, ink)]
-    _, epsilon = bones.study.rates.at(bones.shown)
-    if epsilon:
-        ink.draw(arrows[0].field, THICK)
-        arrows.append(_best(f"ε_{drive.link}", int(math.copysign(1, epsilon)), pairs, ink))
+    arrows = list[Turning]()
+    for symbol, rate in zip("ωε", bones.study.rates.at(bones.shown), strict=True):
+        if rate:  # at rest at the end of a stroke there is no ω
+            arrows.append(_best(f"{symbol}_{drive.link}", int(math.copysign(1, rate)), pairs, ink))
+            ink.draw(arrows[-1].field, THICK)
     return tuple(arrows)
 
 

@@ -61,7 +61,7 @@ class VectorDiagram:
     turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
     centres: Mapping[str, Mark]  # images of mass centres that no point names, by their letters
     sides: tuple[tuple[complex, complex], ...]  # of the similar figures by which they are placed
-    parts: Mapping[tuple[Mark, Mark], str] = field(
+    parts: Mapping[tuple[Mark, Mark], tuple[str, ...]] = field(
         default_factory=dict
     )  # letters of relative vectors and of parts, by their ends
 
@@ -70,6 +70,13 @@ class VectorDiagram:
         """All true points that the figure must hold."""
         ends = [end for arrow in self.arrows for end in arrow.ends]
         return [0j, *ends, *(end for line in (*self.rays, *self.sides) for end in line)]
+
+    @property
+    def seen(self) -> set[str]:
+        """The letters at the ends of vectors that have a length, but for the pole: those at rest need no room there."""
+        size = max((abs(end) for end in self.points), default=0.0)
+        long = (one for one in self.arrows if abs(one.ends[1] - one.ends[0]) > SAME * size)
+        return {mark.name for one in long for mark in (one.start, one.end) if mark is not self.plan.pole}
 
 
 def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:
@@ -163,7 +170,7 @@ def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    least = hand.letter * max(PLAN_LETTERS, len(shown.letters))
+    least = hand.letter * max(PLAN_LETTERS, len(shown.seen))
     return picture(name, shown.points, (VECTOR[kind].symbol, VECTOR[kind].unit), margins, title, least)
 
 
@@ -186,8 +193,8 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
 def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[LaidPart]:
     """Lay the parts that have letters and are long enough to bear them."""
     for arrow in shown.arrows:
-        name = shown.parts.get((arrow.start, arrow.end))
-        if name is not None and is_relative(name, arrow.name):
+        names = shown.parts.get((arrow.start, arrow.end), ())
+        for name in (one for one in names if is_relative(one, arrow.name)):
             part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting))
             yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
 
@@ -225,7 +232,9 @@ def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
 
 def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
     """Letter the pole and every image once; images that fall on one place share it."""
-    names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
+    pole = shown.plan.pole
+    resting = [shown.plan.letter(name) for name, mark in shown.centres.items() if mark is pole]
+    names: dict[complex, list[str]] = {place.on(0j): [pole.name, *resting]}
     for mark in shown.letters:
         spot = place.on(at(mark.point, shown.column))
         same = next((known for known in names if abs(known - spot) < 0.5), spot)

@@ -31,11 +31,6 @@ def remarks(study: Study) -> list[Message]:
     return []
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the numbers of the report are printed from the comparison that was judged."""
-    yield from ()
-
-
 def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
     """Give the notes on what the construction finds."""
     own: BalanceStudy = study["balance"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.page.drafting import Drafting, drafting_of
@@ -12,7 +12,7 @@ from drawings.report.markdown import chapter, header, row
 from drawings.report.subject import Subject
 from plans.model.balance.bank import BankBalance
 from plans.study import Study
-from plans.words.words import Message, word
+from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -40,11 +40,6 @@ def headline(study: Study) -> str:
 def remarks(study: Study) -> list[str]:
     """Find nothing that is not whole: the crank of every bank turns fully."""
     return []
-
-
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the numbers of a bank are printed from the comparison that was judged."""
-    yield from ()
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:

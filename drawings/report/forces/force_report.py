@@ -175,7 +175,7 @@ def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) 
         letter = f"${formula.letter(f'{own}_{{{index}}}')}$"
         head = word(language, "report.reaction", letter=letter, point=f"${formula.line(one.point)}$")
         columns[head] = _sized(one.force, force)
-        if one.moment is not None and np.nanmax(np.abs(one.moment), initial=0.0) > moment:
+        if one.moment is not None and np.nanmax(np.abs(found.counted(one.moment)), initial=0.0) > moment:
             columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(one.moment, moment)
     yield from header([word(language, "table.position"), *columns])
     for k in range(len(found.phi)):

@@ -13,6 +13,7 @@ from drawings.lettering.words import number, span
 from drawings.page.drafting import drafting_of
 from drawings.report.formula import Formula, display, inline
 from drawings.report.markdown import chapter, header, row
+from plans.linkage.primaries import ram as cylinder
 from plans.linkage.study import LinkageStudy
 from plans.model.group import Pair
 from plans.model.kinetostatics import pairs
@@ -39,14 +40,15 @@ def data(study: LinkageStudy) -> Iterator[str]:
     told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
     yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
     if drive.ram is not None:
-        yield _cylinder(drive.ram, study.language)
+        yield _cylinder(study, drive.ram)
 
 
-def _cylinder(ram: Ram, language: str) -> str:
+def _cylinder(study: LinkageStudy, ram: Ram) -> str:
     """Tell the law of the cylinder that turns the crank."""
-    ends = (number(MM * way, language) for way in (ram.begin, ram.end))
-    rates = {"v": number(ram.speed, language), "a": number(ram.acceleration, language)}
-    return word(language, "report.cylinder", line=f"{ram.fixed}{ram.point}", stroke=" … ".join(ends), **rates)
+    ends = (number(MM * way, study.language) for way in (ram.begin, ram.end))
+    v, a = (span(rate, study.language) for rate in cylinder.law(study.mechanism, study.turn.phi))
+    parts = {"line": f"{ram.foot}{ram.point}", "stroke": " … ".join(ends), "v": v, "a": a}
+    return word(study.language, "report.cylinder", **parts)
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:

@@ -23,12 +23,13 @@ from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
+from plans.checks.parts import alike
 from plans.linkage.barrier import Barrier
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.pressure import interval
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.order import PLANS
+from plans.model.order import PLANS, POSITIONS, VELOCITIES
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -172,13 +173,15 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
     language, letters = study.language, Formula(drafting_of(study.scene))
     yield chapter(language, "values")
     for plan in PLANS:
-        findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
-        if findings:
+        told = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
+        if told:
+            same = [(one,) for one in told] if plan == POSITIONS.plan else alike(told, study.mechanism)
+            findings = [one for one, *_ in same]
             title = term(language, "plan", plan)
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
             drive = study.mechanism.drive
             station = word(language, "table.way") if drive.pushed else "φ, °"
-            heads = [word(language, "table.position"), station, *(_heading(finding, letters) for finding in findings)]
+            heads = [word(language, "table.position"), station, *(_heading(one, letters) for one in same)]
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
                 at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
@@ -186,10 +189,11 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             yield ""
 
 
-def _heading(finding: Finding, letters: Formula) -> str:
-    """Name a quantity of a point or of a link by its letter, with its unit."""
-    symbol, _, index = finding.name.partition("_")
-    return f"${letters.letter(f'{symbol}_{{{index}}}')}$, {letters.drafting.word(finding.unit)}"
+def _heading(same: Sequence[Finding], letters: Formula) -> str:
+    """Name a quantity of a point or of a link by its letter, or by all that it has, with its unit."""
+    names = (one.name.split("_", 1) for one in same)
+    told = " = ".join(letters.letter(f"{symbol}_{{{index}}}") for symbol, index in names)
+    return f"${told}$, {letters.drafting.word(same[0].unit)}"
 
 
 def _cell(finding: Finding, position: int, language: str) -> str:
@@ -232,9 +236,11 @@ def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
 def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
     count, say = len(linkage.turn), partial(word, linkage.language)
     sheets = [leaf for own in leaves.values() for leaf in own if "shown" in leaf.metadata]
-    names = ", ".join(str(k) for leaf in sheets for k in leaf.metadata["plans"])
-    if names:
-        yield say("report.plans_drawn", plans=names, count=count, shown=sheets[0].metadata["shown"])
+    figures = {group.name for leaf in sheets for group in leaf.groups}  # of a position without velocities none
+    asked = [k for leaf in sheets for k in leaf.metadata["plans"] if f"{VELOCITIES.plan}-{k}" in figures]
+    if asked:
+        plans = ", ".join(map(str, asked))
+        yield say("report.plans_drawn", plans=plans, count=count, shown=sheets[0].metadata["shown"])
     if sheets and count > MANY:
         yield say("report.ticks", count=count, most=MANY)
     shown = study.made & study.plans

@@ -84,12 +84,15 @@ def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     return plan.board.parallel(f"∥{along.name}", start, along, because("along_guide"))
 
 
-def slip(plan: Plan, slide: Slide, along: Mark, end: Mark, pin: str) -> Mark:
-    """Keep the velocity of a pin along its guide: from the start of the line `along` to its end (относительная)."""
+def slip(plan: Plan, slide: Slide, along: Mark, end: Mark, over: tuple[str, int]) -> Mark:
+    """Keep the velocity of a pin along its guide: from the start of the line `along` to its end (относительная).
+
+    The slip is `over` a host: the pin, and the host's number.
+    """
     start = along.step.inputs[0]
     found = plan.board.join(f"{start.name}{end.name}", start, end, because("slip"))
     plan.slips[key(slide)] = found
-    plan.written.slides(key(slide), pin)
+    plan.written.slides(key(slide), *over)
     return found
 
 
@@ -97,9 +100,8 @@ def coriolis_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on an acceleration plan the line of a pin's acceleration over a guide: its point, Coriolis, along it."""
     start = plan.transport(host, over, plan.written.under(over.name, host))
     along = direction(plan, slide, host)
-    start = coriolis(
-        plan, slide, start, along, unit(plan.velocities, slide, host), plan.written.coriolis(over.name, host)
-    )
+    name = plan.written.coriolis(over.name, host, key(slide))
+    start = coriolis(plan, slide, start, along, unit(plan.velocities, slide, host), name)
     return plan.board.parallel(f"∥{along.name}", start, plan.carry(along), because("along_guide"))
 
 

@@ -32,7 +32,7 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     lines = [guide.sliding_line(plan, dyad.slide(end), dyad.hosts[end], over) for end in (0, 1)]
     b = _met(plan, dyad, lines)
     for end in (0, 1):
-        guide.slip(plan, dyad.slide(end), lines[end], b, dyad.pin)
+        guide.slip(plan, dyad.slide(end), lines[end], b, (dyad.pin, dyad.hosts[end]))
 
 
 def accelerations(plan: Plan, dyad: Dyad) -> None:

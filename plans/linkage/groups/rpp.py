@@ -39,8 +39,8 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     along = board.parallel(f"∥{slot.name}", a, plan.carry(slot), because("slip_slot"))
     guided = guide.sliding_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     under = _met(plan, dyad, along, guided)
-    guide.slip(plan, dyad.slide(), along, under, dyad.hinge(0))
-    guide.slip(plan, dyad.slide(1), guided, under, dyad.hinge(0))
+    guide.slip(plan, dyad.slide(), along, under, (dyad.hinge(0), dyad.links[1]))
+    guide.slip(plan, dyad.slide(1), guided, under, (dyad.hinge(0), dyad.hosts[1]))
 
 
 def accelerations(plan: Plan, dyad: Dyad) -> None:

@@ -43,7 +43,7 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     along = board.parallel(f"∥{slot.name}", a, slot, because("slip_slot"))
     around = board.square(f"⊥{reach.name}", c, reach, because("turning_about", point=dyad.hinge(1)))
     under = board.meet(_under(plan, dyad), along, around, why=because("under_pin", link=dyad.links[1]))
-    guide.slip(plan, slide, along, under, dyad.hinge(0))
+    guide.slip(plan, slide, along, under, (dyad.hinge(0), dyad.links[1]))
     turning = board.join(f"{c.name}{under.name}", c, under)
     _keep(plan, dyad, (a, c), board.similar(f"{slot.name}'", turning, reach, slot, why=because("slot_turns_link")))
     for link in dyad.links:

@@ -32,7 +32,7 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     a, slide = plan.point(dyad.hinge(0)), dyad.slide(1)
     along = guide.sliding_line(plan, slide, dyad.hosts[1], plan.positions.point(dyad.pin))
     b = lead.meet_directions(plan, dyad.pin, along, lead.about(plan, dyad.links[0], a))
-    guide.slip(plan, slide, along, b, dyad.pin)
+    guide.slip(plan, slide, along, b, (dyad.pin, dyad.hosts[1]))
     lead.keep_turning(plan, dyad.links[0], a, a, b)
     guide.ride(plan, dyad, 1, b, plan.positions.images[dyad.links[1]].at)
 

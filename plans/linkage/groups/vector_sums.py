@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from plans.linkage.groups.guide import key
 from plans.linkage.groups.vectors import Turning
 from plans.linkage.letters import Letters
 from plans.model.dyad import Dyad
@@ -85,7 +86,7 @@ class VectorSums(NamedTuple):
             return self.turning(Turning(dyad.links[end], dyad.hinge(end), dyad.pin))
         host, own = dyad.hosts[end], self.letters.small(dyad.pin)
         base, place = self.carried(host, self._place(dyad.pin)), dyad.slide(end).label
-        images = self.letters.under(dyad.pin, host), self.letters.coriolis(dyad.pin, host), own
+        images = self.letters.under(dyad.pin, host), self.letters.coriolis(dyad.pin, host, key(dyad.slide(end))), own
         letters = dyad.pin, under(dyad.pin, host)
         return self._slid(letters, (host, place), (base, self.rates(dyad.pin)), images)
 
@@ -93,7 +94,11 @@ class VectorSums(NamedTuple):
         """Tell the slotted link's point under the pin from the pin itself, along the slot."""
         pin, link = dyad.hinge(0), dyad.links[1]
         whole = self.carried(link, self._place(pin))
-        images = self.letters.small(pin), self.letters.coriolis(pin, link), self.letters.under(pin, link)
+        images = (
+            self.letters.small(pin),
+            self.letters.coriolis(pin, link, key(dyad.slide())),
+            self.letters.under(pin, link),
+        )
         slot = dyad.slide().label
         return self._slid((under(pin, link), pin), (link, slot), (self.rates(pin), whole), images)
 
@@ -106,7 +111,7 @@ class VectorSums(NamedTuple):
             images = vector.start, self.letters.normal(image.upper()), image
             return self._turned(vector, under(pin, link), whole, images)
         base = self.carried(host, self._place(pin))
-        images = self.letters.under(pin, host), self.letters.coriolis(pin, host), image
+        images = self.letters.under(pin, host), self.letters.coriolis(pin, host, key(dyad.slide(1))), image
         letters = under(pin, link), under(pin, host)
         return self._slid(letters, (host, dyad.slide(1).label), (base, whole), images)
 

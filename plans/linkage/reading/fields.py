@@ -162,14 +162,13 @@ ACCELERATION = f.number(units.ACCELERATION)
 
 
 def law_speed(value: object) -> Decimal:
-    """Read a speed of a law over the way, m/s: at rest the drive would never leave its place, nor reach it.
+    """Read a speed of a law over the way, m/s, or rest.
 
-    >>> law_speed("20 mm/s")
-    Decimal('0.020')
+    >>> law_speed("20 mm/s"), law_speed(0)
+    (Decimal('0.020'), Decimal('0'))
     """
-    if units.quantity(value, units.VELOCITY) == 0:
-        raise wrong("law_at_rest")
-    return units.positive(value, units.VELOCITY)
+    found = units.quantity(value, units.VELOCITY)
+    return found if found == 0 else units.positive(value, units.VELOCITY)
 
 
-SPEEDS = one(law_speed, partial(forms.quantity, units.VELOCITY, exclusiveMinimum=0), units.VELOCITY.si)
+SPEEDS = one(law_speed, partial(forms.quantity, units.VELOCITY, minimum=0), units.VELOCITY.si)

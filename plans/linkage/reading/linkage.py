@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from plans.linkage.reading.cylinder import between_links
 from plans.linkage.reading.driving import datum_of, drive_ends, drive_of
 from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import LinkageForm
@@ -60,7 +61,8 @@ def _build(survey: Survey) -> Mechanism | None:
         return None
     working = form.output.working if form.output else SLOWER
     through = form.mechanism.through
-    return Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, through, working)
+    whole = Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, through, working)
+    return between_links(survey, whole)
 
 
 def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:

@@ -25,8 +25,8 @@ class StrokeTable(Table):
         g.LINE,
         None,
         meaning=(
-            'A cylinder that turns the crank, by the points that it acts between, "EF": a fixed one and one of the '
-            "crank; the stroke is told by their distance. Default: a link that slides on the frame is pushed along."
+            'A cylinder that drives, by the points that it acts between, "EF": of two links, or a fixed one and one '
+            "of a link; the stroke is told by their distance. Default: a link that slides on the frame is pushed along."
         ),
     )
     from_: Decimal = key(
@@ -50,8 +50,8 @@ class StrokeTable(Table):
         many(g.SPEEDS, first=f.FEW),
         (),
         meaning=(
-            "In place of a speed its law over the stroke (закон движения): speeds above zero at places, straight lines "
-            "between them; the acceleration follows."
+            "In place of a speed its law over the stroke (закон движения): speeds at places, straight lines between "
+            "them; the acceleration follows. 0 at an end is rest, with one acceleration from it or to it."
         ),
     )
     places: tuple[Decimal, ...] = key(
@@ -67,8 +67,8 @@ class StrokeTable(Table):
 
     @property
     def rates(self) -> tuple[float, float]:
-        """The signed speed m/s and acceleration m/s2; of a law its first speed alone."""
-        speed = self.speeds[0] if self.speeds else self.speed or Decimal(0)
+        """The signed speed m/s and acceleration m/s2; of a law its first speed alone that is none of rest."""
+        speed = next(filter(None, self.speeds), Decimal(0)) if self.speeds else self.speed or Decimal(0)
         return self.sense * float(speed), self.sense * float(self.acceleration)
 
     @property
@@ -94,6 +94,10 @@ class StrokeTable(Table):
             raise wrong("law_places", at=("places",))
         if len(self.speeds) < 2 or (self.places and len(self.places) != len(self.speeds)):
             raise wrong("law_speeds", count=max(len(self.places), 2), at=("speeds",))
+        rests = [k for k, speed in enumerate(self.speeds) if not speed]
+        inside = [k for k in rests if 0 < k < len(self.speeds) - 1] or (rests[1:] if len(self.speeds) == 2 else [])
+        if inside:
+            raise wrong("law_at_rest", at=("speeds", inside[0]))
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:

@@ -1,0 +1,97 @@
+"""The chapters of a rotor in the report held to the analysis: every line in its turn, and no other (ротор в отчёте)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import zip_longest
+from typing import TYPE_CHECKING
+
+from drawings.checks.documents import chapters
+from drawings.checks.note.lines import part
+from drawings.checks.precise import precise
+from drawings.checks.reading import NOTES
+from drawings.checks.rotor.rotor_sentences import GRAM_MILLIMETRES, IN_REPORT, RotorSentences, tells
+from drawings.checks.wrong import Wrong, within
+from drawings.lettering.rotor_letters import lowered
+from drawings.page.drafting import drafting_of
+from drawings.paper.limits import DECIMALS
+from drawings.paper.strokes import Line
+from drawings.paper.walk import groups
+from plans.model.balance_quality import grade_of, letters
+from plans.rotor.balancing import UNBALANCES
+from plans.rotor.letters import unbalance_letters
+from plans.study import Study
+from plans.words.words import message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+OF_RESIDUALS = 3  # digits
+
+
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Wrong]:
+    """Hold what a report says of a rotor (row of the table of reports)."""
+    rotor, drafting = study["rotor"].rotor, drafting_of(study.scene)
+    own = RotorSentences(rotor, study.comparison("rotor").analysis, drafting)
+    masses, seen = [*own.masses()], part(text, word(drafting.language, "report.rotor"))
+    if not own.settled:
+        yield from _held(seen[: len(masses)], masses)
+        return
+    residuals = Residuals(own, [leaf for one in leaves.values() for leaf in one])
+    yield from _held(seen, [*masses, *own.sums()])
+    yield from _held(part(text, word(drafting.language, "report.counterweights")), [*own.counterweights()])
+    quality, drawn = part(text, word(drafting.language, "report.quality")), [*residuals.lines()]
+    graded = [*own.quality()]
+    yield from _held(quality[: len(graded)], graded)
+    yield from _held(quality[len(graded) :], drawn, OF_RESIDUALS)
+    yield from _held(part(text, word(drafting.language, "report.bearings")), [*own.reactions()])
+    yield from chapters.faults(text, drafting.language, ["rotor", "counterweights", "left_out", "rotor_left_out"])
+
+
+class Residuals:
+    """How far the counterweights are off as the sheets show them, to the last decimal of a file."""
+
+    def __init__(self, own: RotorSentences, leaves: Sequence[Leaf]) -> None:
+        """Read them off the last polygon."""
+        self.own = own
+        true = {one.plane.name: 0j if one.moment.vanishes else one.moment.value for one in own.balance.corrections}
+        seen = dict(_drawn(leaves))
+        self.off = {name: abs(seen.get(unbalance_letters(name), 0j) - value) for name, value in true.items()}
+
+    def lines(self) -> Iterator[str]:
+        """Give what must be said of each plane, and of the whole by a grade."""
+        rotor, language, number = self.own.rotor, self.own.drafting.language, precise(self.own.drafting).number
+        for name, off in self.off.items():
+            told = {"letters": lowered(unbalance_letters(name), language), "residual": number(GRAM_MILLIMETRES * off)}
+            yield word(language, "report.plane_residual", **told)
+        left = rotor.quality(*self.off.values())
+        if left is None:
+            return
+        found = grade_of(left)
+        told = {
+            "quality": number(left),
+            "grade": self.own.drafting.word("no grade") if found is None else letters(found),
+        }
+        if rotor.dynamic:
+            yield word(language, "report.residual_quality_of_two", **told)
+        elif self.own.balance.couple.vanishes:
+            yield word(language, "report.residual_quality", **told)
+        else:
+            yield word(language, "report.resultant_quality", quality=told["quality"])
+
+
+def _drawn(leaves: Sequence[Leaf]) -> Iterator[tuple[str, complex]]:
+    """Give the static moments that are drawn, kg*m, from their ends as a pen writes them."""
+    for one in (one for leaf in leaves for one in groups(leaf.groups) if one.data.get("plan") == UNBALANCES):
+        if "name" in one.data and one.strokes and isinstance(line := one.strokes[0], Line):
+            ends = (complex(round(end.real, DECIMALS), round(end.imag, DECIMALS)) for end in (line.end, line.start))
+            end, start = ends
+            yield one.data["name"], (end - start) * float(one.data["scale"])
+
+
+def _held(seen: Sequence[str], due: Sequence[str], digits: int = IN_REPORT) -> Iterator[Wrong]:
+    """Hold lines one for one."""
+    for line, true in zip_longest(seen, due, fillvalue=""):
+        plain = " ".join(true.replace("{", "").replace("}", "").split())
+        if not tells(" ".join(line.removeprefix("- ").split()), plain, digits):
+            yield message("wrong.told", text=line) if line else within("missing_from", NOTES, name=plain)

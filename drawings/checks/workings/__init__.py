@@ -1,0 +1,1 @@
+"""The self-check of workings beside figures, by the analysis (проверка выкладок)."""

@@ -1,0 +1,115 @@
+"""plandraft grade: sheets that students hand in, held against the scene vector by vector."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from drawings.commands.stderr import tell
+from drawings.files.atomic_files import write
+from drawings.files.json_text import print_json
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import PlanAsked, plans_asked, ungraded
+from drawings.grading.feedback import feedback, is_plain
+from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.hints import hints
+from drawings.grading.marking import Marking, MarkingError, read_marking
+from drawings.grading.roll import grade_all
+from drawings.grading.told import HEAD, Hints, lines, plain, plain_name, row
+from drawings.grading.tolerance_text import allowance, written
+from drawings.original.originals import Originals
+from drawings.paper.limits import SHEET_BYTES
+from geometry.regular_file import regular_bytes
+from plans.words.words import message, word
+
+# The exit codes of a class: the gravest first.
+CODES = {OURS: 1, REJECTED: 5, FAIL: 4, PASS: 0}
+
+
+def run(options: argparse.Namespace) -> int:
+    """Grade sheets; give the exit code."""
+    marking = read_marking(options.marks) if options.marks else Marking()
+    by = _allowances(options, marking)
+    originals = Originals(options.scene)
+    plans = plans_asked(originals)
+    language = options.language or originals.language
+    for kind in ungraded(originals):
+        tell(word(language, "grade.ungraded", kind=kind))
+    if not plans:
+        return CODES[REJECTED]
+    own = grade_self(originals, plans, by)
+    if own.outcome != PASS:
+        tell(word(language, "grade.self"))
+        return CODES[OURS]
+    graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by)))
+    steps = {name: own for plan in plans for name, own in hints(plan)}
+    _print(options, graded, steps, marking, language)
+    if options.output:
+        _write(options.output, graded, steps, language)
+    _tell_twins(graded, language)
+    return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
+
+
+def grade_self(originals: Originals, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+    """Grade the scene's own sheets, which are right if anything is."""
+    kinds = {plan.sheet for plan in plans}
+    every = [grade(originals.drawn(one), plans, by) for one in originals.sheets if one.name in kinds]
+    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else REJECTED))
+
+
+def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:
+    own = {}
+    for name, text in marking.tolerance.items():
+        read = allowance(text)
+        if read is None:
+            raise MarkingError(message("grade.marks.tolerance", file=options.marks, name=f"tolerance.{name}"))
+        own[name] = read
+    return Allowances(options.tolerance, own)
+
+
+def _print(
+    options: argparse.Namespace,
+    graded: Sequence[tuple[Path, Graded]],
+    steps: Hints,
+    marking: Marking,
+    language: str,
+) -> None:
+    if options.json:
+        sheets = [plain(path, one, marking, language) for path, one in graded]
+        print_json({"tolerance": written(options.tolerance), "sheets": sheets})
+    elif options.csv:
+        table = csv.writer(sys.stdout, lineterminator="\n")
+        table.writerows([HEAD, *(row(path, one, marking, language) for path, one in graded)])
+    else:
+        for path, one in graded:
+            print("\n".join(lines(path, one, marking, steps, language)))
+        print(word(language, "grade.tolerance", tolerance=written(options.tolerance)))
+
+
+def _write(folder: Path, graded: Sequence[tuple[Path, Graded]], steps: Hints, language: str) -> None:
+    """Write the feedback sheets of those that were graded, one for each file."""
+    folder.mkdir(parents=True, exist_ok=True)
+    names = Counter[str]()
+    for path, one in graded:
+        if one.outcome not in (PASS, FAIL):
+            continue
+        source = regular_bytes(path, SHEET_BYTES + 1)
+        if not is_plain(source):
+            tell(word(language, "grade.packed", sheet=plain_name(path)))
+            continue
+        names[path.stem] += 1
+        number = f"-{names[path.stem]}" if names[path.stem] > 1 else ""
+        write(folder / f"{path.stem}{number}-feedback.svg", feedback(path, source, one, steps, language))
+
+
+def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
+    """Say which sheets are the same file under several names."""
+    times = Counter(one.digest for _, one in graded if one.digest)
+    for digest in (digest for digest, count in times.items() if count > 1):
+        names = tuple(plain_name(path) for path, one in graded if one.digest == digest)
+        tell(word(language, "grade.twins", names=names))

@@ -1,0 +1,68 @@
+"""The file of a form: written without a seal, and seen again, so that nothing is on it but what the scene gives."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from drawings.checks.verify import SelfCheckFailed
+from drawings.eye.sheet import SeenSheet, see
+from drawings.form.given import Given, given
+from drawings.form.laid import SCALE
+from drawings.measure.measure import check
+from drawings.page.page import BLOCK
+from drawings.paper.limits import SheetRefused
+from drawings.paper.strokes import Arc, Curve, Leaf, Polyline, Stroke, Text
+from drawings.paper.walk import flat, groups
+from drawings.pens.svg import svg
+from plans.model.mechanism import FRAME
+from plans.study import Study
+from plans.words.words import message
+
+SEAL = b'<metadata id="seal">'
+PAGE = ("frame", BLOCK)  # groups of the page itself: by the standard, and what the author wrote
+BENT = (Arc, Curve, Polyline)  # strokes that no place of a form has
+RATIO = re.compile(r"\(\d+(?:[.,]\d+)?:\d+(?:[.,]\d+)?\)$")  # a scale of lengths as it is written again
+NEAR = 1e-9  # of a fixed point's coordinate: what twelve digits in a file leave of it
+MOST = 5  # of what is told too much, that is named
+
+
+def blank_file(leaf: Leaf) -> bytes:
+    """Write a sheet of a form, unsealed: it is there to be drawn on."""
+    return svg(leaf).partition(SEAL)[0] + b"</svg>\n"
+
+
+def see_blank(source: bytes, study: Study) -> None:
+    """See that a written form has no vector, no point but poles and fixed ones, no curve, no number not given."""
+    try:
+        seen = see(source)
+    except SheetRefused as refused:
+        raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
+    told = [*_marks(seen, study), *_bent(seen.written), *_numbers(seen.written, given(study.scene))]
+    if told:
+        raise SelfCheckFailed(message("check.form", told=tuple(dict.fromkeys(told))[:MOST]))
+
+
+def _marks(seen: SeenSheet, study: Study) -> Iterator[str]:
+    """Name the vectors, the points that the scene does not fix, and those that are not drawn where they are."""
+    yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(seen.measured))
+    yield from (f"{one.plan} {one.name}" for one in (*seen.measured.vectors, *seen.measured.profiles))
+    own = study["linkage"].mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
+    for one in seen.measured.points:
+        if one.name not in own or abs(one.stated - own[one.name]) > NEAR * abs(one.stated):
+            yield f"{one.plan} {one.name}"
+
+
+def _bent(leaf: Leaf) -> Iterator[str]:
+    """Name the groups that have any curve, beside the page itself."""
+    for group in groups(one for one in leaf.groups if one.name not in PAGE):
+        if any(isinstance(stroke, BENT) for stroke in group.strokes):
+            yield group.name or group.title or type(group.strokes[0]).__name__
+
+
+def _numbers(leaf: Leaf, known: Given) -> Iterator[str]:
+    """Give the lettering, beside that of the page itself, that writes a number which is no scale and not given."""
+    strokes: Iterator[Stroke] = flat(one for one in leaf.groups if one.name not in PAGE)
+    for text in (one for one in strokes if isinstance(one, Text)):
+        if not known.says(RATIO.sub("", SCALE.sub("", text.plain))):
+            yield text.plain

@@ -1,0 +1,178 @@
+"""What stands on a laid sheet that a form may take over (лист): its figures with their headings, its tables with heads.
+
+A laid sheet has the answer on it. What is read here is a figure's name, title, pole and rough size, and a table's heads
+and rows; no line and no cell of it goes any further.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from drawings.form.given import Given
+from drawings.form.task import figure_of, table_of
+from drawings.lettering.extent import bounds
+from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
+from drawings.paper.walk import flat, groups
+
+SCALE = re.compile(r"([μK]_?(\{[^{}]*\}|[^\s=]+))(\s*=\s*)[\d.,]+(\s*(?:\([^()]*\)|1)?[^\d;()]*)")
+LETTER = re.compile(r"[^\W\d]{1,2}['’ʹ]{0,2}(, \D*(1/\D+)?)?")  # of an axis, with its unit: no number, no name
+STEPS = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)  # the sizes of places within each power of ten: the next one is taken
+PARTS = 4  # of the size of a place: so coarsely is its pole set in it
+ROUNDING = 1e-9  # of a length: no two of these steps lie so near
+
+
+class Heading(NamedTuple):
+    """The title of a figure and the line under it, marked up."""
+
+    title: str
+    under: str
+
+
+class LaidFigure(NamedTuple):
+    """A figure of the task: what it is, its heading, its pole's data, letter and unit of its scale, its place.
+
+    `reach` is how far the place goes from the pole to the left, down, right and up, in true units, rounded up coarsely.
+    """
+
+    name: str
+    what: str
+    heading: Heading
+    pole: Mapping[str, str]
+    letter: str
+    unit: str
+    reach: tuple[float, float, float, float]
+    axes: tuple[str, ...]  # the letters of a graph's ordinate and abscissa
+
+    @property
+    def scales(self) -> tuple[str, ...]:
+        """The scales of a graph with their letters and units, and no numbers."""
+        found = (f"{mark}{equals}……{unit}".strip() for mark, _, equals, unit in SCALE.findall(self.heading.under))
+        return tuple(dict.fromkeys(found))
+
+
+class LaidTable(NamedTuple):
+    """The heads of a table: positions of its bands, head of its names, of the columns of a band, names of its rows."""
+
+    name: str
+    positions: tuple[int, ...]
+    first: str
+    heads: tuple[str, ...]
+    rows: tuple[str, ...]
+    text: float
+
+
+def figures(leaf: Leaf, kind: str, known: Given, parts: int = PARTS) -> Iterator[LaidFigure]:
+    """Give the figures of a laid sheet that are known as places of the task, and whose titles say nothing else."""
+    pending: Heading | None = None
+    for group in leaf.groups:
+        if (own := _heading(group)) is not None:
+            pending = own
+            continue
+        what = figure_of(kind, group.name) if group.name else ""
+        inner = (_heading(one) for one in groups(group.strokes))
+        heading, pending = next((one for one in inner if one is not None), pending), None
+        if what and heading is not None and known.says(heading.title):
+            yield from _figure(group, what, heading, parts)
+
+
+def tables(leaf: Leaf, kind: str, known: Given) -> Iterator[LaidTable]:
+    """Give the tables of a laid sheet that are known as parts of the task, band by band."""
+    for group in groups(leaf.groups):
+        name = table_of(kind, group.name) if group.name else ""
+        texts = [text for one in groups(group.strokes) for text in one.strokes if isinstance(text, Text)]
+        if name and texts:
+            yield _table(name, tuple(map(int, group.data.get("positions", "").split())), texts, known)
+
+
+def _heading(group: Group) -> Heading | None:
+    """Read a group as a heading: two lines or more that begin alike, the first of them larger."""
+    texts = [stroke for stroke in group.strokes if isinstance(stroke, Text)]
+    if group.name or group.data or len(texts) != len(group.strokes) or len(texts) < 2:
+        return None
+    title, under = texts[:2]
+    if title.anchor != under.anchor or title.size <= under.size:
+        return None
+    return Heading(_marked(title), _marked(under))
+
+
+def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[LaidFigure]:
+    marks = [one for one in groups(group.strokes) if "scale" in one.data]
+    poles = [one for one in marks if one.data["kind"] == "pole"]
+    scale = SCALE.search(heading.under)
+    ink = [stroke for stroke in flat(group.strokes) if not isinstance(stroke, Text)]
+    if not ink or not marks or scale is None:
+        return
+    data = (poles or marks)[0].data
+    at = _centre(poles[0]) if poles else None
+    reach = _reach(ink, at, float(data["scale"]), parts)
+    axes = _axes([text for text in _loose(group) if LETTER.fullmatch(_level(text))][:2])
+    pole = poles[0].data if poles else {}
+    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes)
+
+
+def _loose(group: Group) -> list[Text]:
+    """Give the letters of a figure that stand in its own groups, the headings left out."""
+    own = [one for one in group.strokes if isinstance(one, Group) and not one.data and _heading(one) is None]
+    return [text for one in own for text in one.strokes if isinstance(text, Text)]
+
+
+def _level(text: Text) -> str:
+    """Give what of a text stands on its line: no index, no power."""
+    return "".join(run.text for run in text.runs if not run.level)
+
+
+def _axes(letters: Sequence[Text]) -> tuple[str, ...]:
+    """Give the letters of an ordinate and an abscissa: that of the ordinate stands further left."""
+    return tuple(_marked(text) for text in sorted(letters, key=lambda text: text.at.real))
+
+
+def _centre(pole: Group) -> complex:
+    circle = pole.strokes[0]
+    assert isinstance(circle, Circle)  # a pole is measured by it
+    return circle.centre
+
+
+def _reach(ink: Sequence[Stroke], at: complex | None, mu: float, parts: int) -> tuple[float, float, float, float]:
+    """Give how far strokes reach from a point, or from their middle, in true units, rounded up coarsely."""
+    left, low, right, high = bounds(Group(tuple(ink)))
+    at = complex(left + right, low + high) / 2 if at is None else at
+    far = [max(one, 0.0) * mu for one in (at.real - left, at.imag - low, right - at.real, high - at.imag)]
+    return coarse(far, parts)
+
+
+def coarse(far: Sequence[float], parts: int = PARTS) -> tuple[float, float, float, float]:
+    """Round lengths up to a part of their largest one, and that to the next step; of finer parts to one of these.
+
+    >>> coarse((0.0, 1.1, 2.6, 2.9)), coarse((0.0, 1.1, 2.6, 3.1)), coarse((0.0, 1.1, 2.6, 3.1), 10)
+    ((0.75, 1.5, 3.0, 3.0), (1.25, 1.25, 3.75, 3.75), (0.31, 1.24, 2.79, 3.1))
+    """
+    largest = max(far)
+    if largest <= 0:
+        return 1.0, 1.0, 1.0, 1.0
+    power = 10.0 ** math.floor(math.log10(largest))
+    steps = STEPS if parts == PARTS else [1 + k / parts for k in range(9 * parts + 1)]
+    size = next(step * power for step in steps if step * power >= largest * (1 - ROUNDING))
+    left, low, right, high = (max(math.ceil(parts * one / size * (1 - ROUNDING)), 1) * size / parts for one in far)
+    return left, low, right, high
+
+
+def _table(name: str, positions: tuple[int, ...], texts: Sequence[Text], known: Given) -> LaidTable:
+    """Read heads and rows: the heads stand before the first row, whose name begins at its left."""
+    count = next((k for k, text in enumerate(texts) if text.anchor == "start"), len(texts))
+    head, bands = texts[:count], max(len(positions), 1)
+    own = (count - 1) // bands
+    heads = [one for one in head[1 : 1 + own][1 if positions else 0 :] if known.says(one.plain)]
+    rows = (text for text in texts[count:] if text.anchor == "start")
+    said = tuple(_marked(row) if known.says(row.plain) else "" for row in rows)
+    return LaidTable(name, positions, _marked(head[0]), tuple(map(_marked, heads)), said, head[0].size)
+
+
+def _marked(text: Text) -> str:
+    """Give the lettering of a text as it is marked up."""
+    if isinstance(text.content, str):
+        return text.content
+    marks = {-1: "_{%s}", 0: "%s", 1: "^{%s}"}
+    return "".join(marks[run.level] % run.text for run in text.content)

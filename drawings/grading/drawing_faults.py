@@ -1,0 +1,140 @@
+"""Faults of drawing: a scale that is not written, a polygon that is open, letters missing or swapped (оформление)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from drawings.checks.labelled import Label, distance
+from drawings.eye.sheet import SeenSheet
+from drawings.grading import verdict
+from drawings.grading.asked import PlanAsked
+from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.verdict import Verdict
+from drawings.lettering.indices import with_index
+from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.walk import groups, texts
+from plans.checks.hand.quantity import SLIP
+
+# mm: two arrows end at one place if a hand that slips by four times a fair one's has drawn both there.
+CLOSED = 2 * math.sqrt(2) * 4 * SLIP
+# mm: a letter that is farther from what it names, is not seen to be its own; a leader reaches so far.
+NEAR = 25.0
+# What is written of a scale: mu with the letter of the quantity, or K, which is 1/mu; "1:2" of a plan of positions.
+UPRIGHT = 1e-3  # rad, by which an upright sheet may be turned
+_SCALE = re.compile(r"(μ|µ|mu|K)_?\{?([A-Za-z])\}?\s*=\s*(\d+(?:[.,]\d+)?)")
+_QUANTITIES = {"velocities": "v", "accelerations": "a", "positions": "l"}
+
+
+def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
+    """Give the scale that is written on a sheet for a plan, true units a mm; None where none is.
+
+    The headings of the plan's own group go first, then what the mark itself states where it is written anywhere.
+    """
+    letter = _QUANTITIES.get(asked.plan, "")
+    marks = [one for one in seen.measured.marks if (one.plan, one.position) == asked.place]
+    here = [one for group in _around(seen.leaf, asked) for one in _scales((group,), letter)]
+    anywhere = _scales(seen.leaf.groups, letter)
+    stated = marks[0].scale if marks else math.nan
+    if here:
+        return stated if any(_same(one, stated) for one in here) else here[0]
+    return stated if any(_same(one, stated) for one in anywhere) else None
+
+
+def _around(leaf: Leaf, asked: PlanAsked) -> list[Group]:
+    """Give the groups at the top that hold marks of a plan, and of no other."""
+    wanted = asked.plan, str(asked.position)
+    found = []
+    for group in leaf.groups:
+        own = {
+            (one.data.get("plan"), one.data.get("position", "None")) for one in groups((group,)) if "kind" in one.data
+        }
+        if wanted in own and len(own) == 1:
+            found.append(group)
+    return found
+
+
+def _scales(own: Sequence[Group], letter: str) -> list[float]:
+    return [mu for _, mu, symbol in _read(texts(own)) if symbol == letter]
+
+
+def scales_written(own: Iterable[Text], plan: str) -> list[tuple[Text, float]]:
+    """Give the scales of plans of one subject that are written, true units a mm."""
+    return [(text, mu) for text, mu, symbol in _read(own) if symbol == _QUANTITIES.get(plan)]
+
+
+def _read(own: Iterable[Text]) -> Iterator[tuple[Text, float, str]]:
+    for text in own:
+        if found := _SCALE.search(text.plain):
+            yield text, _mu(found[1], found[3]), found[2]
+
+
+def _mu(symbol: str, digits: str) -> float:
+    size = float(digits.replace(",", "."))
+    return (1 / size if size else math.nan) if symbol == "K" else size
+
+
+def _same(written: float, stated: float) -> bool:
+    return math.isclose(written, stated, rel_tol=1e-3)  # three digits are written at the least
+
+
+def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
+    """List the faults of how a plan is drawn."""
+    if not plan.written:
+        yield _of(plan, verdict.UNSCALED)
+    gaps = tuple(_open(plan))
+    yield from gaps
+    opened = {gap.name for gap in gaps}
+    if abs(plan.turn - 1) <= UPRIGHT:  # a p that lies on its side is read as a d, or a b
+        yield from (one for one in _letters(labels, plan) if one.name not in opened)
+    yield from _outside(leaf, plan)
+
+
+def _open(plan: DrawnPlan) -> Iterator[Verdict]:
+    """Name the letters at which arrows do not meet."""
+    ends: dict[str, list[complex]] = {}
+    for (start, end), arrow in plan.arrows.items():
+        if (arrow.end, arrow.start) != (plan.places[start], plan.places[end]):  # drawn back to front, it meets them too
+            ends.setdefault(start, []).append(arrow.start)
+            ends.setdefault(end, []).append(arrow.end)
+    for letter, spots in ends.items():
+        if letter and max(abs(one - plan.places[letter]) for one in spots) > CLOSED:
+            yield _of(plan, verdict.OPEN, letter)
+
+
+def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
+    """Name the letters that stand at the place of another, and those that are missing."""
+    places = {letter: spot for letter, spot in plan.places.items() if letter}
+    for letter, spot in places.items():
+        near = distance(labels.get(_plain(letter), ()), [spot])
+        if near > CLOSED and any(_takes(labels, places, letter, other) for other in places):
+            yield _of(plan, verdict.SWAPPED, letter)
+        elif near > NEAR:
+            yield _of(plan, verdict.UNLETTERED, letter)
+
+
+def _takes(labels: Mapping[str, Sequence[Label]], places: Mapping[str, complex], letter: str, other: str) -> bool:
+    """Tell whether two letters stand each at the other's place, and not at its own."""
+    if letter == other or abs(places[letter] - places[other]) <= CLOSED:
+        return False
+    ours, theirs = labels.get(_plain(letter), ()), labels.get(_plain(other), ())
+    here, there = [places[letter]], [places[other]]
+    crossed = distance(ours, there), distance(theirs, here)
+    return max(crossed) <= NEAR and crossed[0] < distance(ours, here) and crossed[1] < distance(theirs, there)
+
+
+def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
+    for letters, arrow in plan.arrows.items():
+        if not all(0 <= one.real <= leaf.width and 0 <= one.imag <= leaf.height for one in (arrow.end,)):
+            yield _of(plan, verdict.OUTSIDE, letters[1])
+
+
+def _plain(letter: str) -> str:
+    return Text(0j, letter if "{" in letter else with_index(letter)).plain
+
+
+def _of(plan: DrawnPlan, kind: str, letter: str = "") -> Verdict:
+    spot = plan.places.get(letter)
+    asked = plan.asked
+    return Verdict(asked.plan, asked.position, letter, kind, at=None if spot is None else (spot, spot))

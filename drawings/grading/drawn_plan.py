@@ -1,0 +1,111 @@
+"""Plans as a student drew them: places of letters and arrows on paper, and the written scale (план на листе)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from statistics import median
+from typing import NamedTuple
+
+from drawings.grading.asked import Asked, PlanAsked
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredPoint, MeasuredVector
+from drawings.measure.transform import Affine
+
+
+class Arrow(NamedTuple):
+    """An arrow on paper, mm, y up: where it starts and where its head is."""
+
+    start: complex
+    end: complex
+
+    @property
+    def vector(self) -> complex:
+        """From its start to its head, mm."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class DrawnPlan:
+    """One plan of a sheet: its arrows by the letters of their ends, its scale (true units a mm), where its pole is.
+
+    A point of the plan of positions is an arrow from the pole, which nobody draws.
+    """
+
+    asked: PlanAsked
+    arrows: Mapping[tuple[str, str], Arrow]
+    scale: float
+    places: Mapping[str, complex]  # where each letter lies, mm
+    written: bool = True  # whether its scale stands on the sheet
+    turn: complex = 1 + 0j  # what lays it upright again, of a page that was turned
+    lettered: bool = False  # whether it was found by its letters alone
+
+    @property
+    def lacking(self) -> list[Asked]:
+        """The vectors that are asked for and not on it."""
+        return [one for one in self.asked.vectors if one.letters not in self.arrows]
+
+    @property
+    def whole(self) -> bool:
+        """Whether each vector that is asked for is on it."""
+        return not self.lacking
+
+    @property
+    def fitted(self) -> float:
+        """The scale by which it is nearest to what is asked for: of a plan on which none is written."""
+        pairs = [
+            (one.true, self.arrows[one.letters].vector) for one in self.asked.vectors if one.letters in self.arrows
+        ]
+        size = sum(abs(vector) ** 2 for _, vector in pairs)
+        return abs(sum(true * vector.conjugate() for true, vector in pairs)) / size if size else 1.0
+
+    def value(self, letters: tuple[str, str]) -> complex | None:
+        """Give a vector in true units; None of one that is not drawn."""
+        arrow = self.arrows.get(letters)
+        return None if arrow is None else arrow.vector * self.scale * self.turn
+
+    def between(self, start: str, end: str) -> complex | None:
+        """Give the vector between the places of two letters, true units."""
+        if start not in self.places or end not in self.places:
+            return None
+        return (self.places[end] - self.places[start]) * self.scale * self.turn
+
+
+def places_of(arrows: Mapping[tuple[str, str], Arrow]) -> dict[str, complex]:
+    """Give where each letter lies: in the middle of the ends that bear it, however far one of them is off."""
+    found: dict[str, list[complex]] = {}
+    for (start, end), arrow in arrows.items():
+        found.setdefault(start, []).append(arrow.start)
+        found.setdefault(end, []).append(arrow.end)
+    return {letter: _middle(ends) for letter, ends in found.items()}
+
+
+def _middle(ends: list[complex]) -> complex:
+    return complex(median(one.real for one in ends), median(one.imag for one in ends))
+
+
+def from_marks(asked: PlanAsked, measured: Measured, scale: float | None) -> DrawnPlan | None:
+    """Give a plan by the marks of a sheet; None where none of them is of it. `scale` is the one that is written."""
+    own = [mark for mark in measured.marks if (mark.plan, mark.position) == asked.place]
+    if not own:
+        return None
+    by = measured.moved
+    arrows = {_letters(mark): _brought(_arrow(mark), by) for mark in own}
+    mu, upright = (scale or own[0].scale) / abs(by.p), abs(by.p) / by.p
+    return DrawnPlan(asked, arrows, mu, places_of(arrows), scale is not None, upright)
+
+
+def _letters(mark: MeasuredVector | MeasuredPoint) -> tuple[str, str]:
+    start, _, end = mark.name.rpartition(" ")
+    return start, end
+
+
+def _arrow(mark: MeasuredVector | MeasuredPoint) -> Arrow:
+    if isinstance(mark, MeasuredVector):
+        return Arrow(mark.start, mark.end)
+    return Arrow(mark.at - mark.value / mark.scale, mark.at)
+
+
+def _brought(arrow: Arrow, by: Affine) -> Arrow:
+    """Give an arrow as it lies on a sheet that was moved as a whole."""
+    return Arrow(by(arrow.start), by(arrow.end))

@@ -1,0 +1,105 @@
+"""A sheet graded: what was found on it, what is said of it, and how it ends (оценённый лист)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from hashlib import sha256
+from typing import NamedTuple
+
+from drawings.checks.labelled import labels_of
+from drawings.eye.sheet import SeenSheet, see
+from drawings.grading import verdict
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import PlanAsked
+from drawings.grading.drawing_faults import drawing_faults, written_scale
+from drawings.grading.drawn_plan import DrawnPlan, from_marks
+from drawings.grading.judgement import Judge
+from drawings.grading.legible import legible
+from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
+from drawings.grading.onlooker import Onlooker
+from drawings.grading.own_places import own_places
+from drawings.grading.segments import figures, segments
+from drawings.grading.verdict import Verdict
+from drawings.paper.limits import SheetRefused
+from drawings.paper.walk import texts
+from plans.model.order import ORDERS, POSITIONS
+from plans.words.words import Message, message
+
+_DRAWN = tuple(order.plan for order in ORDERS[1:])  # plans of arrows
+PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
+
+
+class Graded(NamedTuple):
+    """How a sheet ends: right, with mistakes, rejected or by an error of ours; the verdicts, or the reason."""
+
+    outcome: str
+    verdicts: tuple[Verdict, ...] = ()
+    reason: Message | None = None
+    paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
+    digest: str = ""  # of the bytes: the same file from two students is told
+
+    @property
+    def wrong(self) -> tuple[Verdict, ...]:
+        """What loses something."""
+        return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, verdict.DEAD))
+
+
+def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+    """Grade one sheet; what cannot be read is rejected with the reason."""
+    return _graded(source, plans, by)._replace(digest=sha256(source).hexdigest())
+
+
+def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+    onlooker = Onlooker()
+    try:
+        seen = see(source, onlooker)
+        seen = seen._replace(leaf=legible(seen.leaf))
+    except SheetRefused as refused:
+        return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
+    drawn = plans_drawn(seen, onlooker, plans)
+    if not drawn:
+        return Graded(REJECTED, reason=message("grade.nothing"))
+    if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking]:
+        return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
+    sheets = {plan.asked.sheet for plan in drawn}
+    there = {plan.asked.place for plan in drawn}
+    told = any(plan.asked.plan == POSITIONS.plan for plan in drawn)  # its points are found by marks alone
+    due = [plan for plan in plans if plan.sheet in sheets and (told or plan.plan != POSITIONS.plan)]
+    lost = (plan for plan in due if plan.place not in there)
+    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)))
+    if not all(math.isfinite(one.off or 0.0) for one in said):
+        return Graded(REJECTED, reason=message("grade.unfinite"))
+    graded = Graded(PASS, tuple(said), paper=(seen.leaf.width, seen.leaf.height))
+    return graded._replace(outcome=FAIL) if graded.wrong else graded
+
+
+def _missing(plan: PlanAsked) -> Iterator[Verdict]:
+    """Name the vectors of a plan that is not drawn at all."""
+    for one in plan.vectors:
+        yield Verdict(plan.plan, plan.position, one.name, verdict.MISSING, unit=plan.unit, letters=one.letters)
+
+
+def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
+    """Find the plans that are asked for on a sheet: by its marks, and those without any by their letters."""
+    found = (from_marks(one, seen.measured, written_scale(seen, one)) for one in plans)
+    marked = [one for one in found if one is not None]
+    if len(marked) == len(plans) and all(plan.whole for plan in marked):
+        return tuple(marked)
+    lines = segments(seen.leaf, onlooker.heads)
+    whole = tuple(redrawn(plan, lines) for plan in marked)
+    if any(plan.asked.plan in _DRAWN for plan in marked):  # data that are left in one plan are left in all
+        return whole
+    own = [figure_of(one) for one in figures(lines)]
+    left = [one for one in plans if one.place not in {plan.asked.place for plan in marked}]
+    return (*whole, *lettered_plans(left, own, list(texts(seen.leaf.groups))))
+
+
+def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
+    labels = labels_of(seen.leaf.groups)
+    for plan in drawn:
+        beside = [one for one in drawn if one.asked.position == plan.asked.position]
+        scales = {one.asked.plan: one.scale for one in beside}
+        may = by.of(plan.asked, scales, seen.measured.quantum)
+        yield from Judge(plan, may, own_places(beside)).verdicts()
+        yield from drawing_faults(seen.leaf, labels, plan)

@@ -1,0 +1,40 @@
+"""Hints: which step of a construction to look at again, and nothing of what it gives (подсказка)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from drawings.grading.asked import PlanAsked
+from geometry.board import Mark
+from plans.words.words import Message, message
+
+Steps = Mapping[tuple[str, int | None, str], tuple[Message, ...]]
+
+
+class Hint(NamedTuple):
+    """A step to look at again, by what is drawn in it and why."""
+
+    name: str
+    why: Message
+
+
+def hints(plan: PlanAsked) -> Iterator[tuple[str, tuple[Hint, ...]]]:
+    """Give the steps by which the vectors of a plan are found, by their names."""
+    for one in plan.vectors:
+        if one.found is not None:
+            yield one.name, tuple(_steps(max(one.found.span, key=lambda mark: mark.number)))
+
+
+def _steps(end: Mark) -> Iterator[Hint]:
+    """Give what a place is found by: the lines that meet there, or the vector that is laid off."""
+    for mark in end.step.inputs if end.step.op == "meet" else end.step.inputs[1:]:
+        if isinstance(mark.step.why, Message):
+            yield Hint(mark.name, mark.step.why)
+    if isinstance(end.step.why, Message):
+        yield Hint(end.name, end.step.why)
+
+
+def told(own: tuple[Hint, ...]) -> tuple[Message, ...]:
+    """Word hints."""
+    return tuple(message("grade.hint", name=one.name, why=one.why) for one in own)

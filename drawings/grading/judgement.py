@@ -1,0 +1,167 @@
+"""Judging a plan: each vector held against the analysis, and a mistake found is named once (разбор ошибок)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.grading import verdict
+from drawings.grading.asked import Asked
+from drawings.grading.continuation import continued, mirrored, turned_over
+from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.verdict import Verdict
+from geometry.board import Mark
+
+# Parts whose turning to the wrong side has a name of its own, by how their letters begin.
+PARTS = {"a^n": verdict.NORMAL, "a^k": verdict.CORIOLIS}
+# A plan is drawn to another scale, mirrored or turned as a whole where so many of its vectors say so.
+SEVERAL = 2
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Judges the vectors of one drawn plan: what each may be out, and what is drawn on all plans of the position."""
+
+    drawn: DrawnPlan
+    allowed: Mapping[tuple[str, str], float]
+    own: Mapping[Mark, complex]
+
+    def verdicts(self) -> Iterator[Verdict]:
+        """Judge the plan as a whole, then each vector that is asked for."""
+        whole = self._whole()
+        if whole is not None:
+            kind, times = whole
+            yield self._said(kind)
+            yield from (self._within(one, times) for one in self.drawn.asked.vectors)
+        else:
+            yield from self._each()
+
+    def _each(self) -> Iterator[Verdict]:
+        """Judge vector by vector: a place that is wrong costs once, at the first arrow that ends there."""
+        blamed = set[str]()
+        for one in self.drawn.asked.vectors:
+            said = self._one(one)
+            if not said.good and said.kind not in (verdict.MISSING, verdict.DEAD) and self._joined(one):
+                if one.end in blamed:
+                    said = said._replace(kind=verdict.FOLLOWS)
+                blamed.add(one.end)
+            yield said
+
+    def _joined(self, one: Asked) -> bool:
+        """Tell whether an arrow is drawn between the places of its letters, as its plan has them."""
+        there, value = self.drawn.between(*one.letters), self.drawn.value(one.letters)
+        return there is not None and value is not None and abs(there - value) <= self.allowed[one.letters]
+
+    def _within(self, one: Asked, times: Callable[[complex], complex]) -> Verdict:
+        """Judge a vector of a plan that is out as a whole: what fits with the others loses nothing more."""
+        value = self.drawn.value(one.letters)
+        if value is not None and self._near(one, times(value)):
+            return self._said(verdict.FOLLOWS, one)
+        return self._one(one)
+
+    def _one(self, one: Asked) -> Verdict:
+        value, allowed = self.drawn.value(one.letters), self.allowed[one.letters]
+        if not math.isfinite(allowed):
+            return self._said(verdict.DEAD, one)
+        if value is None:
+            return self._said(verdict.MISSING, one)
+        kind = self._kind(one, value)
+        return self._said(kind, one, abs(value - one.true))
+
+    def _kind(self, one: Asked, value: complex) -> str:
+        if self._near(one, value):
+            return verdict.RIGHT
+        if self._follows(one, value):
+            return verdict.FOLLOWS
+        if self._near(one, -value):
+            return PARTS.get(one.name.partition("_")[0], verdict.REVERSED)
+        if self._carried_mirrored(one, value):
+            return verdict.SIMILAR
+        if self._turned_over(one, value):
+            return verdict.BRANCH
+        return self._off(one, value)
+
+    def _off(self, one: Asked, value: complex) -> str:
+        """Tell whether only the size or only the direction of a vector is wrong."""
+        allowed = self.allowed[one.letters]
+        if value and abs(one.true) > allowed and abs((value / one.true).imag) * abs(one.true) <= allowed:
+            return verdict.LONG if (value / one.true).real > 0 else verdict.WRONG
+        return verdict.TURNED if abs(abs(value) - abs(one.true)) <= allowed else verdict.WRONG
+
+    def _near(self, one: Asked, value: complex) -> bool:
+        return abs(value - one.true) <= self.allowed[one.letters]
+
+    def _follows(self, one: Asked, value: complex) -> bool:
+        """Tell whether a vector is what its own construction gives from what the student drew before it."""
+        return any(abs(value - there) <= self.allowed[one.letters] for there in self._going_on(one))
+
+    def _going_on(self, one: Asked) -> Iterator[complex]:
+        """Give what a vector is where the later of its ends is found by its construction from the student's places."""
+        if one.found is None:
+            return
+        later, sign = max((one.found.span.start, -1), (one.found.span.end, 1), key=lambda end: end[0].number)
+        earlier = one.found.span.end if sign < 0 else one.found.span.start
+        there, begun = continued(later, self.own), self.own.get(earlier, complex(np.ravel(earlier.point)[0]))
+        if there is not None:
+            yield sign * (there - begun)
+
+    def _carried_mirrored(self, one: Asked, value: complex) -> bool:
+        if one.found is None:
+            return False
+        start, end = one.found.span
+        there = mirrored(end, self.own)
+        return there is not None and abs(value - (there - self.own.get(start, 0j))) <= self.allowed[one.letters]
+
+    def _turned_over(self, one: Asked, value: complex) -> bool:
+        """Tell whether a point is at the other of the two places where its loci meet."""
+        other = None if one.found is None else turned_over(one.found.span.end)
+        return one.start == "" and other is not None and abs(value - other) <= self.allowed[one.letters]
+
+    def _whole(self) -> tuple[str, Callable[[complex], complex]] | None:
+        """Tell in what a plan is out as a whole, and how its vectors become right then."""
+        pairs = [(one, value) for one in self.drawn.asked.vectors if (value := self.drawn.value(one.letters))]
+        if sum(not self._near(one, value) for one, value in pairs) < SEVERAL:
+            return None
+        for kind, times in _wholes([(one.true, value) for one, value in pairs]):
+            fits = [one for one, value in pairs if self._near(one, times(value))]
+            telling = [one for one, value in pairs if not self._near(one, value) and one in fits]
+            if len(telling) >= SEVERAL and 2 * len(fits) > len(pairs):
+                return kind, times
+        return None
+
+    def _said(self, kind: str, one: Asked | None = None, off: float | None = None) -> Verdict:
+        asked = self.drawn.asked
+        if one is None:
+            return Verdict(asked.plan, asked.position, "", kind, unit=asked.unit)
+        arrow = self.drawn.arrows.get(one.letters)
+        return Verdict(
+            asked.plan, asked.position, one.name, kind, off, self.allowed[one.letters], asked.unit,
+            arrow and (arrow.start, arrow.end), one.letters,
+        )  # fmt: skip
+
+
+def _wholes(pairs: list[tuple[complex, complex]]) -> Iterator[tuple[str, Callable[[complex], complex]]]:
+    """Give what may be wrong with a plan as a whole, and what undoes it: all the other way, a scale, a turn, a mirror.
+
+    `pairs` are the true and the drawn vectors.
+    """
+    yield verdict.OPPOSITE, lambda value: -value
+    times = _fitted(pairs)
+    if times and math.isfinite(abs(times)):
+        real, unit = abs(times), times / abs(times)
+        yield verdict.SCALE, lambda value: value * real
+        yield verdict.ASKEW, lambda value: value * unit
+    turn = _fitted([(true, value.conjugate()) for true, value in pairs])
+    if turn:
+        unit_turn = cmath.rect(1.0, cmath.phase(turn))
+        yield verdict.MIRRORED, lambda value: unit_turn * value.conjugate()
+
+
+def _fitted(pairs: list[tuple[complex, complex]]) -> complex:
+    """Give the number that brings drawn vectors onto true ones, by least squares."""
+    size = sum(abs(value) ** 2 for _, value in pairs)
+    return sum((true * value.conjugate() for true, value in pairs), 0j) / size if size else 0j

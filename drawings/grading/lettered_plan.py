@@ -1,0 +1,209 @@
+"""Plans without marks: arrows that hang together, told by their letters, their heading and their shape (по буквам)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from drawings.eye.alike import folded
+from drawings.grading.asked import PlanAsked
+from drawings.grading.drawing_faults import scales_written
+from drawings.grading.drawn_plan import Arrow, DrawnPlan
+from drawings.grading.segments import JOINED, Segment
+from drawings.lettering.extent import bounds
+from drawings.lettering.indices import with_index
+from drawings.paper.strokes import Text
+from plans.linkage.letters import POLES
+
+FAR = 25.0  # mm: a letter that is farther from a place does not name it
+HEADING = 80.0  # mm: and a heading from its plan
+LEAST = 2  # letters that a figure has in common with a plan
+ARROW, BACKWARD = 10.0, 0.9  # mm that an arrow between two letters is worth, and its share if it is drawn back to front
+ROUNDS = 40  # of bringing letters elsewhere: a plan has some fifteen
+_POSITION = re.compile(r"(?:position|положени\w+|pos\.?|пол\.?)\s*№?\s*(\d{1,4})", re.IGNORECASE)
+_NAMES = {"pi": "π"}
+
+
+class Figure(NamedTuple):
+    """Arrows that hang together, and the place of each of their ends."""
+
+    arrows: Sequence[Segment]
+    spots: Sequence[complex]
+
+    def nearest(self, spot: complex) -> complex:
+        """Give the place of an end."""
+        return min(self.spots, key=lambda one: abs(one - spot))
+
+    def away(self, text: Text) -> float:
+        """Give how far a text is from the figure, mm."""
+        return min(_distance(text, spot) for spot in self.spots)
+
+
+def figure_of(own: Sequence[Segment]) -> Figure:
+    """Give arrows with their places: ends that are near each other are one."""
+    spots: list[complex] = []
+    for end in (end for one in own for end in (one.start, one.end)):
+        if all(abs(end - spot) > JOINED for spot in spots):
+            spots.append(end)
+    return Figure(own, spots)
+
+
+def lettered_plans(asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text]) -> Iterator[DrawnPlan]:
+    """Find plans among figures: each is the one plan that its letters, its heading or its shape say."""
+    found = sorted(_candidates(asked, figures, texts), key=lambda one: one[0])
+    taken, placed = set[int](), set[object]()
+    for _, k, plan in found:
+        if k not in taken and plan.asked.place not in placed:
+            taken.add(k)
+            placed.add(plan.asked.place)
+            yield plan
+
+
+def redrawn(plan: DrawnPlan, lines: Sequence[Segment]) -> DrawnPlan:
+    """Give a plan with arrows that were drawn anew between places of its letters, and so bear no data."""
+    again = dict(plan.arrows)
+    for one in plan.asked.vectors:
+        ends = plan.places.get(one.start), plan.places.get(one.end)
+        if one.letters in again or ends[0] is None or ends[1] is None:
+            continue
+        for line in (line for line in lines if line.headed):
+            if _joins(line, ends[0], ends[1]) or _joins(line, ends[1], ends[0]):
+                again[one.letters] = Arrow(line.start, line.end)
+    return replace(plan, arrows=again)
+
+
+def _joins(line: Segment, start: complex, end: complex) -> bool:
+    return abs(line.start - start) <= JOINED and abs(line.end - end) <= JOINED
+
+
+def _candidates(
+    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text]
+) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
+    """Give what each figure may be, where no heading says otherwise: how many letters it lacks, and how ill it fits."""
+    for k, figure in enumerate(figures):
+        position = _position(figure, texts)
+        for plan in asked:
+            names = _named(plan, figure, texts)
+            if len(names) < LEAST or POLES.get(plan.plan) not in names:
+                continue
+            drawn = _drawn(plan, figure, names, texts)
+            if position is None or position == plan.position:
+                yield (float(len(plan.letters) - len(names)), _misfit(drawn)), k, drawn
+
+
+def _position(figure: Figure, texts: Sequence[Text]) -> int | None:
+    """Give the position that the nearest heading names."""
+    own = [(figure.away(text), int(match[1])) for text in texts if (match := _POSITION.search(text.plain))]
+    near = [one for one in own if one[0] <= HEADING]
+    return min(near)[1] if near else None
+
+
+def _named(plan: PlanAsked, figure: Figure, texts: Sequence[Text]) -> dict[str, complex]:
+    """Give the places of the letters of a plan: the nearest pairs first, then as the arrows between them tell."""
+    letters = {spelled(letter): letter for letter in plan.letters}
+    near: dict[tuple[str, complex], float] = {}
+    beside: dict[str, str] = {}  # letters that stand after another, at the same place
+    for text in texts:
+        first, *others = [letters.get(name, "") for name in map(spelled, text.plain.split(", "))]
+        if not first or not all(others):
+            continue
+        for spot in figure.spots:
+            away = _distance(text, spot)
+            if away <= min(FAR, near.get((first, spot), FAR)):
+                near[first, spot] = away
+                beside |= dict.fromkeys(others, first)
+    near = {pair: away for pair, away in near.items() if pair[0] not in beside}
+    found: dict[str, complex] = {}
+    for letter, spot in sorted(near, key=lambda pair: near[pair]):
+        if letter not in found and spot not in found.values():
+            found[letter] = spot
+    found = _settled(plan, figure, near, found)
+    return found | {letter: found[first] for letter, first in beside.items() if first in found}
+
+
+def _settled(
+    plan: PlanAsked, figure: Figure, near: Mapping[tuple[str, complex], float], first: dict[str, complex]
+) -> dict[str, complex]:
+    """Move letters among the places that they are near to, while more of the arrows that are asked for are there.
+
+    The arrows that there are decide, not where they lead: a wrong plan bears its letters as a right one does.
+    """
+    ends = {(figure.nearest(one.start), figure.nearest(one.end)) for one in figure.arrows}
+
+    def worth(names: Mapping[str, complex]) -> float:
+        pairs = [(names.get(one.start), names.get(one.end)) for one in plan.vectors]
+        arrows = sum(1.0 if pair in ends else BACKWARD * (pair[::-1] in ends) for pair in pairs)
+        return arrows * ARROW - sum(near[pair] for pair in names.items())
+
+    best, most = first, worth(first)
+    for _ in range(ROUNDS):
+        better = max(_others(best, near), key=worth, default=best)
+        if worth(better) <= most:
+            return best
+        best, most = better, worth(better)
+    return best
+
+
+def _others(names: Mapping[str, complex], near: Mapping[tuple[str, complex], float]) -> Iterator[dict[str, complex]]:
+    """Give what is had by bringing one letter to another place that it is near to, whose letter takes its own."""
+    there = {spot: letter for letter, spot in names.items()}
+    for letter, spot in near:
+        if names.get(letter) == spot:
+            continue
+        moved, other = {**names, letter: spot}, there.get(spot)
+        if other is not None:
+            moved.pop(other)
+            if letter in names and (other, names[letter]) in near:
+                moved[other] = names[letter]
+        yield moved
+
+
+def spelled(letter: str) -> str:
+    """Write a letter as anybody may write it: without the marks of levels, as it looks.
+
+    >>> spelled("n_A"), spelled("n_{A}") == spelled("nA"), spelled("pi") == spelled("π")
+    ('nA', True, True)
+    """
+    plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
+    plain = re.sub(r"[_{}^\s]", "", plain)
+    return folded(_NAMES.get(plain, plain))
+
+
+def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts: Sequence[Text]) -> DrawnPlan:
+    """Give the plan that a figure is: its arrows between its letters, laid as its letters are upright."""
+    ends = [(figure.nearest(one.start), figure.nearest(one.end)) for one in figure.arrows]
+    arrows = {}
+    for one in plan.vectors:
+        wanted = names.get(one.start), names.get(one.end)
+        if wanted in ends:
+            arrows[one.letters] = Arrow(names[one.start], names[one.end])
+        elif wanted[::-1] in ends:
+            arrows[one.letters] = Arrow(names[one.end], names[one.start])
+    near = [(figure.away(text), mu) for text, mu in scales_written(texts, plan.plan)]
+    scale = min(near)[1] if near and min(near)[0] <= HEADING else None
+    turn = cmath.rect(1.0, -math.radians(_turn(plan, figure, texts)))
+    bare = DrawnPlan(plan, arrows, 1.0, names, False)
+    return DrawnPlan(plan, arrows, scale or bare.fitted, names, scale is not None, turn, lettered=True)
+
+
+def _turn(plan: PlanAsked, figure: Figure, texts: Sequence[Text]) -> float:
+    """Give by how much the page of a figure is turned, degrees: as the nearest of its letters stands."""
+    own = {spelled(letter) for letter in plan.letters}
+    near = [text for text in texts if spelled(text.plain) in own]
+    return min(near, key=figure.away).rotation if near else 0.0
+
+
+def _misfit(drawn: DrawnPlan) -> float:
+    """Give by what share the vectors of a plan are out, each of its own size."""
+    pairs = [(one.true, value) for one in drawn.asked.vectors if (value := drawn.value(one.letters)) is not None]
+    size = sum(abs(true) for true, _ in pairs)
+    return sum(abs(value - true) for true, value in pairs) / size if size else math.inf
+
+
+def _distance(text: Text, spot: complex) -> float:
+    left, low, right, high = bounds(text)
+    return abs(spot - complex(min(max(spot.real, left), right), min(max(spot.imag, low), high)))

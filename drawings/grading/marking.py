@@ -1,0 +1,106 @@
+"""Marking: how many points a quantity has and what a mistake costs, by the teacher's own table (шкала баллов)."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from drawings.grading import verdict
+from drawings.grading.verdict import Verdict
+from drawings.paper.limits import TEXT_LENGTH
+from geometry.errors import DraftError
+from geometry.regular_file import regular_bytes
+from plans.words.words import message
+
+TABLES = ("points", "keeps", "costs", "tolerance")
+# What a fault of a whole plan, and one of how it is drawn, costs where the table does not say.
+PLAN_COST, DRAWING_COST = 1.0, 0.0
+
+
+class MarkingError(DraftError, ValueError):
+    """A table of marks that is wrong, with what to write instead."""
+
+    exit_code = 3
+
+
+@dataclass(frozen=True)
+class Marking:
+    """Points by quantity, the share that a kind of mistake keeps, and what faults of plans and of drawing cost.
+
+    A quantity is named as it is ("v_B"), or by how its letters begin ("a^k"), or all others by "default".
+    """
+
+    points: Mapping[str, float] = field(default_factory=dict)
+    keeps: Mapping[str, float] = field(default_factory=dict)
+    costs: Mapping[str, float] = field(default_factory=dict)
+    tolerance: Mapping[str, str] = field(default_factory=dict)
+
+    def most(self, one: Verdict) -> float:
+        """Give the points of a quantity; faults of a plan or of drawing have none."""
+        return 0.0 if _aside(one) else _of(self.points, one.name, 1.0)
+
+    def won(self, one: Verdict) -> float:
+        """Give the points that a verdict wins, or loses."""
+        if _aside(one):
+            return -self.costs.get(one.kind, PLAN_COST if one.kind in verdict.OF_PLANS else DRAWING_COST)
+        return self.most(one) * (1.0 if one.good else self.keeps.get(one.kind, 0.0))
+
+
+def _aside(one: Verdict) -> bool:
+    """Tell whether a verdict is of no quantity: of a plan, of how it is drawn, or not graded."""
+    return one.kind in (*verdict.OF_DRAWING, verdict.DEAD) or not one.name
+
+
+def _of(points: Mapping[str, float], name: str, other: float) -> float:
+    for key in (name, name.partition("_")[0], "default"):
+        if key in points:
+            return points[key]
+    return other
+
+
+def read_marking(path: Path) -> Marking:
+    """Read a table of marks."""
+    source = regular_bytes(path, TEXT_LENGTH + 1)
+    if len(source) > TEXT_LENGTH:
+        raise MarkingError(message("grade.marks.long", file=path, limit=TEXT_LENGTH))
+    try:
+        tables = tomllib.loads(source.decode("utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise MarkingError(message("grade.marks.toml", file=path, error=str(error))) from None
+    for name, table in tables.items():
+        if name not in TABLES or not isinstance(table, dict):
+            raise MarkingError(message("grade.marks.table", file=path, name=name, names=TABLES))
+    known = {"keeps": verdict.KINDS, "costs": (*verdict.OF_PLANS, *verdict.OF_DRAWING)}
+    for table, kinds in known.items():
+        for name in tables.get(table, {}):
+            if name not in kinds:
+                raise MarkingError(message("grade.marks.kind", file=path, name=f"{table}.{name}", names=kinds))
+    numbers = {name: _numbers(path, name, tables.get(name, {})) for name in TABLES[:3]}
+    return Marking(**numbers, tolerance=_texts(path, tables.get("tolerance", {})))
+
+
+def _numbers(path: Path, table: str, own: Mapping[str, Any]) -> dict[str, float]:
+    for name, value in own.items():
+        good = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value) and value >= 0
+        if not good:
+            raise MarkingError(message("grade.marks.number", file=path, name=f"{table}.{name}"))
+    return {name: float(value) for name, value in own.items()}
+
+
+def _texts(path: Path, own: Mapping[str, Any]) -> dict[str, str]:
+    for name, value in own.items():
+        if not isinstance(value, str):
+            raise MarkingError(message("grade.marks.tolerance", file=path, name=f"tolerance.{name}"))
+    return dict(own)
+
+
+def points_of(verdicts: tuple[Verdict, ...], marking: Marking) -> tuple[float, float]:
+    """Give the points that are won, none below zero, and those that there are, to the third decimal."""
+    exact = sum((Fraction(str(round(marking.won(one), 6))) for one in verdicts), Fraction())
+    most = sum((Fraction(str(round(marking.most(one), 6))) for one in verdicts), Fraction())
+    return round(float(max(exact, Fraction())), 3), round(float(most), 3)

@@ -1,0 +1,113 @@
+"""The roll: each sheet of a class graded in a process of its own, with limits of memory and time (журнал группы)."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import sys
+import time
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from multiprocessing.connection import Connection, wait
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from drawings.files.file_error import of_system
+from drawings.grading.graded import OURS, REJECTED, Graded
+from drawings.paper.limits import SHEET_BYTES
+from geometry.regular_file import regular_bytes
+from plans.words.words import message
+
+# Wall seconds for one sheet: the largest honest ones take under two.
+SECONDS = 30.0
+# Bytes that a process may take beyond those of the one it came from: a sheet of ten megabytes needs half of them.
+MEMORY = 400 * 1024**2
+_STATM = Path("/proc/self/statm")  # of Linux: how much memory a process has
+
+Grading = Callable[[bytes], Graded]
+
+
+class _Work(NamedTuple):
+    """A process that grades a sheet, until when it may."""
+
+    path: Path
+    process: Any
+    until: float
+
+
+def grade_all(paths: Sequence[Path], grading: Grading, workers: int | None = None) -> Iterator[tuple[Path, Graded]]:
+    """Grade sheets, as many at a time as there are processors; each is answered for, in the order of the paths."""
+    waiting, done = list(dict.fromkeys(paths)), dict[Path, Graded]()
+    running: dict[Connection, _Work] = {}
+    most = workers or os.cpu_count() or 1
+    for path in dict.fromkeys(paths):
+        while path not in done:
+            while waiting and len(running) < most:
+                running |= _begun(waiting.pop(0), grading)
+            _gather(running, done)
+        yield path, done[path]
+
+
+def _begun(path: Path, grading: Grading) -> dict[Connection, _Work]:
+    """Begin to grade a sheet in a process that knows all that this one does."""
+    how: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+    ours, theirs = how.Pipe(duplex=False)
+    process = how.Process(target=_work, args=(path, grading, theirs), daemon=True)
+    process.start()
+    theirs.close()
+    return {ours: _Work(path, process, time.monotonic() + SECONDS)}
+
+
+def _gather(running: dict[Connection, _Work], done: dict[Path, Graded]) -> None:
+    """Take what is graded, and end what takes too long."""
+    first = min(work.until for work in running.values())
+    ready = wait(list(running), timeout=max(first - time.monotonic(), 0.0))
+    late = [end for end, work in running.items() if end not in ready and time.monotonic() >= work.until]
+    for end in (*ready, *late):
+        assert isinstance(end, Connection)  # nothing else is waited for
+        work = running.pop(end)
+        done[work.path] = _answer(end, work) if end in ready else Graded(REJECTED, reason=message("grade.late"))
+        work.process.kill()
+        work.process.join()
+        end.close()
+
+
+def _answer(end: Connection, work: _Work) -> Graded:
+    try:
+        answer: Graded = end.recv()
+    except (EOFError, OSError):
+        work.process.join(1.0)
+        return Graded(OURS, reason=message("grade.died", code=str(work.process.exitcode)))
+    return answer
+
+
+def _work(path: Path, grading: Grading, end: Connection) -> None:
+    """Grade one sheet, whatever is in it."""
+    _limit()
+    end.send(answered(path, grading))
+    end.close()
+
+
+def answered(path: Path, grading: Grading) -> Graded:
+    """Grade one sheet of a file: what cannot be read is rejected, and what breaks is an error of ours."""
+    try:
+        return grading(regular_bytes(path, SHEET_BYTES + 1))
+    except OSError as error:
+        return Graded(REJECTED, reason=message("file.read", reason=of_system(error)))
+    except MemoryError:
+        return Graded(REJECTED, reason=message("grade.memory"))
+    except Exception:
+        return Graded(OURS, reason=message("grade.bug", error=traceback.format_exc(limit=-3)))
+
+
+def _limit() -> None:
+    """Limit what this process may take."""
+    if sys.platform == "win32":
+        return
+    import resource  # noqa: PLC0415  (only Unix has it)
+
+    if _STATM.exists():
+        own = int(_STATM.read_text("ascii").split()[0]) * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (own + MEMORY, own + MEMORY))
+    spent = int(time.process_time()) + int(SECONDS) + 1
+    resource.setrlimit(resource.RLIMIT_CPU, (spent, spent))

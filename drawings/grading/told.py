@@ -1,0 +1,108 @@
+"""What is told of graded sheets: lines for a teacher, plain data, and a row of the class's table (ведомость)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from drawings.grading.graded import FAIL, PASS, Graded
+from drawings.grading.hints import Hint, told
+from drawings.grading.marking import Marking, points_of
+from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, Verdict
+from plans.words.words import Message, message, word
+
+Hints = Mapping[str, tuple[Hint, ...]]
+_FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # by which a spreadsheet knows a formula
+HEAD = ("sheet", "outcome", "points", "of", "right", "follows", "mistakes", "what")
+
+
+def lines(path: Path, graded: Graded, marking: Marking, hints: Hints, language: str) -> Iterator[str]:
+    """Tell of one sheet, line by line."""
+    yield f"{plain_name(path)}: {_heading(graded, marking).worded(language)}"
+    yield from (f"  {_line(one, hints, language)}" for one in gathered(graded.verdicts) if not one.good)
+    if follow := tuple(f"{one.name} ({one.position})" for one in graded.verdicts if one.kind == FOLLOWS):
+        yield f"  {word(language, 'grade.follow', names=follow)}"
+
+
+def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
+    """Give verdicts with those of a plan that is not there at all as one."""
+    plans: dict[tuple[str, int | None], list[Verdict]] = {}
+    for one in verdicts:
+        plans.setdefault((one.plan, one.position), []).append(one)
+    for own in plans.values():
+        if all(one.kind == MISSING for one in own):
+            yield own[0]._replace(name="")
+        else:
+            yield from own
+
+
+def plain_name(path: Path) -> str:
+    """Write the name of a file that may hold anything: without signs that a terminal obeys."""
+    return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in str(path))
+
+
+def _heading(graded: Graded, marking: Marking) -> Message:
+    if graded.reason is not None:
+        return message(f"grade.outcome.{graded.outcome}", reason=graded.reason)
+    won, most = points_of(graded.verdicts, marking)
+    return message(f"grade.outcome.{graded.outcome}", won=f"{won:g}", most=f"{most:g}")
+
+
+def _line(one: Verdict, hints: Hints, language: str) -> str:
+    told_ = _said(one, language)
+    if one.off is not None and one.allowed is not None:
+        off, allowed = f"{one.off:.3g}", f"{one.allowed:.2g}"
+        told_ = word(language, "grade.off", told=told_, off=off, allowed=allowed, unit=one.unit)
+    return _again(one, told_, hints, language)
+
+
+def without_values(one: Verdict, hints: Hints, language: str) -> str:
+    """Tell what is wrong and which step to look at again, and nothing from which the right value can be had."""
+    return _again(one, _said(one, language), hints, language)
+
+
+def _said(one: Verdict, language: str) -> str:
+    kind = word(language, f"grade.kind.{one.kind}")
+    where = message("grade.plan" if one.position is not None else "grade.figure", plan=one.plan, position=one.position)
+    return word(language, "grade.vector" if one.name else "grade.whole", where=where, name=one.name, kind=kind)
+
+
+def _again(one: Verdict, told_: str, hints: Hints, language: str) -> str:
+    steps = told(hints.get(one.name, ()))
+    return word(language, "grade.again", told=told_, steps=steps) if steps else told_
+
+
+def plain(path: Path, graded: Graded, marking: Marking, language: str) -> dict[str, object]:
+    """Give one sheet as plain data."""
+    won, most = points_of(graded.verdicts, marking)
+    return {
+        "sheet": str(path),
+        "outcome": graded.outcome,
+        "reason": None if graded.reason is None else graded.reason.worded(language),
+        "points": won if graded.reason is None else None,
+        "of": most if graded.reason is None else None,
+        "digest": graded.digest,
+        "verdicts": [_plain(one) for one in graded.verdicts],
+    }
+
+
+def _plain(one: Verdict) -> dict[str, object]:
+    return {
+        "plan": one.plan, "position": one.position, "quantity": one.name, "verdict": one.kind,
+        "off": one.off, "allowed": one.allowed, "unit": one.unit,
+    }  # fmt: skip
+
+
+def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str]:
+    """Give one sheet as a row of the class's table; nothing in it is a formula to a spreadsheet."""
+    won, most = points_of(graded.verdicts, marking)
+    points = [f"{won:g}", f"{most:g}"] if graded.outcome in (PASS, FAIL) else ["", ""]
+    counts = [str(sum(one.kind == kind for one in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
+    lost = [one for one in gathered(graded.verdicts) if one in graded.wrong or not one.name]
+    what = graded.reason.worded(language) if graded.reason is not None else _summary(lost)
+    own = [plain_name(path), graded.outcome, *points, *counts, str(len(graded.wrong)), what]
+    return [f"'{cell}" if cell.startswith(_FORMULAS) else cell for cell in own]
+
+
+def _summary(wrong: Sequence[Verdict]) -> str:
+    return "; ".join(" ".join(filter(None, (f"{one.plan}-{one.position}", one.name, one.kind))) for one in wrong)

@@ -1,0 +1,47 @@
+"""Verdicts: what is said of one vector, of one plan and of how it is drawn (оценка)."""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+RIGHT, FOLLOWS = "right", "follows"
+MISSING, REVERSED, WRONG = "missing", "reversed", "wrong"
+NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of their own
+LONG, TURNED = "long", "turned"  # only the size, only the direction
+SIMILAR, BRANCH = "similar", "branch"
+DEAD = "dead"  # too near a dead centre: not graded
+# Of a plan as a whole.
+SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
+# Of how it is drawn.
+UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
+
+GOOD: Final = (RIGHT, FOLLOWS)
+OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH)
+OF_DRAWING: Final = (UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE)
+KINDS: Final = (
+    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD,
+    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE,
+)  # fmt: skip
+
+
+class Verdict(NamedTuple):
+    """What is said of a vector, or of a plan (without a name): its kind, by how much it is out of what is allowed.
+
+    `off` and `allowed` are in the plan's unit; `at` is the place on paper, mm, y up; `step` names the mark of the
+    record to look at again.
+    """
+
+    plan: str
+    position: int | None
+    name: str
+    kind: str
+    off: float | None = None
+    allowed: float | None = None
+    unit: str = ""
+    at: tuple[complex, complex] | None = None
+    letters: tuple[str, str] = ("", "")
+
+    @property
+    def good(self) -> bool:
+        """Whether nothing is lost by it."""
+        return self.kind in GOOD

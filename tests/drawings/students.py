@@ -1,0 +1,128 @@
+"""Students: a scene's own sheet with a mistake in it, and what rests on that drawn from there as they would."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.grading.asked import PlanAsked, plans_asked
+from drawings.lettering.indices import with_index
+from drawings.original.originals import Original, Originals
+from drawings.paper.strokes import Circle, Fill, Group, Line, Stroke, Text
+from drawings.pens.svg import svg
+from geometry.board import Mark
+from geometry.replay import redraw
+from tests.gallery import GALLERY
+
+ASIDE = ("values", "output", "notes", "title-block", "equations", "diagrams")  # what is not graded takes long to read
+Places = Mapping[str, complex]
+
+
+class Task(NamedTuple):
+    """A scene that is set: its sheets, and what they ask for."""
+
+    originals: Originals
+    plans: tuple[PlanAsked, ...]
+
+    def plan(self, plan: str, position: int) -> PlanAsked:
+        return next(one for one in self.plans if one.place == (plan, position))
+
+    def sheet(self, name: str) -> Original:
+        return next(one for one in self.originals.sheets if one.name == name)
+
+
+@cache
+def task(scene: str) -> Task:
+    """Set a scene of the gallery."""
+    originals = Originals(GALLERY / f"{scene}.toml")
+    return Task(originals, plans_asked(originals))
+
+
+def marks_of(plan: PlanAsked) -> dict[str, Mark]:
+    """Give the marks of the record by their letters."""
+    return {
+        letter: mark
+        for one in plan.vectors
+        if one.found
+        for letter, mark in zip(one.letters, one.found.span, strict=True)
+    }
+
+
+def true_places(plan: PlanAsked) -> dict[str, complex]:
+    """Give where each letter of a plan lies from its pole, true units."""
+    return {letter: complex(np.ravel(mark.point)[0]) for letter, mark in marks_of(plan).items()}
+
+
+def gone_on(plan: PlanAsked, moved: Places) -> dict[str, complex]:
+    """Give where all letters lie if some were drawn elsewhere and the rest was drawn on from there."""
+    marks = marks_of(plan)
+    again = redraw(list(marks.values()), {marks[letter]: place for letter, place in moved.items()})
+    return {letter: complex(np.ravel(again[mark].point)[0]) for letter, mark in marks.items()}
+
+
+def drawn(
+    sheet: Original, plan: PlanAsked, places: Places, keep: Callable[[Stroke], Stroke | None] = lambda one: one
+) -> bytes:
+    """Draw a sheet with the letters of one plan elsewhere; `keep` gives each stroke as it is drawn, or none."""
+    was = true_places(plan)
+    shifts = {letter: (place - was[letter]) / plan.scales[plan.plan] for letter, place in places.items()}
+    own = (group for group in sheet.leaf.groups if not group.name.startswith(ASIDE))
+    groups = tuple(_group(group, plan, shifts, keep) for group in own)
+    return svg(replace(sheet.leaf, groups=groups))
+
+
+def _group(group: Group, plan: PlanAsked, shifts: Places, keep: Callable[[Stroke], Stroke | None]) -> Group:
+    """Move the arrows of a plan with their ends, and the letters of its own figure with what they name."""
+    if group.name.startswith((f"{plan.plan}-{plan.position}", "positions")) or group.data.get("plan"):
+        own: Iterator[Stroke] = (_moved(one, plan, shifts) for one in group.strokes)
+        if _is_of(group, plan) and group.data["kind"] == "vector":
+            own = iter(_arrow(group, shifts))
+        kept = (keep(one) for one in own)
+        return replace(group, strokes=tuple(one for one in kept if one is not None))
+    return group
+
+
+def _is_of(group: Group, plan: PlanAsked) -> bool:
+    return (group.data.get("plan"), group.data.get("position")) == (plan.plan, str(plan.position))
+
+
+def _moved(one: Stroke, plan: PlanAsked, shifts: Places) -> Stroke:
+    if isinstance(one, Group):
+        if _is_of(one, plan) and one.data["kind"] == "vector":
+            return replace(one, strokes=_arrow(one, shifts))
+        by = shifts.get(one.data["name"], 0j) if _is_of(one, plan) and one.data["kind"] == "point" else 0j
+        parts = tuple(_moved(part, plan, shifts) for part in one.strokes)
+        return replace(one, strokes=tuple(_aside(part, by) for part in parts))
+    if isinstance(one, Text):
+        shift = next((by for letter, by in shifts.items() if lettered(letter) == one.plain), 0j)
+        return replace(one, at=one.at + shift)
+    return one
+
+
+def _aside(one: Stroke, by: complex) -> Stroke:
+    return replace(one, centre=one.centre + by) if isinstance(one, Circle) and by else one
+
+
+def lettered(letter: str) -> str:
+    """Give a letter as it is read."""
+    return Text(0j, letter if "{" in letter else with_index(letter)).plain
+
+
+def _arrow(group: Group, shifts: Places) -> tuple[Stroke, ...]:
+    start, end = group.data["name"].split(" ")
+    line, *head = group.strokes
+    assert isinstance(line, Line)
+    again = replace(line, start=line.start + shifts.get(start, 0j), end=line.end + shifts.get(end, 0j))
+    old, new = line.end - line.start, again.end - again.start
+    turn = cmath.rect(1, cmath.phase(new) - cmath.phase(old)) if old and new else 1
+    heads = (
+        one._replace(points=tuple(again.end + (spot - line.end) * turn for spot in one.points))
+        for one in head
+        if isinstance(one, Fill)
+    )
+    return again, *heads

@@ -1,0 +1,110 @@
+"""The command grade: a class is answered for file by file, by its exit code, in text, JSON and CSV, and on feedback."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import io
+import json
+import re
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from drawings.commands import cli
+from drawings.grading.allowance import Allowances
+from drawings.grading.feedback import feedback
+from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
+from drawings.grading.roll import grade_all
+from drawings.grading.told import row
+from tests.drawings.students import task
+from tests.drawings.test_grading import MISTAKES, made
+from tests.gallery import GALLERY
+
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A class of four: one is right, one has a mistake, one hands in a page of the web, one the same again."""
+    own, where = task("shaper"), tmp_path_factory.mktemp("class")
+    (where / "ann.svg").write_bytes(own.originals.drawn(own.originals.sheets[0]))
+    (where / "bob.svg").write_bytes(made(own, MISTAKES[0]))
+    (where / "cid.svg").write_bytes(b"<html><body>log in</body></html>")
+    (where / "dan.svg").write_bytes((where / "bob.svg").read_bytes())
+    return where
+
+
+def test_a_class_is_graded_to_the_last_file(folder: Path, capsys: Capture) -> None:
+    sheets = [str(folder / f"{name}.svg") for name in ("ann", "bob", "cid", "dan", "eve")]
+    code = cli.main(["grade", str(GALLERY / "shaper.toml"), *sheets, "--json", "-o", str(folder / "back")])
+    said = capsys.readouterr()
+    told = json.loads(said.out)["sheets"]
+    assert [one["outcome"] for one in told] == [PASS, FAIL, REJECTED, FAIL, REJECTED]
+    assert (code, told[0]["points"]) == (5, told[0]["of"])
+    assert told[1]["of"] - told[1]["points"] == 1
+    assert "bob.svg" in said.err and "dan.svg" in said.err  # one file twice
+    assert sorted(path.name for path in (folder / "back").iterdir()) == [
+        "ann-feedback.svg", "bob-feedback.svg", "dan-feedback.svg",
+    ]  # fmt: skip
+
+
+def test_feedback_tells_no_value(folder: Path) -> None:
+    own, path = task("shaper"), folder / "bob.svg"
+    graded = grade(path.read_bytes(), own.plans, Allowances())
+    text = feedback(path, path.read_bytes(), graded, {}, "en").decode()
+    picture = re.search(r"base64,([^\"]+)", text)
+    assert picture is not None and base64.b64decode(picture[1]) == path.read_bytes()
+    notes = re.findall(r"<text[^>]*>([^<]*)</text>", text)
+    assert "Coriolis part is turned" in " ".join(" ".join(notes).split())
+    assert not re.search(r"\d[.,]\d", " ".join(notes))
+    assert text.count('id="wrong-') == 1
+
+
+def broken(source: bytes) -> Graded:
+    if source == b"bug":
+        raise KeyError("a bug")
+    if source == b"memory":
+        bytearray(2**30)  # more than a process may take, and less than a machine has
+    return Graded(PASS)
+
+
+def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(tmp_path: Path) -> None:
+    paths = [tmp_path / name for name in ("bug", "memory", "good")]
+    for path in paths:
+        path.write_bytes(path.name.encode())
+    assert [one.outcome for _, one in grade_all(paths, broken)] == [OURS, REJECTED, PASS]
+
+
+def test_points_are_those_of_the_table(tmp_path: Path, folder: Path) -> None:
+    own, table = task("shaper"), tmp_path / "marks.toml"
+    table.write_text('[points]\ndefault = 1\n"a^k" = 3\n[keeps]\ncoriolis = 0.5\n', encoding="utf-8")
+    graded = grade((folder / "bob.svg").read_bytes(), own.plans, Allowances())
+    won, most = points_of(graded.verdicts, read_marking(table))
+    assert most - won == 1.5
+    assert most == points_of(graded.verdicts, Marking())[1] + 4  # two positions
+
+
+@pytest.mark.parametrize(
+    "text", ["[pionts]\n", "[costs]\nbad = 1\n", "[points]\nv_B = -1\n", "[points]\nv_B = nan\n", "]"]
+)
+def test_a_wrong_table_is_refused(tmp_path: Path, text: str) -> None:
+    table = tmp_path / "marks.toml"
+    table.write_text(text, encoding="utf-8")
+    with pytest.raises(MarkingError, match=r"marks\.toml"):
+        read_marking(table)
+
+
+def test_a_row_holds_no_formula(folder: Path) -> None:
+    own = task("shaper")
+    graded = partial(grade, plans=own.plans, by=Allowances())((folder / "bob.svg").read_bytes())
+    text = io.StringIO()
+    csv.writer(text).writerow(row(Path("=cmd()\x1b.svg"), graded, Marking(), "en"))
+    assert text.getvalue().startswith("'=cmd()\N{REPLACEMENT CHARACTER}.svg,mistakes,")
+
+
+def test_a_technique_that_is_not_graded_is_told(folder: Path, capsys: Capture) -> None:
+    assert cli.main(["grade", str(GALLERY / "four-masses.toml"), str(folder / "ann.svg")]) == 5
+    assert "not graded yet" in capsys.readouterr().err

@@ -1,0 +1,232 @@
+"""Grading: a scene's own sheet is right, a mistake is found and named, and what follows from it loses nothing."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from drawings.grading.allowance import EXACT, Allowance, Allowances
+from drawings.grading.asked import PlanAsked
+from drawings.grading.continuation import turned_over
+from drawings.grading.graded import FAIL, PASS, REJECTED, grade
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from geometry.draughtsman import Draughtsman, copies
+from tests.drawings.students import Task, drawn, gone_on, lettered, marks_of, task, true_places
+from tests.gallery import LINKAGES
+from tests.rows import over
+
+PX = 96 / 25.4
+HAND = Allowances()
+CASES = Path(__file__).parents[1] / "cases"
+MISTAKES = tomllib.loads((CASES / "student_mistakes.toml").read_text("utf-8"))["mistake"]
+POLES = {"velocities": "p", "accelerations": "π"}
+
+
+@pytest.mark.parametrize("by", [HAND, Allowances(EXACT)], ids=["hand", "exact"])
+def test_our_own_sheet_is_right(by: Allowances) -> None:
+    own = task("slider-crank")
+    graded = grade(own.originals.drawn(own.originals.sheets[0]), own.plans, by)
+    assert (graded.outcome, graded.wrong) == (PASS, ())
+    assert len(graded.verdicts) > 20
+
+
+@pytest.mark.rest
+@over("scene", [path.stem for path in LINKAGES])
+def test_every_sheet_of_a_linkage_is_right(scene: str) -> None:
+    own = task(scene)
+    for sheet in own.originals.sheets:
+        if any(plan.sheet == sheet.name for plan in own.plans):
+            for by in (HAND, Allowances(EXACT)):
+                assert grade(own.originals.drawn(sheet), own.plans, by).wrong == ()
+
+
+def made(own: Task, row: dict[str, Any]) -> bytes:
+    """Draw the sheet with a mistake of the table."""
+    plan = own.plan(*row["plan"])
+    sheet, places = own.sheet(plan.sheet), true_places(plan)
+    start, _, end = row.get("vector", " ").partition(" ")
+    vector = places.get(end, 0j) - places.get(start, 0j)
+    by = row.get("by", 0)
+    one = {
+        "back": lambda: -vector,
+        "times": lambda: by * vector,
+        "turned": lambda: vector * cmath.rect(1, math.radians(by)),
+    }
+    every = {
+        "mirrored": lambda place: place.conjugate(),
+        "plan turned": lambda place: place * cmath.rect(1, math.radians(by)),
+        "plan times": lambda place: place * by,
+    }
+    if row["how"] in one:
+        return drawn(sheet, plan, gone_on(plan, {start: places[start], end: places[start] + one[row["how"]]()}))
+    if row["how"] in every:
+        return drawn(sheet, plan, {letter: every[row["how"]](place) for letter, place in places.items()})
+    if row["how"] == "branch":
+        other = turned_over(marks_of(plan)[end])
+        assert other is not None
+        return drawn(sheet, plan, gone_on(plan, {end: other}))
+    if row["how"] == "moved":
+        aside = places[end] * (1 + by * plan.scales[plan.plan] / abs(places[end]))
+        return drawn(sheet, plan, {**places, end: aside})
+    return drawn(sheet, plan, places, lambda stroke: kept(stroke, plan, row))
+
+
+def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
+    """Give a stroke as a mistake of drawing leaves it."""
+    start, _, end = row.get("vector", " ").partition(" ")
+    if isinstance(stroke, Group):
+        data = stroke.data
+        if (data.get("plan"), data.get("position"), data.get("name")) == (
+            plan.plan,
+            str(plan.position),
+            row.get("vector"),
+        ):
+            line = next(one for one in stroke.strokes if isinstance(one, Line))
+            if row["how"] == "missing":
+                return None
+            if row["how"] == "swapped ends":
+                return replace(stroke, strokes=(replace(line, start=line.end, end=line.start),))
+            if row["how"] == "alone":
+                return replace(stroke, strokes=(replace(line, end=line.end + row["by"]),))
+        parts = (kept(one, plan, row) for one in stroke.strokes)
+        return replace(stroke, strokes=tuple(one for one in parts if one is not None))
+    if isinstance(stroke, Text):
+        if row["how"] == "unscaled" and stroke.plain.startswith("μ"):
+            return None
+        if row["how"] == "unlettered" and stroke.plain == lettered(end):
+            return None
+        if row["how"] == "letters swapped" and stroke.plain in (lettered(start), lettered(end)):
+            return replace(stroke, content=lettered(end if stroke.plain == lettered(start) else start))
+    return stroke
+
+
+def said(own: Task, source: bytes) -> list[str]:
+    return sorted(f"{one.name} {one.kind}" for one in grade(source, own.plans, HAND).wrong)
+
+
+@over("row", MISTAKES)
+def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
+    own = task(row["scene"])
+    assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
+
+
+@pytest.mark.parametrize(("slip", "share"), [(0.2, 1.0), (2.0, 0.0)])
+def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: float) -> None:
+    own = task("shaper")
+    plans = [plan for plan in own.plans if plan.plan in POLES and plan.position == 2]
+    marks = [mark for plan in plans for mark in marks_of(plan).values()]
+    scales = {name: np.array([mu]) for name, mu in plans[-1].scales.items()}
+    count = 4
+    places = copies(Draughtsman(slip, scales, count, np.random.default_rng(7)), *marks)
+    passed = 0
+    for k in range(count):
+        spots = {
+            letter: complex(np.broadcast_to(places[mark], (count, 1))[k, 0])
+            for letter, mark in marks_of(plans[-1]).items()
+        }
+        source = drawn(own.sheet(plans[-1].sheet), plans[-1], spots)
+        vectors = [one for one in grade(source, own.plans, HAND).wrong if one.letters != ("", "")]
+        passed += not vectors
+    assert passed == share * count
+
+
+@pytest.mark.parametrize(
+    "source", [b"", b"<html/>", b"%PDF-1.7", b'<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>']
+)
+def test_what_is_no_sheet_is_rejected(source: bytes) -> None:
+    graded = grade(source, task("slider-crank").plans, HAND)
+    assert graded.outcome == REJECTED
+    assert graded.reason is not None
+
+
+def test_a_tolerance_is_a_share_of_the_largest() -> None:
+    own, row = (
+        task("shaper"),
+        {"scene": "shaper", "plan": ["velocities", 9], "vector": "p a", "how": "times", "by": 1.01},
+    )
+    source = made(own, row)
+    assert grade(source, own.plans, Allowances(Allowance(share=0.02))).outcome == PASS
+    assert grade(source, own.plans, Allowances(Allowance(share=0.002))).outcome == FAIL
+
+
+def bare(source: bytes) -> bytes:
+    """Give a sheet without the data of its marks, as an editor leaves it that knows none."""
+    text = re.sub(r' data-(?!text)[a-z]+="[^"]*"', "", source.decode())
+    return re.sub(r"<metadata.*?</metadata>", "", text, flags=re.DOTALL).encode()
+
+
+def test_plans_without_marks_are_told_by_their_letters() -> None:
+    own = task("shaper")
+    assert said(own, bare(own.originals.drawn(own.originals.sheets[0]))) == []
+    assert said(own, bare(made(own, MISTAKES[0]))) == MISTAKES[0]["says"]
+
+
+def by_an_editor(plan: PlanAsked, mu: float, turn: float = 0.0) -> bytes:
+    """Draw a plan as an editor does: lines with markers, texts in a font, in a turned group, sizes in px."""
+    places = {letter: place / mu for letter, place in true_places(plan).items()}
+    spots = {letter: complex(400 + spot.real * PX, 600 - spot.imag * PX) for letter, spot in places.items()}
+    lines = "".join(
+        f'<path style="stroke:#000;stroke-width:1.5;fill:none;marker-end:url(#arrow)" id="path{k}" '
+        f'd="m {spots[one.start].real:.5f},{spots[one.start].imag:.5f} '
+        f'{(spots[one.end] - spots[one.start]).real:.5f},{(spots[one.end] - spots[one.start]).imag:.5f}"/>'
+        for k, one in enumerate(plan.vectors)
+    )
+    head = max(spots.values(), key=lambda spot: -spot.imag) - 60j
+    told = {letter: spot + 4 - 4j for letter, spot in spots.items()}
+    told |= {f"Plan, position {plan.position}": head, f"mu_v = {mu:g}": head + 25j}
+    words = "".join(
+        f'<text x="{at.real:.3f}" y="{at.imag:.3f}" style="font-size:14px"><tspan>{text}</tspan></text>'
+        for text, at in told.items()
+    )
+    return (
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+        'width="1200px" height="1200px" viewBox="0 0 1200 1200"><defs><marker id="arrow" orient="auto">'
+        '<path d="M0 0L5 2"/></marker></defs><g inkscape:label="Layer" '
+        f'transform="rotate({turn:g} 600 600)"><g>{lines}</g>{words}</g></svg>'
+    ).encode()
+
+
+@pytest.mark.parametrize("turn", [0.0, 90.0])
+def test_a_plan_drawn_in_an_editor_is_found_wherever_it_is(turn: float) -> None:
+    own = task("shaper")
+    plan = own.plan("velocities", 9)
+    graded = grade(by_an_editor(plan, 0.02, turn), own.plans, HAND)
+    judged = {one.name: one.kind for one in graded.verdicts if (one.plan, one.position) == plan.place}
+    assert judged == {one.name: "right" for one in plan.vectors}
+    assert {one.kind for one in graded.wrong} == {"missing"}  # the other plans of the sheet
+
+
+def test_an_arrow_drawn_anew_in_a_plan_of_ours_is_found() -> None:
+    own = task("shaper")
+    source = own.originals.drawn(own.originals.sheets[0]).decode()
+    data = re.search(r' data-kind="vector" data-name="b d"[^>]*?data-value="[^"]*"', source)
+    assert data is not None
+    assert said(own, source.replace(data[0], "", 1).encode()) == []
+
+
+def laid(source: bytes, how: str) -> bytes:
+    """Lay all that is on a sheet elsewhere, as one group."""
+    text = source.decode()
+    start, end = text.index("<g "), text.rindex("</svg>")
+    return f'{text[:start]}<g transform="{how}">{text[start:end]}</g>{text[end:]}'.encode()
+
+
+@pytest.mark.parametrize("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
+def test_a_sheet_that_was_moved_as_a_whole_is_laid_back(how: str) -> None:
+    own = task("shaper")
+    assert said(own, laid(own.originals.drawn(own.originals.sheets[0]), how)) == []
+    assert said(own, laid(made(own, MISTAKES[0]), how)) == MISTAKES[0]["says"]
+
+
+@pytest.mark.parametrize("how", ["scale(0.9 0.8)", "translate(600 0) scale(-1 1)"])
+def test_a_stretched_or_mirrored_sheet_is_rejected(how: str) -> None:
+    own = task("shaper")
+    assert grade(laid(own.originals.drawn(own.originals.sheets[0]), how), own.plans, HAND).outcome == REJECTED
