@@ -9,7 +9,7 @@ MISSING, REVERSED, WRONG = "missing", "reversed", "wrong"
 NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of their own
 LONG, TURNED = "long", "turned"  # only the size, only the direction
 SIMILAR, BRANCH = "similar", "branch"
-DEAD = "dead"  # too near a dead centre: not graded
+DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
 INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
 MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
 # Of a plan as a whole.
@@ -19,10 +19,11 @@ UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered",
 UNCLOSED = "unclosed"  # of a polygon
 
 GOOD: Final = (RIGHT, FOLLOWS)
+UNGRADED: Final = (DEAD, SMALL)
 OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE)
 KINDS: Final = (
-    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD,
+    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE,
 )  # fmt: skip
