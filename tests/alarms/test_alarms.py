@@ -10,7 +10,10 @@ from tests.alarms.drawing import CRASHED, WITHHELD, drawing
 from tests.alarms.machines import machine, papered
 from tests.parts import first
 
-CASES = sorted((Path(__file__).parents[1] / "cases" / "alarms").glob("*.toml"))
+SOON = "ram-pushed-evenly"  # the scene that is drawn in the shortest time
+CASES = sorted(
+    (Path(__file__).parents[1] / "cases" / "alarms").glob("*.toml"), key=lambda path: (path.stem != SOON, path)
+)
 
 
 @pytest.mark.parametrize("path", first(CASES), ids=lambda path: path.stem)

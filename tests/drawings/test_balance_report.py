@@ -197,6 +197,7 @@ def test_the_best_shares_are_told_beside_what_there_was_without_counterweights(e
     assert said.endswith(f"without counterweights it is {found.before.reactions['0-1']:.5g} N")
 
 
+@pytest.mark.rest
 def test_reactions_have_the_letter_that_the_scene_gives_them() -> None:
     own = Study(parse_scene(scene("engine", "A1") + 'reactions = "P"\n'))
     written = [text.plain for leaf in leaves(own) for group in leaf.groups for text in texts(group)]

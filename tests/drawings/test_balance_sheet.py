@@ -80,6 +80,7 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     assert unread or not re.search(r"\b(the|is|on|in|for|against)\b", own)
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("fault", first(LINES), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_a_russian_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A2", "ru", "ISO")
@@ -121,6 +122,7 @@ def test_the_bench_judges_what_is_measured_back(tmp_path: Path) -> None:
     assert off.kinds[SHAKING] == pytest.approx(0.01, rel=1e-3)
 
 
+@pytest.mark.rest
 def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "bar.toml"
     path.write_text(scene("bar", "A1"), "utf-8")

@@ -100,6 +100,7 @@ def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
         assert fault.text
 
 
+@pytest.mark.rest
 def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "four.toml"
     path.write_text(scene("four"), "utf-8")

@@ -99,6 +99,7 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
         checked(leaf, "cam", study, tmp_path)
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "case",
     first(

@@ -26,6 +26,7 @@ def test_it_is_drawn(scene: Path, tmp_path: Path) -> None:
     assert all(comparison.worst <= 1.0 for comparison in sheets.study.comparisons)
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("aim", first(["full", "share"]))
 def test_a_linkage_that_reaches_no_position_has_numbers_but_no_sheet(aim: str, run: Run, tmp_path: Path) -> None:
     path, engine = tmp_path / "lost.toml", ENGINE.replace("AB = 0.4", "AB = 0.05").replace("B = [0.5, 0]", "B = [0, 0]")

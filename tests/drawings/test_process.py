@@ -109,6 +109,7 @@ def test_help_without_any_stdout_ends_with_7() -> None:
     assert done.stderr.startswith(b"standard output is closed")
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("out", first(["closed", "full"]))
 def test_notes_that_nobody_hears_reach_neither_stdout_nor_a_file(tmp_path: Path, out: str) -> None:
     scene = tmp_path / "noted.toml"
