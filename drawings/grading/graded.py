@@ -18,15 +18,13 @@ from drawings.grading.judgement import Judge
 from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
-from drawings.grading.own_places import own_places
+from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
-from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message, message
 
-_DRAWN = tuple(order.plan for order in ORDERS[1:])  # plans of arrows
 PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
 
 
@@ -64,8 +62,8 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn}
     there = {plan.asked.place for plan in drawn}
-    told = any(plan.asked.plan == POSITIONS.plan for plan in drawn)  # its points are found by marks alone
-    due = [plan for plan in plans if plan.sheet in sheets and (told or plan.plan != POSITIONS.plan)]
+    told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
+    due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
     said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)))
     if not all(math.isfinite(one.off or 0.0) for one in said):
@@ -88,10 +86,12 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
         return tuple(marked)
     lines = segments(seen.leaf, onlooker.heads)
     whole = tuple(redrawn(plan, lines) for plan in marked)
-    if any(plan.asked.plan in _DRAWN for plan in marked):  # data that are left in one plan are left in all
+    if any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
+    here = {plan.asked.sheet for plan in marked}  # a lever looks as the plan of another sheet does
     own = [figure_of(one) for one in figures(lines)]
-    left = [one for one in plans if one.place not in {plan.asked.place for plan in marked}]
+    there = {plan.asked.place for plan in marked}
+    left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
     return (*whole, *lettered_plans(left, own, list(texts(seen.leaf.groups))))
 
 
@@ -99,7 +99,6 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
     labels = labels_of(seen.leaf.groups)
     for plan in drawn:
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
-        scales = {one.asked.plan: one.scale for one in beside}
-        may = by.of(plan.asked, scales, seen.measured.quantum)
-        yield from Judge(plan, may, own_places(beside)).verdicts()
+        may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
+        yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -63,6 +63,7 @@ def without_values(one: Verdict, hints: Hints, language: str) -> str:
 
 def _said(one: Verdict, language: str) -> str:
     kind = word(language, f"grade.kind.{one.kind}")
+    kind = word(language, "grade.of", kind=kind, of=one.of) if one.of else kind
     where = message("grade.plan" if one.position is not None else "grade.figure", plan=one.plan, position=one.position)
     return word(language, "grade.vector" if one.name else "grade.whole", where=where, name=one.name, kind=kind)
 
@@ -89,7 +90,7 @@ def plain(path: Path, graded: Graded, marking: Marking, language: str) -> dict[s
 def _plain(one: Verdict) -> dict[str, object]:
     return {
         "plan": one.plan, "position": one.position, "quantity": one.name, "verdict": one.kind,
-        "off": one.off, "allowed": one.allowed, "unit": one.unit,
+        "of": one.of, "off": one.off, "allowed": one.allowed, "unit": one.unit,
     }  # fmt: skip
 
 

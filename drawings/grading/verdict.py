@@ -10,6 +10,8 @@ NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of t
 LONG, TURNED = "long", "turned"  # only the size, only the direction
 SIMILAR, BRANCH = "similar", "branch"
 DEAD = "dead"  # too near a dead centre: not graded
+INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
+MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of how it is drawn.
@@ -20,6 +22,7 @@ OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD,
+    INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE,
 )  # fmt: skip
 
@@ -40,6 +43,7 @@ class Verdict(NamedTuple):
     unit: str = ""
     at: tuple[complex, complex] | None = None
     letters: tuple[str, str] = ("", "")
+    of: str = ""  # in which quantity the mistake is, if not in this one
 
     @property
     def good(self) -> bool:
