@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from hashlib import sha256
 from typing import NamedTuple
 
@@ -12,6 +13,8 @@ from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
+from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
 from drawings.grading.judgement import Judge
@@ -40,15 +43,15 @@ class Graded(NamedTuple):
     @property
     def wrong(self) -> tuple[Verdict, ...]:
         """What loses something."""
-        return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, verdict.DEAD))
+        return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, *verdict.UNGRADED))
 
 
-def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked] = ()) -> Graded:
     """Grade one sheet; what cannot be read is rejected with the reason."""
-    return _graded(source, plans, by)._replace(digest=sha256(source).hexdigest())
+    return _graded(source, plans, by, curves)._replace(digest=sha256(source).hexdigest())
 
 
-def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked]) -> Graded:
     onlooker = Onlooker()
     try:
         seen = see(source, onlooker)
@@ -56,8 +59,9 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded
     except SheetRefused as refused:
         return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
     drawn = plans_drawn(seen, onlooker, plans)
-    if not drawn:
-        return Graded(REJECTED, reason=message("grade.nothing"))
+    figures = figures_drawn(seen, curves)
+    if not drawn and not figures:
+        return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn}
@@ -65,7 +69,9 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded
     told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
     due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
-    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)))
+    marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
+    told_of = figure_verdicts(figures, curves, sheets, marked, partial(allowed_of, by=by, coarse=seen.measured.quantum))
+    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     graded = Graded(PASS, tuple(said), paper=(seen.leaf.width, seen.leaf.height))
