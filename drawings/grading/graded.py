@@ -39,6 +39,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
     def wrong(self) -> tuple[Verdict, ...]:
@@ -74,7 +75,8 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: S
     said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
-    graded = Graded(PASS, tuple(said), paper=(seen.leaf.width, seen.leaf.height))
+    paper = seen.leaf.width, seen.leaf.height
+    graded = Graded(PASS, tuple(said), paper=paper, drawn=tuple(plan.bare for plan in drawn))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
 
 
