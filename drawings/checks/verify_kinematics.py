@@ -17,6 +17,7 @@ from drawings.checks.linkage import (
     linkage_notes,
     linkage_set,
     notches,
+    notes_beside,
     own_scales,
     pair_symbols,
     part_letters,
@@ -75,6 +76,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from reading.marked_scales(leaf)
     yield from linkage_notes.faults(leaf, linkage, comparison)
+    yield from notes_beside.faults(leaf, study)
     yield from linkage_workings.of_linkage(measured, leaf, linkage, comparison)
     yield from _page(measured, leaf, linkage)
     if "scales" in leaf.metadata:

@@ -247,3 +247,14 @@ def test_beside_a_position_whose_forces_have_no_true_digit_those_of_the_others_a
     assert jammed.nothing[0] > 1e3 * abs(found.balancing.moment).max()
     assert replace(jammed, known=jam < 2.0).nothing == replace(found, known=jam < 2.0).nothing
     assert replace(jammed, known=jam < 0.0).nothing == jammed.nothing  # known nowhere: all that there is
+
+
+def test_beside_a_position_that_all_but_jams_the_forces_of_the_others_stay_what_they_are() -> None:
+    found = of(SLOTTED).forces
+    jam = np.where(np.arange(len(found.phi)) == 5, 1e6, 1.0)
+    reactions = {key: one._replace(force=one.force * jam) for key, one in found.reactions.items()}
+    jammed = replace(found, reactions=reactions)
+    force, moment = jammed.nothing_at(3)
+    assert (force, moment) == pytest.approx(found.nothing_at(3), rel=0.5)
+    assert jammed.nothing_at(5)[0] == pytest.approx(1e6 * found.nothing_at(5)[0], rel=0.5)
+    assert jammed.nothing[1] > 1e5 * moment
