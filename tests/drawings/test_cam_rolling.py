@@ -35,7 +35,7 @@ from tests.plans.cam_cases import Case, every, roller_of, titled
 MM = 1e-3
 PLAN, MU = "profile", 0.5 * MM
 PLACE = Place(210.3 + 190.7j, 0j, Scale(MU, "l", "m"))
-CASES = some(every(), every=161)
+CASES = first(every())
 USUAL = cases.cam(TRANSLATING, ROLLER, 1, closure=GROOVE)
 
 
@@ -91,7 +91,7 @@ def test_what_is_written_is_right(case: Case) -> None:
     assert faults(written(case), case) == ""
 
 
-@pytest.mark.parametrize("case", every(), ids=titled)
+@pytest.mark.parametrize("case", some(every(), every=9), ids=titled)
 def test_law_comes_back_at_3600_angles(case: Case) -> None:
     """The way along the normal that a profile is off, over the cosine of the pressure angle: so much is S."""
     cam, sizes = case

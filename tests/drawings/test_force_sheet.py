@@ -173,6 +173,7 @@ def test_two_positions_get_a_sheet_each_and_hodographs_are_drawn(checked: Checke
         assert names.count("balancing") == (leaf is leaves[0]), "the graph over the turn stands once in a set"
 
 
+@pytest.mark.rest
 def test_without_a_word_the_forces_are_those_of_the_hardest_loaded_position() -> None:
     """Inertia takes more torque in other positions than the cut in any: it is a cut that the machine is made for."""
     changes = ("value = 1500", "value = 150"), ("positions = [60]", "positions = 12")

@@ -273,6 +273,7 @@ def _group(stroke: Stroke) -> Group:
     return stroke
 
 
+@pytest.mark.rest
 def test_a_piston_named_p_is_drawn_lettered_checked_and_explained(tmp_path: Path) -> None:
     scene = tmp_path / "engine.toml"
     scene.write_text(ENGINE, encoding="utf-8")
