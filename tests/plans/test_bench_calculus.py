@@ -10,12 +10,14 @@ from geometry.strips import middles
 from plans.bench import calculus
 from plans.bench.calculus import CONSTANT, COUNTS, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, rows
 from plans.bench.convergence import order
-from tests.parts import some
 
 BY_NAME = {one.name: one for one in DIAGRAMS}
 
 
-@pytest.mark.parametrize(("name", "known"), some([(INSIDE, 1.0), (ON_EDGES, 2.0), (SMOOTH, 2.0)], 3))
+LEFT = [pytest.param(name, 2.0, marks=pytest.mark.rest) for name in (SMOOTH, ON_EDGES)]
+
+
+@pytest.mark.parametrize(("name", "known"), [(INSIDE, 1.0), *LEFT])
 def test_chords_are_of_the_order_that_is_known_of_them(name: str, known: float) -> None:
     errors = [BY_NAME[name].error(count) for count in COUNTS]
     assert order(errors, COUNTS) == pytest.approx(known, abs=0.1)
