@@ -23,7 +23,6 @@ from drawings.checks.linkage import (
     part_letters,
     paths,
     position_marks,
-    position_numbers,
     stroke_dimensions,
     stroke_marks,
     strokes,
@@ -33,6 +32,7 @@ from drawings.checks.linkage import (
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.numbers import position_numbers
 from drawings.checks.seen import repeats
 from drawings.checks.vectors import plan_headings, vector_plans
 from drawings.checks.vectors.laid_vectors import LaidVectorPlan
