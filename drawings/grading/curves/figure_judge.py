@@ -12,6 +12,7 @@ from drawings.grading.curves.asked_figure import BEARINGS, ORDINATES, FigureAske
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.verdict import Verdict
 
+SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 SEVERAL = 2  # values that say that a whole figure is out
 Truths = np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
 
@@ -104,11 +105,17 @@ class _Told:
 
     @property
     def whole_values(self) -> Values:
-        """The values at all places: between those that are marked, out as these are."""
+        """The values at all places: as what they all are drawn by, or between those that are marked out as these are."""
         true, there = self.asked.true, self.drawn.there
-        if there.all() or not there.any():
-            return self.drawn.values if there.all() else true
-        at, moved = np.arange(len(true)), self.drawn.values - true
+        if not there.any():
+            return true
+        named = () if self.mistake is None else (self.mistake.values,)
+        for due in (true, *self.going_on, *named):
+            if self._fits(due)[there].all():
+                return np.asarray(np.where(there, self.drawn.values, due))
+        # What is too short to be drawn is not marked: it is where it should be.
+        known = there | (np.abs(true) <= SHORT * self.asked.scale)
+        at, moved, there = np.arange(len(true)), np.where(there, self.drawn.values - true, 0), known
         return np.asarray(
             true + np.interp(at, at[there], moved[there].real) + 1j * np.interp(at, at[there], moved[there].imag)
         )
@@ -124,12 +131,14 @@ class _Told:
                 return one, None
         if left.sum() < SEVERAL:
             return None, None
-        for base in (self.asked.true, *self.going_on):
-            for one, factor in self._generals(base):
-                fits = self._fits(one.values)
-                if (fits & left).sum() >= SEVERAL and 2 * fits.sum() > self.drawn.there.sum():
-                    return one, factor
-        return None, None
+        fitting = [
+            (int(fits.sum()), -float(np.nansum(self.asked.off(self.drawn.values, one.values))), one, factor)
+            for base in (self.asked.true, *self.going_on)
+            for one, factor in self._generals(base)
+            if ((fits := self._fits(one.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.drawn.there.sum()
+        ]
+        best = max(fitting, key=lambda one: one[:2], default=None)
+        return (None, None) if best is None else best[2:]
 
     def _generals(self, base: Values) -> Iterator[tuple[Mistake, float | None]]:
         """Give what may be wrong with any figure: all the other way, by one factor, from another zero line."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.checks.labelled import Label, labels_of
 from drawings.checks.linkage.laid_plan import LaidPlan
-from drawings.checks.linkage.numbers_due import Course, DueNumbers, Seen, courses
+from drawings.checks.numbers.numbers_due import Course, DueNumbers, Seen, courses
 from drawings.checks.wrong import on
 from drawings.paper.strokes import Group, Text
 from plans.linkage.study import EXTREMES
