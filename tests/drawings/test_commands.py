@@ -605,10 +605,10 @@ def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
 
 
 def test_texts_are_left_to_the_viewer_where_the_scene_says_so(run: Run, tmp_path: Path) -> None:
-    scene = tmp_path / "shaper.toml"
-    scene.write_text(SHAPER.read_text("utf-8").replace("[sheet]\n", '[sheet]\nlettering = "text"\n'), "utf-8")
+    scene = tmp_path / "plain.toml"
+    scene.write_text(PLAIN.read_text("utf-8") + 'positions = 2\n[sheet]\nlettering = "text"\n', "utf-8")
     assert run("draw", scene, "-o", tmp_path)[0] == 0
-    sheet = (tmp_path / "shaper-kinematics.svg").read_text("utf-8")
+    sheet = (tmp_path / "plain-kinematics.svg").read_text("utf-8")
     assert ">Plan of positions</text>" in sheet
     # A text of several levels is a group of one for each.
     assert sheet.count("<text ") > sheet.count("data-text=") == sheet.count("aria-label=") > 100

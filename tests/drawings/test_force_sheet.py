@@ -292,7 +292,7 @@ def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Ch
     assert ordinates(whole, comparison) - ordinates(leaf, less) == {5}
 
 
-@pytest.mark.parametrize("load", ["value = [0, 0]", 'against = "motion"\nvalue = 5'])
+@pytest.mark.parametrize("load", first(["value = [0, 0]", 'against = "motion"\nvalue = 5']))
 def test_a_load_that_is_nothing_all_the_way_round_gets_a_sheet(load: str) -> None:
     still = YOKE.partition("[[loads.moments]]")[0] + f'[[loads.forces]]\non = 1\npoint = "O"\n{load}\n'
     _, _, leaves = sheets_of(LinkageStudy(parse_scene(still)))

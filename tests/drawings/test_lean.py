@@ -125,6 +125,7 @@ def test_the_trace_of_a_positions_only_run(tmp_path: Path) -> None:
     assert not {"analysis", "layout", "measuring"} & set(told)
 
 
+@pytest.mark.rest
 def test_the_trace_of_a_kinematics_sheet_which_leaves_no_trace_in_the_files(draw: Run, tmp_path: Path) -> None:
     told = traced("draw", SHAPER, "-o", tmp_path)
     assert told["made"] == "extremes, positions, velocities, accelerations, kinematic diagrams"
