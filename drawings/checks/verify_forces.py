@@ -31,6 +31,7 @@ from drawings.checks.linkage.value_rows import TABLE
 from drawings.checks.reading import plain, scales
 from drawings.checks.seen import repeats
 from drawings.checks.verify_friction import friction_of
+from drawings.checks.workings import polygon_workings
 from drawings.checks.workings.force_workings import ForceWorkings
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
@@ -145,20 +146,25 @@ class _Check:
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
-            yield from self._chain(name)
+        chains = [chain for name in self.leaf.metadata["groups"] for chain in self._chain(name)]
+        for chain in chains:
+            yield from chain.faults()
         speed = 2 * max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, self._images, speed)
         drafting = drafting_of(study.scene)
-        yield from ForceWorkings(self.leaf, expected, self.floor, self._images, speed, drafting).faults()
+        scales = self.leaf.metadata["scales"]
+        due = (polygon_workings.due(one, self.floor, scales.get(one.plan, 0.0), drafting) for one in chains)
+        polygons = {name: lines for own in due for name, lines in own.items()}
+        yield from ForceWorkings(self.leaf, expected, self.floor, self._images, speed, drafting, polygons).faults()
 
-    def _chain(self, label: str) -> Iterator[Wrong]:
-        """Hold the polygon of a cut on paper."""
+    def _chain(self, label: str) -> Iterator[PolygonChain]:
+        """Give the polygon of a cut on paper."""
         group = figure(self.leaf, f"forces-{label}-{self.position}")
         vectors = [one for one in self.measured.vectors if one.plan == f"forces-{label}"]
         bill = self.bills[tuple(int(link) for link in label.split("-"))]
         order = self._passages[label].order if label in self._passages else ()
         if group is not None:
-            yield from PolygonChain(group, bill, vectors, order, self.slack).faults()
+            yield PolygonChain(group, bill, vectors, order, self.slack)
 
     def details(self, sheets: Sheets, label: str) -> Details:
         """Give the details of one force plan of the sheet, on the sheets of its position."""

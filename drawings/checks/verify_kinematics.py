@@ -32,6 +32,7 @@ from drawings.checks.linkage import (
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.linkage.position_marks import EXACT
 from drawings.checks.numbers import position_numbers
 from drawings.checks.seen import repeats
 from drawings.checks.vectors import plan_headings, vector_plans
@@ -45,6 +46,7 @@ from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
+from plans.checks.comparison import Finding
 from plans.checks.expected import Expected
 from plans.checks.parts import findings, spans
 from plans.linkage.letters import POLES
@@ -169,6 +171,14 @@ def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Mea
     return 2 * own + 2 * measured.quantum * vector.scale
 
 
+def _apart(finding: Finding, k: int, seen: float) -> float:
+    """Give how far a place may be out, m: no more than the roads are apart where a dead centre allows all of the sheet.
+
+    What is less than can be `seen` is left as it is allowed.
+    """
+    return min(float(finding.allowed[k]), max(float(finding.difference[k]), seen))
+
+
 def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Iterator[Message]:
     """Hold the mass centres of the plan of positions, and what stands beside its links, against the analysis."""
     at = ground(measured)
@@ -176,7 +186,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         return
     laid = LaidMechanism(study, comparison.analysis, leaf.metadata["shown"], at)
     seen = {mark.name: mark for mark in measured.points if mark.plan == POSITIONS.plan}
-    roads = [float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan)]
+    roads = [_apart(finding, laid.position, EXACT * at.scale) for finding in comparison.of(POSITIONS.plan)]
     allowed = max((one for one in roads if math.isfinite(one)), default=0.0)  # a gap has but its frame
     for name, (link, own) in laid.centres.items():
         mark, true = seen.get(name), laid.true(link, own)

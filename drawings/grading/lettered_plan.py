@@ -183,7 +183,7 @@ def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts:
             arrows[one.letters] = Arrow(names[one.start], names[one.end])
         elif wanted[::-1] in ends:
             arrows[one.letters] = Arrow(names[one.end], names[one.start])
-    near = [(figure.away(text), mu) for text, mu in scales_written(texts, plan.plan)]
+    near = [(figure.away(text), mu) for text, mu in scales_written(texts, plan)]
     scale = min(near)[1] if near and min(near)[0] <= HEADING else None
     turn = cmath.rect(1.0, -math.radians(_turn(plan, figure, texts)))
     bare = DrawnPlan(plan, arrows, 1.0, names, False)

@@ -53,7 +53,7 @@ class Marking:
 
 def _aside(one: Verdict) -> bool:
     """Tell whether a verdict is of no quantity: of a plan, of how it is drawn, or not graded."""
-    return one.kind in (*verdict.OF_DRAWING, verdict.DEAD) or not one.name
+    return one.kind in (*verdict.OF_DRAWING, *verdict.UNGRADED) or not one.name
 
 
 def _of(points: Mapping[str, float], name: str, other: float) -> float:

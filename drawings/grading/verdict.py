@@ -10,17 +10,28 @@ NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of t
 LONG, TURNED = "long", "turned"  # only the size, only the direction
 SIMILAR, BRANCH = "similar", "branch"
 DEAD = "dead"  # too near a dead centre: not graded
+INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
+MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
+# Of a curve, or of all of it.
+ASIDE, UNREAD = "aside", "unread"
+SHIFTED, LEVEL, IDLE, UNDRIVEN = "shifted", "level", "idle", "undriven"
+AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
+SIDE, BACKWARDS, BASE = "side", "backwards", "base"
 # Of how it is drawn.
 UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
+APART = "apart"
 
 GOOD: Final = (RIGHT, FOLLOWS)
-OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH)
-OF_DRAWING: Final = (UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE)
+OF_CURVES: Final = (SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE)
+OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
+OF_DRAWING: Final = (UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE, APART)
+UNGRADED: Final = (DEAD, UNREAD)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD,
-    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE,
+    INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
+    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART, *OF_CURVES,
 )  # fmt: skip
 
 
@@ -40,6 +51,7 @@ class Verdict(NamedTuple):
     unit: str = ""
     at: tuple[complex, complex] | None = None
     letters: tuple[str, str] = ("", "")
+    of: str = ""  # in which quantity the mistake is, if not in this one
 
     @property
     def good(self) -> bool:

@@ -50,7 +50,7 @@ def told(content: bytes, case: Case) -> list[str]:
     return [str(one) for one in faults(content, found, "profile.csv")]
 
 
-@pytest.mark.parametrize("case", some(every(), every=18), ids=titled)
+@pytest.mark.parametrize("case", some(every(), every=121), ids=titled)
 def test_coordinates_are_those_of_the_analysis_and_on_the_drawn_path(case: Case) -> None:
     cam, sizes = case
     content = written(cam, drawn(case))

@@ -32,7 +32,7 @@ class Details(NamedTuple):
         plan = f"forces-{self.label}"
         whole = {one.name: one for one in self.measured.vectors if one.plan == plan}
         every = (one for measured, _ in self.sheets for one in measured.vectors)
-        enlarged = [one for one in every if one.plan.startswith(f"{DETAIL}{self.label}-")]
+        enlarged = [one for one in every if self._details(one)]
         for one in enlarged:
             near = self.slack + 2 * self.measured.quantum * one.scale
             if one.name not in self.known or not abs(one.value - self.known[one.name]) <= near:
@@ -42,9 +42,10 @@ class Details(NamedTuple):
             yield from self._circles(plan, whole, enlarged)
 
     def _small(self, plan: str, whole: Mapping[str, MeasuredVector], enlarged: set[str]) -> Iterator[Wrong]:
-        """Name the outer forces that are not to be seen, neither in a detail nor told of beside the scale."""
+        """Name the outer forces that are not to be seen, neither in a detail nor told of beside a scale."""
         scale = next(iter(whole.values())).scale
-        lines = (text.plain for group in self._figures(plan) for text in texts((group,)))
+        figures = [plan, *{one.plan for sheet, _ in self.sheets for one in sheet.vectors if self._details(one)}]
+        lines = (text.plain for name in figures for group in self._figures(name) for text in texts((group,)))
         told = {word.rstrip(",") for line in lines for word in line.split()}  # a letter may have a comma inside: R10,11
         for name, letter in self.letters.items():
             small = self.slack < abs(self.known[name]) < SEEN * scale - self.slack
@@ -75,6 +76,9 @@ class Details(NamedTuple):
             titles = (text for one in self._figures(f"{DETAIL}{self.label}-{name}") for text in texts((one,)))
             if not any(name in text.plain.split() for text in titles):
                 yield message("wrong.missing", name=name)
+
+    def _details(self, one: MeasuredVector) -> bool:
+        return one.plan.startswith(f"{DETAIL}{self.label}-")
 
     def _figures(self, plan: str) -> list[Group]:
         return [one for _, leaf in self.sheets for one in leaf.groups if one.name.rpartition("-")[0] == plan]
