@@ -49,6 +49,7 @@ def _heading(graded: Graded, marking: Marking) -> Message:
 
 
 def with_values(one: Verdict, hints: Hints, language: str) -> str:
+    """Tell what is wrong, by how much, and which step to look at again."""
     told_ = _said(one, language)
     if one.off is not None and one.allowed is not None:
         off, allowed = f"{one.off:.3g}", f"{one.allowed:.2g}"
@@ -62,9 +63,13 @@ def without_values(one: Verdict, hints: Hints, language: str) -> str:
 
 
 def _said(one: Verdict, language: str) -> str:
-    kind = word(language, f"grade.kind.{one.kind}")
-    where = message("grade.plan" if one.position is not None else "grade.figure", plan=one.plan, position=one.position)
+    kind, where = word(language, f"grade.kind.{one.kind}"), plan_told(one.plan, one.position)
     return word(language, "grade.vector" if one.name else "grade.whole", where=where, name=one.name, kind=kind)
+
+
+def plan_told(plan: str, position: int | str | None) -> Message:
+    """Name a plan, with its position if it has one."""
+    return message("grade.plan" if position is not None else "grade.figure", plan=plan, position=position)
 
 
 def _again(one: Verdict, told_: str, hints: Hints, language: str) -> str:
