@@ -65,8 +65,13 @@ def without_values(one: Verdict, hints: Hints, language: str) -> str:
 def _said(one: Verdict, language: str) -> str:
     kind = word(language, f"grade.kind.{one.kind}")
     kind = word(language, "grade.of", kind=kind, of=one.of) if one.of else kind
-    where = message("grade.plan" if one.position is not None else "grade.figure", plan=one.plan, position=one.position)
+    where = plan_told(one.plan, one.position)
     return word(language, "grade.vector" if one.name else "grade.whole", where=where, name=one.name, kind=kind)
+
+
+def plan_told(plan: str, position: int | str | None) -> Message:
+    """Name a plan, with its position if it has one."""
+    return message("grade.plan" if position is not None else "grade.figure", plan=plan, position=position)
 
 
 def _again(one: Verdict, told_: str, hints: Hints, language: str) -> str:
