@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.checks import reading, table_grid
+from drawings.checks import arrowheads, reading, table_grid
 from drawings.checks.documents import title_block
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces import arm_marks
@@ -25,12 +25,13 @@ from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.forces.schemes import LoadingSchemes
 from drawings.checks.forces.sheet_curves import SheetCurves
 from drawings.checks.forces.written_equations import WrittenEquations
-from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
+from drawings.checks.graphs.figure_strokes import FigureStrokes, figure, read
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.linkage.value_rows import TABLE
 from drawings.checks.reading import plain, scales
 from drawings.checks.seen import repeats
 from drawings.checks.verify_friction import friction_of
+from drawings.checks.workings import polygon_workings
 from drawings.checks.workings.force_workings import ForceWorkings
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
@@ -75,6 +76,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     # No figure of a force sheet is foremost: its title block has no ratio.
     yield from title_block.faults(leaf, study.scene, KIND, drafting_of(study.scene).word("forces sheet title"), "")
     yield from reading.tables(leaf, named)
+    yield from arrowheads.faults(leaf, drafting_of(study.scene).hand.symbol)
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from check.by_hand(named)
 
@@ -145,20 +147,25 @@ class _Check:
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
-            yield from self._chain(name)
+        chains = [chain for name in self.leaf.metadata["groups"] for chain in self._chain(name)]
+        for chain in chains:
+            yield from chain.faults()
         speed = 2 * max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, self._images, speed)
         drafting = drafting_of(study.scene)
-        yield from ForceWorkings(self.leaf, expected, self.floor, self._images, speed, drafting).faults()
+        scales = self.leaf.metadata["scales"]
+        due = (polygon_workings.due(one, self.floor, scales.get(one.plan, 0.0), drafting) for one in chains)
+        polygons = {name: lines for own in due for name, lines in own.items()}
+        yield from ForceWorkings(self.leaf, expected, self.floor, self._images, speed, drafting, polygons).faults()
 
-    def _chain(self, label: str) -> Iterator[Wrong]:
-        """Hold the polygon of a cut on paper."""
+    def _chain(self, label: str) -> Iterator[PolygonChain]:
+        """Give the polygon of a cut on paper."""
         group = figure(self.leaf, f"forces-{label}-{self.position}")
         vectors = [one for one in self.measured.vectors if one.plan == f"forces-{label}"]
         bill = self.bills[tuple(int(link) for link in label.split("-"))]
         order = self._passages[label].order if label in self._passages else ()
         if group is not None:
-            yield from PolygonChain(group, bill, vectors, order, self.slack).faults()
+            yield PolygonChain(group, bill, vectors, order, self.slack)
 
     def details(self, sheets: Sheets, label: str) -> Details:
         """Give the details of one force plan of the sheet, on the sheets of its position."""
@@ -167,7 +174,9 @@ class _Check:
         group = next(cut.group for cut in self.statics.drafts().plans.plan.cuts if cut.label == label)
         must = expected.polygon(groups, group)
         letters = {name: plain(Text(0j, force_letter(name, language, letter)).plain) for name in must}
-        return Details(self.measured, sheets, label, {**must, **expected.parts(group)}, letters, self.slack)
+        known = {**must, **expected.parts(group)}
+        names = {read(self.floor.letter(name)): name for name in known}
+        return Details(self.measured, sheets, label, known, letters, names, self.slack)
 
     def arrows(self) -> Iterator[Message]:
         """Hold the directions of arrows that are not to scale, on the schemes and on the lever."""

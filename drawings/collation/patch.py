@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from drawings.collation.items import Ink, Item
 from drawings.collation.spots import middle, spots
+from drawings.eye.covering import crosses
 from drawings.paper.strokes import Circle, Text
 
 
@@ -22,10 +23,4 @@ def _holds(patch: Ink, spot: complex) -> bool:
     if isinstance(patch, Circle):
         return abs(spot - patch.centre) < patch.radius
     own = spots(patch)
-    return sum(_crosses(a - spot, b - spot) for a, b in pairwise((*own, own[0]))) % 2 == 1
-
-
-def _crosses(a: complex, b: complex) -> bool:
-    if (a.imag > 0) == (b.imag > 0):
-        return False
-    return a.real + (b.real - a.real) * a.imag / (a.imag - b.imag) > 0
+    return sum(crosses(a - spot, b - spot) for a, b in pairwise((*own, own[0]))) % 2 == 1

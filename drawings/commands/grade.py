@@ -14,11 +14,14 @@ from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
 from drawings.files.json_text import print_json
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import PlanAsked, plans_asked, ungraded
+from drawings.grading.asked import plans_asked, ungraded
+from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.hints import hints
 from drawings.grading.marking import Marking, MarkingError, read_marking
+from drawings.grading.own_sheets import grade_own
+from drawings.grading.records import RECORDS
 from drawings.grading.roll import grade_all
 from drawings.grading.told import HEAD, Hints, lines, plain, plain_name, row
 from drawings.grading.tolerance_text import allowance, written
@@ -38,28 +41,22 @@ def run(options: argparse.Namespace) -> int:
     originals = Originals(options.scene)
     plans = plans_asked(originals)
     language = options.language or originals.language
-    for kind in ungraded(originals):
+    curves = figures_asked(originals)
+    for kind in ungraded(originals, {**RECORDS, **FIGURES}):
         tell(word(language, "grade.ungraded", kind=kind))
-    if not plans:
+    if not plans and not curves:
         return CODES[REJECTED]
-    own = grade_self(originals, plans, by)
+    own = grade_own(originals, plans, by, curves)
     if own.outcome != PASS:
         tell(word(language, "grade.self"))
         return CODES[OURS]
-    graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by)))
+    graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by, curves=curves)))
     steps = {name: own for plan in plans for name, own in hints(plan)}
     _print(options, graded, steps, marking, language)
     if options.output:
         _write(options.output, graded, steps, language)
     _tell_twins(graded, language)
     return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
-
-
-def grade_self(originals: Originals, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
-    """Grade the scene's own sheets, which are right if anything is."""
-    kinds = {plan.sheet for plan in plans}
-    every = [grade(originals.drawn(one), plans, by) for one in originals.sheets if one.name in kinds]
-    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else REJECTED))
 
 
 def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:

@@ -47,7 +47,7 @@ class _Area(NamedTuple):
         if len(self.corners) == 1:
             return abs(spot - self.corners[0]) < self.radius
         sides = pairwise((*self.corners, self.corners[0]))
-        return sum(_crosses(a - spot, b - spot) for a, b in sides) % 2 == 1
+        return sum(crosses(a - spot, b - spot) for a, b in sides) % 2 == 1
 
 
 def veiled(leaf: Leaf, clear: Collection[int] = (), gone: Collection[int] = ()) -> Iterator[Unseen]:
@@ -193,7 +193,8 @@ def _width(letter: str) -> float:
     return shape(letter).width if letter in notations() else _BLANK
 
 
-def _crosses(a: complex, b: complex) -> bool:
+def crosses(a: complex, b: complex) -> bool:
+    """Tell whether a side, seen from a spot, crosses the ray that goes right from it."""
     if (a.imag > 0) == (b.imag > 0):
         return False
     return a.real + (b.real - a.real) * a.imag / (a.imag - b.imag) > 0

@@ -40,9 +40,10 @@ class Allowances(NamedTuple):
     def of(self, plan: PlanAsked, drawn: Mapping[str, float], coarse: float) -> dict[tuple[str, str], float]:
         """Give what each vector of a plan may be out, true units, by its letters."""
         kinds = {by: allowed(plan, drawn, by, coarse) for by in {self.by, *self.own.values()}}
-        return {one.letters: kinds[self._for(one.name)][one.letters] for one in plan.vectors}
+        return {one.letters: kinds[self.to(one.name)][one.letters] for one in plan.vectors}
 
-    def _for(self, name: str) -> Allowance:
+    def to(self, name: str) -> Allowance:
+        """Give what is allowed to a quantity."""
         return self.own.get(name, self.own.get(name.partition("_")[0], self.by))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 from typing import NamedTuple
 
@@ -68,6 +68,12 @@ class DrawnPlan:
         ]
         size = sum(abs(vector) ** 2 for _, vector in pairs)
         return abs(sum(true * vector.conjugate() for true, vector in pairs)) / size if size else 1.0
+
+    @property
+    def bare(self) -> DrawnPlan:
+        """The plan without the record of what is asked for, which takes long to send from process to process."""
+        asked = self.asked._replace(vectors=tuple(one._replace(found=None) for one in self.asked.vectors))
+        return replace(self, asked=asked)
 
     def value(self, letters: tuple[str, str]) -> complex | None:
         """Give a vector in true units; None of one that is not drawn."""

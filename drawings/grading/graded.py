@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from hashlib import sha256
 from typing import NamedTuple
 
@@ -12,6 +13,8 @@ from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
+from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
 from drawings.grading.free_plan import free_plans
@@ -37,6 +40,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
     def wrong(self) -> tuple[Verdict, ...]:
@@ -44,12 +48,12 @@ class Graded(NamedTuple):
         return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, *verdict.UNGRADED))
 
 
-def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked] = ()) -> Graded:
     """Grade one sheet; what cannot be read is rejected with the reason."""
-    return _graded(source, plans, by)._replace(digest=sha256(source).hexdigest())
+    return _graded(source, plans, by, curves)._replace(digest=sha256(source).hexdigest())
 
 
-def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded:
+def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked]) -> Graded:
     onlooker = Onlooker()
     try:
         seen = see(source, onlooker)
@@ -57,8 +61,9 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded
     except SheetRefused as refused:
         return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
     drawn = plans_drawn(seen, onlooker, plans)
-    if not drawn:
-        return Graded(REJECTED, reason=message("grade.nothing"))
+    figures = figures_drawn(seen, curves)
+    if not drawn and not figures:
+        return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn}
@@ -66,10 +71,13 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances) -> Graded
     told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
     due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
-    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)))
+    marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
+    told_of = figure_verdicts(figures, curves, sheets, marked, partial(allowed_of, by=by, coarse=seen.measured.quantum))
+    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
-    graded = Graded(PASS, tuple(said), paper=(seen.leaf.width, seen.leaf.height))
+    paper = seen.leaf.width, seen.leaf.height
+    graded = Graded(PASS, tuple(said), paper=paper, drawn=tuple(plan.bare for plan in drawn))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
 
 

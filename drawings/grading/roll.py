@@ -10,7 +10,7 @@ import traceback
 from collections.abc import Callable, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from drawings.files.file_error import of_system
 from drawings.grading.graded import OURS, REJECTED, Graded
@@ -24,7 +24,7 @@ SECONDS = 30.0
 MEMORY = 400 * 1024**2
 _STATM = Path("/proc/self/statm")  # of Linux: how much memory a process has
 
-Grading = Callable[[bytes], Graded]
+Answer = TypeVar("Answer")  # of one sheet, as it is asked for: graded, or checked
 
 
 class _Work(NamedTuple):
@@ -35,9 +35,11 @@ class _Work(NamedTuple):
     until: float
 
 
-def grade_all(paths: Sequence[Path], grading: Grading, workers: int | None = None) -> Iterator[tuple[Path, Graded]]:
+def grade_all(
+    paths: Sequence[Path], grading: Callable[[bytes], Answer], workers: int | None = None
+) -> Iterator[tuple[Path, Answer | Graded]]:
     """Grade sheets, as many at a time as there are processors; each is answered for, in the order of the paths."""
-    waiting, done = list(dict.fromkeys(paths)), dict[Path, Graded]()
+    waiting, done = list(dict.fromkeys(paths)), dict[Path, Answer | Graded]()
     running: dict[Connection, _Work] = {}
     most = workers or os.cpu_count() or 1
     for path in dict.fromkeys(paths):
@@ -48,7 +50,7 @@ def grade_all(paths: Sequence[Path], grading: Grading, workers: int | None = Non
         yield path, done[path]
 
 
-def _begun(path: Path, grading: Grading) -> dict[Connection, _Work]:
+def _begun(path: Path, grading: Callable[[bytes], Answer]) -> dict[Connection, _Work]:
     """Begin to grade a sheet in a process that knows all that this one does."""
     how: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
     ours, theirs = how.Pipe(duplex=False)
@@ -58,7 +60,7 @@ def _begun(path: Path, grading: Grading) -> dict[Connection, _Work]:
     return {ours: _Work(path, process, time.monotonic() + SECONDS)}
 
 
-def _gather(running: dict[Connection, _Work], done: dict[Path, Graded]) -> None:
+def _gather(running: dict[Connection, _Work], done: dict[Path, Answer | Graded]) -> None:
     """Take what is graded, and end what takes too long."""
     first = min(work.until for work in running.values())
     ready = wait(list(running), timeout=max(first - time.monotonic(), 0.0))
@@ -72,23 +74,22 @@ def _gather(running: dict[Connection, _Work], done: dict[Path, Graded]) -> None:
         end.close()
 
 
-def _answer(end: Connection, work: _Work) -> Graded:
+def _answer(end: Connection, work: _Work) -> Any:
     try:
-        answer: Graded = end.recv()
+        return end.recv()
     except (EOFError, OSError):
         work.process.join(1.0)
         return Graded(OURS, reason=message("grade.died", code=str(work.process.exitcode)))
-    return answer
 
 
-def _work(path: Path, grading: Grading, end: Connection) -> None:
+def _work(path: Path, grading: Callable[[bytes], object], end: Connection) -> None:
     """Grade one sheet, whatever is in it."""
     _limit()
     end.send(answered(path, grading))
     end.close()
 
 
-def answered(path: Path, grading: Grading) -> Graded:
+def answered(path: Path, grading: Callable[[bytes], Answer]) -> Answer | Graded:
     """Grade one sheet of a file: what cannot be read is rejected, and what breaks is an error of ours."""
     try:
         return grading(regular_bytes(path, SHEET_BYTES + 1))

@@ -14,18 +14,26 @@ INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, 
 MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
+# Of a curve, or of all of it.
+ASIDE, UNREAD = "aside", "unread"
+SHIFTED, LEVEL, IDLE, UNDRIVEN = "shifted", "level", "idle", "undriven"
+AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
+SIDE, BACKWARDS, BASE = "side", "backwards", "base"
 # Of how it is drawn.
 UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
+APART = "apart"
 UNCLOSED = "unclosed"  # of a polygon
 
 GOOD: Final = (RIGHT, FOLLOWS)
-UNGRADED: Final = (DEAD, SMALL)
-OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH)
-OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE)
+OF_CURVES: Final = (SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE)
+OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
+OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
+UNGRADED: Final = (DEAD, UNREAD, SMALL)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
-    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE,
+    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
+    *OF_CURVES,
 )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.cam_letters import letters, ways_told
 from drawings.report.cam_notes import MM, CamNotes
 from drawings.report.chapters import Chapters
+from drawings.report.listed import plain
 from drawings.report.markdown import header, row
 from drawings.report.subject import Subject
 from plans.cam.study import LAWS, CamDrawing
@@ -42,13 +43,13 @@ def subject(study: Study) -> Subject:
 
 def headline(study: Study) -> str:
     """Say which sizes the cams have."""
-    return "; ".join(_plain(line) for notes in _all(study, 5) for line in notes.sizes())
+    return "; ".join(plain(line) for notes in _all(study, 5) for line in notes.sizes())
 
 
 def remarks(study: Study) -> list[Message]:
     """Say what is wrong with the cams, and what would help."""
     lines = ((notes.cam.name, line) for notes in _all(study, 5) for line in notes.flaws())
-    return [message("cam.flaw", cam=name, flaw=_plain(line)) for name, line in lines]
+    return [message("cam.flaw", cam=name, flaw=plain(line)) for name, line in lines]
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -71,7 +72,7 @@ def _all(study: Study, digits: int) -> Iterator[CamNotes]:
 def _task(notes: CamNotes) -> Iterator[str]:
     yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
     yield ""
-    yield from (f"- {_plain(line)}" for line in (*notes.asked(), *notes.phases(), *notes.setting()))
+    yield from (f"- {plain(line)}" for line in (*notes.asked(), *notes.phases(), *notes.setting()))
     yield ""
 
 
@@ -126,7 +127,7 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     yield ""
     parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
     told = (line for part in parts for line in part())
-    yield from (f"- {_plain(line)}" for line in told)
+    yield from (f"- {plain(line)}" for line in told)
     if laws:
         yield f"- {_chords(drawing, notes.drafting)}"
 
@@ -137,8 +138,3 @@ def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
     slope, travel = (drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
     strips = len(drawing.diagrams.strips.edges) - 1
     return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -10,6 +10,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.chapters import Chapters
 from drawings.report.cyclogram_notes import CyclogramNotes
 from drawings.report.linkage import linkage_subject
+from drawings.report.listed import plain
 from drawings.report.markdown import chapter
 from drawings.report.subject import Subject
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
@@ -33,7 +34,7 @@ def subject(study: Study) -> Subject:
 
 def headline(study: Study) -> str:
     """Say when an auxiliary mechanism may move."""
-    return "; ".join(map(_plain, _notes(study, drafting_of(study.scene)).window()))
+    return "; ".join(map(plain, _notes(study, drafting_of(study.scene)).window()))
 
 
 def remarks(study: Study) -> list[str]:
@@ -47,7 +48,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the cyclogram and its characteristic positions."""
     drafting = drafting_of(study.scene)
     title, notes = chapter(drafting.language, CYCLOGRAM), _notes(study, drafting).all
-    told = [*(f"- {_plain(one)}" for one in notes), "", *_positions(study, drafting)]
+    told = [*(f"- {plain(one)}" for one in notes), "", *_positions(study, drafting)]
     return Chapters(values=[title, *told])
 
 
@@ -65,8 +66,3 @@ def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
 def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:
     found: CyclogramStudy = study[CYCLOGRAM]
     return CyclogramNotes(found.cyclogram, found.cams, drafting, DIGITS)
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -13,6 +13,7 @@ from drawings.report import run_tables
 from drawings.report.chapters import Chapters
 from drawings.report.dynamics_notes import DynamicsNotes
 from drawings.report.forces.force_report import counted_strokes
+from drawings.report.listed import listed, plain
 from drawings.report.markdown import chapter, header, row
 from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
@@ -32,7 +33,7 @@ NOISE = 1e-9  # per cent: a smaller difference is rounding, whose digits differ 
 def headline(study: Study) -> str:
     """Say what flywheel the machine needs."""
     notes = notes_of(study, digits=5)
-    return "; ".join(map(_plain, (*notes.works(), *notes.missing())))
+    return "; ".join(map(plain, (*notes.works(), *notes.missing())))
 
 
 def remarks(study: Study) -> list[Message]:
@@ -66,7 +67,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
     account: Account = study.comparison("dynamics").construction
     return Chapters(
-        subject=[*_listed(chapter(language, "dynamics"), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
+        subject=[*listed(chapter(language, "dynamics"), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
         values=[
             *_reduction(account, notes),
             *_works(account, notes),
@@ -102,7 +103,7 @@ def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:
 
 def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
     if account.cycle is not None:
-        yield from _listed(chapter(notes.drafting.language, "works"), [*notes.works(), *notes.stopping()])
+        yield from listed(chapter(notes.drafting.language, "works"), [*notes.works(), *notes.stopping()])
         yield ""
         yield from tables.works(account.cycle, account.speeds, notes.drafting)
 
@@ -113,7 +114,7 @@ def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     if wheel is None:
         return
     exact = study.comparison("dynamics").exact.flywheel
-    yield from _listed(chapter(language, "flywheel"), [*notes.reasons(), *notes.other(), *notes.sizes()])
+    yield from listed(chapter(language, "flywheel"), [*notes.reasons(), *notes.other(), *notes.sizes()])
     yield ""
     yield from tables.tangents(wheel, exact, drafting)
     yield ""
@@ -141,7 +142,7 @@ def _methods(notes: DynamicsNotes, wheel: Flywheel, exact: Flywheel | None) -> I
 
 
 def _motion(notes: DynamicsNotes) -> list[str]:
-    return _listed(chapter(notes.drafting.language, "motion"), notes.achieved())
+    return listed(chapter(notes.drafting.language, "motion"), notes.achieved())
 
 
 def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
@@ -150,17 +151,6 @@ def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
     pairs = {"report.by_table": comparison.construction.run, "report.by_solver": comparison.exact.run}
     runs = {name: run for name, run in pairs.items() if run is not None}
     if runs:
-        yield from _listed(chapter(language, "run"), run_tables.told(runs, notes.drafting))
+        yield from listed(chapter(language, "run"), run_tables.told(runs, notes.drafting))
         yield ""
         yield from run_tables.stages(runs, notes.drafting)
-
-
-def _listed(title: str, lines: Sequence[str] | Iterator[str]) -> list[str]:
-    """Write a chapter as a list; one without lines is left out."""
-    told = [f"- {_plain(line)}" for line in lines]
-    return [title, *told] if told else []
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").replace("^2", "²").split())

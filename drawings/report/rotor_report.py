@@ -11,6 +11,7 @@ from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
 from drawings.report.chapters import Chapters
+from drawings.report.listed import listed, plain
 from drawings.report.markdown import chapter
 from drawings.report.rotor_notes import GRAM_MILLIMETRES, RotorNotes, grade_name
 from drawings.report.subject import Subject
@@ -40,7 +41,7 @@ def subject(study: Study) -> Subject:
 
 def headline(study: Study) -> str:
     """Say what is to be put on the rotor."""
-    return "; ".join(map(_plain, _notes(study).counterweights()))
+    return "; ".join(map(plain, _notes(study).counterweights()))
 
 
 def remarks(study: Study) -> list[str]:
@@ -55,11 +56,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     off = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
     residual = _residual(rotor, comparison.analysis, off, drafting)
     return Chapters(
-        subject=_listed(chapter(drafting.language, "rotor").lstrip(), [*_masses(rotor, drafting), *notes.sums()]),
-        values=_listed(chapter(drafting.language, "counterweights"), notes.counterweights()),
+        subject=listed(chapter(drafting.language, "rotor").lstrip(), [*_masses(rotor, drafting), *notes.sums()]),
+        values=listed(chapter(drafting.language, "counterweights"), notes.counterweights()),
         conditions=[
-            *_listed(chapter(drafting.language, "quality"), [*notes.quality(), *residual]),
-            *_listed(chapter(drafting.language, "bearings"), notes.reactions()),
+            *listed(chapter(drafting.language, "quality"), [*notes.quality(), *residual]),
+            *listed(chapter(drafting.language, "bearings"), notes.reactions()),
         ],
         left_out=[word(drafting.language, "report.rotor_left_out")],
     )
@@ -109,14 +110,3 @@ def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
 def _notes(study: Study) -> RotorNotes:
     rotor = study["rotor"]
     return RotorNotes(rotor.rotor, rotor.balance, drafting_of(study.scene), DIGITS)
-
-
-def _listed(title: str, lines: Sequence[str] | Iterator[str]) -> list[str]:
-    """Write a chapter as a list; one without lines is left out."""
-    told = [f"- {_plain(line)}" for line in lines]
-    return [title, *told] if told else []
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -14,17 +14,19 @@ from drawings.figures.dynamics import load_diagram
 from drawings.figures.dynamics.load_course import courses
 from drawings.figures.forces import force_detail, force_polygon, force_table, lever_plan, loading_scheme
 from drawings.figures.forces.force_equations import Equations
+from drawings.figures.forces.force_kinds import LAID
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_equation import LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.figures.linkage.vector_plan import diagram
-from drawings.figures.workings import force_working, link_working, plan_working
+from drawings.figures.workings import force_working, link_working, plan_working, segment_working
 from drawings.figures.workings.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.admission import unknown
 from drawings.sheets.choice import force_positions
@@ -168,9 +170,21 @@ class _ForceSheet:
             name = f"scheme-{cut.label}"
             yield force_working.working(plan, cut.links, self.position, name, drafting)
             yield link_working.working(plan.mechanism, cut.links, name, drafting)
+            yield from self._polygon_workings(cut)
         if self.statics.drafts().plans.lever is not None:
             yield force_working.working(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
             yield plan_working.working(diagram(plan.velocities, self.position), LEVER, drafting)
+
+    def _polygon_workings(self, cut: Cut) -> Iterator[Working]:
+        """How the known forces of a cut are laid off, and those that close its polygon are read."""
+        name, drafting = f"{POLYGON}{cut.label}", self.drafting
+        known, found = dict[str, float](), dict[str, float]()
+        for one in self._shown(cut).forces:
+            (known if one.kind in LAID else found)[letter_of(one.name, drafting)] = abs(one.value)
+        if known:
+            yield segment_working.working(known, force_polygon.SYMBOL, name, drafting, SEEN)
+        if found:
+            yield segment_working.reading(found, force_polygon.SYMBOL, force_polygon.UNIT, name, drafting, SEEN)
 
     def _loads(self) -> Iterator[Exhibit]:
         """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""

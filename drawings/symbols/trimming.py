@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from drawings.lettering.extent import bounds
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
 
@@ -42,6 +43,13 @@ def holds(mask: Mask, spot: complex) -> bool:
         return abs(spot - mask.centre) < mask.radius
     sides = [((end - start).conjugate() * (spot - start)).imag for start, end in _sides(mask)]
     return all(side > 0 for side in sides) or all(side < 0 for side in sides)
+
+
+def around(head: Stroke, clear: float) -> Polyline:
+    """Give the box around a caption, so far clear of it, mm: a mask of the lines that run past."""
+    left, bottom, right, top = bounds(head)
+    low, high = complex(left, bottom) - clear * (1 + 1j), complex(right, top) + clear * (1 + 1j)
+    return Polyline((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), True)
 
 
 def distinct(strokes: Iterable[Stroke]) -> Iterator[Stroke]:

@@ -91,7 +91,7 @@ def lines(content: Contents, one: Composition) -> list[Field]:
 
 
 @given(anything(), some.sampled_from(PAGES))
-@examples(3, 40)
+@examples(2, 40)
 def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
     sheets = compose(content, page)
     for one in sheets:
@@ -108,7 +108,7 @@ def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content
 
 
 @given(anything(), some.sampled_from(PAGES))
-@examples(3, 40)
+@examples(2, 40)
 def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Contents, page: Page) -> None:
     spots = {name: spot for one in compose(content, page) for name, spot in one.spots.items()}
     pictures = {panel.item.name: panel for panel in content.panels if isinstance(panel.item, Picture)}

@@ -25,7 +25,7 @@ from plans.model.motion import Floats
 from plans.words.words import Message, said
 
 FASTER = KEYS[1]  # whose chords span a step each
-DIGITS, PER_CENT = 4, 2
+DIGITS, NOTE_DIGITS = 4, (2,)  # of the table; of the notes
 ANGLE = 2  # decimals of φ
 EVEN = 1e-3, 1e4  # a column whose largest value lies between is told with the same decimals throughout
 ZERO = 1e-9  # of the largest value of a column: less is told as 0
@@ -107,7 +107,7 @@ def _holds(text: str, true: float, slack: float, places: int | None) -> bool:
 
 def notes(leaf: Leaf, own: DiagramsStudy, rows: tuple[ExpectedRow, ...], drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes on the diagrams back, from the description of the sheet and from where they are written."""
-    due = [read(one).split() for one in (_drawn(own, rows, drafting) if rows else _left_out(own.left_out, drafting))]
+    due = sentences(own, rows, drafting)
     written = [one for one in groups(leaf.groups) if one.name == NOTES]
     for words in (
         read(leaf.description.replace("\n", " ")).split(),
@@ -119,11 +119,17 @@ def notes(leaf: Leaf, own: DiagramsStudy, rows: tuple[ExpectedRow, ...], draftin
                     yield within("missing_from", NOTES, name=rounded(" ".join(one)))
 
 
+def sentences(own: DiagramsStudy, rows: tuple[ExpectedRow, ...], drafting: Drafting) -> list[list[str]]:
+    """Give the words of each note on the diagrams that is due, their numbers with all digits."""
+    due = _drawn(own, rows, drafting) if rows else _left_out(own.left_out, drafting)
+    return [read(one).split() for one in due]
+
+
 def _among(words: list[str], due: list[str]) -> bool:
     """Tell whether a note is among words, each of its numbers rounded."""
     true, length = " ".join(due), len(due)
     starts = (k for k, word in enumerate(words) if word == due[0])
-    return any(tells(" ".join(words[k : k + length]), true, (PER_CENT,), ZERO) for k in starts)
+    return any(tells(" ".join(words[k : k + length]), true, NOTE_DIGITS, ZERO) for k in starts)
 
 
 def _left_out(why: Message | None, drafting: Drafting) -> Iterator[str]:

@@ -44,6 +44,16 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from diagram_told.notes(leaf, own, rows, drafting)
 
 
+def notes(study: Study) -> list[list[str]]:
+    """Give the words of each note on the diagrams that is due."""
+    own: DiagramsStudy = study["diagrams"]
+    if not own.wanted:
+        return []
+    comparison = study.comparison("diagrams")
+    rows = expected_rows(comparison) if isinstance(comparison, DiagramsComparison) else ()
+    return diagram_told.sentences(own, rows, drafting_of(study.scene))
+
+
 def _figure(
     measured: Measured, leaf: Leaf, own: DiagramsStudy, rows: tuple[ExpectedRow, ...], drafting: Drafting
 ) -> Iterator[Wrong]:

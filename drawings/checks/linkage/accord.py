@@ -64,6 +64,11 @@ def is_told(leaf: Leaf, language: str) -> bool:
     return re.search(_pattern(language), _notes(leaf)) is not None
 
 
+def cut(said: str, language: str) -> str:
+    """Cut the sentence about both roads out of notes, once."""
+    return re.sub(_pattern(language), "", said, count=1)
+
+
 def _notes(leaf: Leaf) -> str:
     """Read the notes of a sheet, its lines as one."""
     lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -33,17 +33,27 @@ def faults(leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Ite
     seen = notes(leaf).split()
     if not seen and leaf.metadata["of"] > 1:
         return
-    for due in _Due(study, comparison).sentences():
-        words = Text(0j, due).plain.replace("\N{NO-BREAK SPACE}", " ").split()
+    for words in sentences(study, comparison):
         if not among(seen, words):
             yield within("missing_from", NOTES, name=rounded(" ".join(words)))
 
 
+def sentences(study: LinkageStudy, comparison: MotionComparison) -> Iterator[list[str]]:
+    """Give the words of each sentence that is due, their numbers with all digits."""
+    for due in _Due(study, comparison).sentences():
+        yield Text(0j, due).plain.replace("\N{NO-BREAK SPACE}", " ").split()
+
+
 def among(seen: list[str], due: list[str]) -> bool:
     """Tell whether a sentence is among words, each of its numbers rounded."""
+    return begun(seen, due, DIGITS) is not None
+
+
+def begun(seen: list[str], due: list[str], digits: Collection[int]) -> int | None:
+    """Give where a sentence begins among words, each of its numbers rounded; None where it is not said."""
     true, length = " ".join(due), len(due)
     starts = (k for k, one in enumerate(seen) if one == due[0])
-    return any(tells(" ".join(seen[k : k + length]), true, DIGITS, ROUNDED) for k in starts)
+    return next((k for k in starts if tells(" ".join(seen[k : k + length]), true, digits, ROUNDED)), None)
 
 
 class _Due(NamedTuple):

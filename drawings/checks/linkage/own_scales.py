@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from drawings.checks.graphs.figure_strokes import read
@@ -32,6 +33,14 @@ def faults(sheets: Sheets, drafting: Drafting) -> Iterator[Wrong]:
             yield within("missing_from", NOTES, name=due[0])
         if said.count(begin) > bool(due):
             yield within("note_beside", NOTES, text=begin)
+
+
+def cut(said: str, drafting: Drafting) -> str:
+    """Cut the sentences about plans with scales of their own out of notes, one of each order."""
+    for order in ORDERS[1:]:
+        parts = _sentence(order, drafting, positions="|", scale="|", sizes="|").split("|")
+        said = re.sub(".*?".join(map(re.escape, parts)), "", said, count=1)
+    return said
 
 
 def _due(sheets: Sheets, order: Order, drafting: Drafting) -> Iterator[str]:

@@ -12,7 +12,7 @@ from drawings.checks.workings.linkage_workings import lengths
 from drawings.checks.wrong import Wrong
 from drawings.figures.forces.lever_layout import PLAN
 from drawings.figures.linkage.vector_plan import LEAST
-from drawings.figures.workings.working import LENGTHS, MASSES, READING
+from drawings.figures.workings.working import LENGTHS, MASSES, READING, SEGMENTS
 from drawings.lettering.indices import with_index
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
@@ -21,10 +21,15 @@ from plans.linkage.letters import POLES
 from plans.model.mechanism import FRAME
 from plans.model.order import VELOCITIES
 
+POLYGON = "forces-"  # before a cut's links: the name of its force plan
+
 
 @dataclass(frozen=True)
 class ForceWorkings:
-    """The workings of a force sheet; `images` are the letters of points on the lever, `speed` m/s is its slack."""
+    """The workings of a force sheet; `images` are the letters of points on the lever, `speed` m/s is its slack.
+
+    Of the workings beside `polygons` the lines are given, by their names.
+    """
 
     leaf: Leaf
     expected: ExpectedForces
@@ -32,12 +37,15 @@ class ForceWorkings:
     images: Mapping[str, str]
     speed: float
     drafting: Drafting
+    polygons: Mapping[str, Sequence[DueLine]]
 
     def faults(self) -> Iterator[Wrong]:
         """Hold each by the figure that it stands beside."""
         for group in self.leaf.groups:
             kind, _, figure = group.name.partition("-")
-            if kind in (LENGTHS, MASSES, READING):
+            if figure.startswith(POLYGON) and kind in (SEGMENTS, READING):
+                yield from faults(group, self.polygons.get(group.name, ()), figure, self.drafting)
+            elif kind in (LENGTHS, MASSES, READING):
                 due = self._due(kind, figure, self.leaf.metadata["scales"].get(figure, 0.0))
                 yield from faults(group, due, figure, self.drafting)
 

@@ -13,16 +13,15 @@ from drawings.figures.cam.law_rows import LawRow
 from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
-from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters
 from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Dimension
-from drawings.symbols.trimming import trim
+from drawings.symbols.trimming import around, trim
 from plans.cam.diagrams import LawDiagrams, Strips
 
 CLEAR = 1.5  # mm around a caption
@@ -82,7 +81,7 @@ class _Drawing:
     @property
     def figure(self) -> LawFigure:
         graphs = [self._graph(row) for row in self.plate.rows]
-        masks = [_mask(part.lines[0]) for part in graphs]
+        masks = [around(part.lines[0], CLEAR) for part in graphs]
         joining = Group(tuple(fit_dashes(trim(self._bounds(), masks))), self.plate.named("bounds"))
         return LawFigure((*graphs, *self._poles()), joining, tuple(self._phases()), self.plate)
 
@@ -170,10 +169,3 @@ def _places(strips: Strips, edges: Iterable[int]) -> str:
 def _noted(error: float) -> float:
     """Give an error without the roundings of the construction's steps."""
     return error if error > ROUNDED else 0.0
-
-
-def _mask(head: Stroke) -> Polyline:
-    """Give the box around a caption: no bound of a phase runs through it."""
-    left, bottom, right, top = bounds(head)
-    low, high = complex(left, bottom) - CLEAR * (1 + 1j), complex(right, top) + CLEAR * (1 + 1j)
-    return Polyline((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), True)

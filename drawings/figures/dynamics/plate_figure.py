@@ -16,13 +16,12 @@ from drawings.figures.graphs.axes import Axes
 from drawings.figures.graphs.part import Part, caption
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
-from drawings.lettering.extent import bounds
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.formats import Field
-from drawings.paper.strokes import Group, Line, Polyline, Stroke
+from drawings.paper.strokes import Group, Line, Stroke
 from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.trimming import trim
+from drawings.symbols.trimming import around, trim
 
 DIGITS = 5
 TOLD = "told"  # the name of what is told under the loop
@@ -67,7 +66,7 @@ class _Drawing:
     @property
     def figure(self) -> PlateFigure:
         parts = [*self._graphs(), *self._energy()]
-        masks = [_mask(part.lines[0]) for part in parts if part.name != rays.NAME]
+        masks = [around(part.lines[0], CLEAR) for part in parts if part.name != rays.NAME]
         joining = fit_dashes(trim(self._joining(), masks))
         return PlateFigure((*parts, *self._told()), Group(tuple(joining), f"{self.plate.name}-transfer"))
 
@@ -173,10 +172,3 @@ class _Drawing:
         yield Line(frame.inertia_axes.on(turned, inertia), spot, style)
         if self.plate.graphs:
             yield Line(frame.surplus_axes.on(turned, energy), spot, style)
-
-
-def _mask(head: Stroke) -> Polyline:
-    """Give the box around a caption: no line that joins graphs runs through it."""
-    left, bottom, right, top = bounds(head)
-    low, high = complex(left, bottom) - CLEAR * (1 + 1j), complex(right, top) + CLEAR * (1 + 1j)
-    return Polyline((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), True)

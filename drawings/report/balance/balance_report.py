@@ -9,6 +9,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.balance import balance_tables as tables
 from drawings.report.balance.balance_notes import BalanceNotes
 from drawings.report.chapters import Chapters
+from drawings.report.listed import plain
 from drawings.report.markdown import chapter
 from plans.balance.study import BalanceStudy
 from plans.study import Study
@@ -23,7 +24,7 @@ DIGITS = 10
 def headline(study: Study) -> str:
     """Say what is to be put on, and what it costs."""
     notes = notes_of(study)
-    return "; ".join(map(_plain, (*notes.counterweights(), *notes.price())))
+    return "; ".join(map(plain, (*notes.counterweights(), *notes.price())))
 
 
 def remarks(study: Study) -> list[Message]:
@@ -83,7 +84,7 @@ def _shares(notes: BalanceNotes) -> Iterator[str]:
         yield chapter(notes.drafting.language, "shares")
         yield from _lines(notes.choice())
         yield ""
-        yield from tables.shares(shares, _plain(notes.shaft), notes.drafting)
+        yield from tables.shares(shares, plain(notes.shaft), notes.drafting)
 
 
 def _centres(notes: BalanceNotes) -> Iterator[str]:
@@ -92,9 +93,4 @@ def _centres(notes: BalanceNotes) -> Iterator[str]:
 
 
 def _lines(notes: Iterable[str]) -> Iterator[str]:
-    return (f"- {_plain(note)}" for note in notes)
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())
+    return (f"- {plain(note)}" for note in notes)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.balance.bank_notes import BankNotes
 from drawings.report.chapters import Chapters
+from drawings.report.listed import listed, plain
 from drawings.report.markdown import chapter, header, row
 from drawings.report.subject import Subject
 from plans.model.balance.bank import BankBalance
@@ -34,7 +35,7 @@ def subject(study: Study) -> Subject:
 def headline(study: Study) -> str:
     """Say what compensates the forces of the bank, or else which orders vanish by themselves."""
     notes = _notes(study)
-    return "; ".join(map(_plain, [*notes.compensators()] or [*notes.vanishing()]))
+    return "; ".join(map(plain, [*notes.compensators()] or [*notes.vanishing()]))
 
 
 def remarks(study: Study) -> list[str]:
@@ -47,11 +48,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     drafting, notes = drafting_of(study.scene), _notes(study)
     language = drafting.language
     return Chapters(
-        subject=_listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
+        subject=listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
         values=[chapter(language, "bank_orders"), *_orders(study["bank"].balance, drafting)],
         conditions=[
-            *_listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),
-            *_listed(chapter(language, "bank_compensators"), [*notes.compensators()]),
+            *listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),
+            *listed(chapter(language, "bank_compensators"), [*notes.compensators()]),
         ],
         left_out=[word(language, "report.bank_left_out")],
     )
@@ -60,7 +61,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
     """Write the table of the orders."""
     answered = {one.asked.order for one in balance.compensators}
-    lines = header([_plain(drafting.word(head)) for head in HEADS])
+    lines = header([plain(drafting.word(head)) for head in HEADS])
     for order, single in balance.single.items():
         force = balance.forces[order].size
         sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
@@ -70,14 +71,3 @@ def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
 
 def _notes(study: Study) -> BankNotes:
     return BankNotes(study["bank"].balance, drafting_of(study.scene), DIGITS)
-
-
-def _listed(title: str, lines: Iterable[str]) -> list[str]:
-    """Write a chapter as a list; one without lines is left out."""
-    told = [f"- {_plain(line)}" for line in lines]
-    return [title, *told] if told else []
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

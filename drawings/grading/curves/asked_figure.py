@@ -1,0 +1,107 @@
+"""What a task asks for of a curve: its values at the places that a sheet marks, what each rests on (график задания).
+
+A value is a complex number in true units: of a graph it goes along the way of the ordinates, of a loop or a profile it
+is a point seen from the pole. The arrays of a figure have a value for each of its places, marked or not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.hand_error import EVEN
+from plans.words.words import Message
+
+Values: TypeAlias = npt.NDArray[np.complex128]
+Sizes: TypeAlias = npt.NDArray[np.float64]
+# Of what a student has drawn of the figures before it to what this figure is if it is drawn on from there.
+Course: TypeAlias = Callable[[Mapping[str, Values]], Values]
+
+# Of a slip of a mm: how far an ordinate is out, both of whose ends are pricked (standard deviation, mm).
+PRICKED = float(EVEN * np.sqrt(2))
+ORDINATES, POINTS, BEARINGS = "ordinates", "points", "bearings"
+
+
+class Item(NamedTuple):
+    """One value that is asked for: the name and position of its mark, its place in the figure, what it is called."""
+
+    name: str
+    position: int | None
+    place: int
+    called: str
+
+
+class Mistake(NamedTuple):
+    """A mistake that has a name, and what the figure is with it."""
+
+    kind: str
+    values: Values
+
+
+class Paper(NamedTuple):
+    """Where a graph lies on our own sheet, mm: its axis, and the foot of each ordinate on it."""
+
+    axis: tuple[complex, complex]
+    feet: Values
+
+
+@dataclass(frozen=True)
+class FigureAsked:
+    """A curve that is asked for: its marks' plan, its sheet, what it is in true units, and how it is drawn.
+
+    `error` is how far a hand that slips by a mm is out in each value, mm, as its standard deviation, drawn on from what
+    is before it. `slack` is what the method itself leaves out. `behind` are the figures that `course` goes on from.
+    """
+
+    key: str
+    plan: str
+    sheet: str
+    unit: str
+    scales: Mapping[str, float]  # true units a mm, by the letters that they are written with; across, then up
+    items: tuple[Item, ...]
+    true: Values
+    slack: Sizes
+    error: Sizes
+    kind: str = POINTS
+    way: complex = 1j  # of the ordinates on paper
+    paper: Paper | None = None
+    behind: tuple[str, ...] = ()
+    course: Course | None = None
+    linear: bool = False  # whether it is out by the factor that all before it are out by
+    mistakes: tuple[Mistake, ...] = ()
+    stepped: bool = False  # whether each value is laid off from the one before it
+    why: Message | None = None
+
+    @property
+    def scale(self) -> float:
+        """The scale of the values, true units a mm."""
+        return tuple(self.scales.values())[-1]
+
+    @property
+    def places(self) -> npt.NDArray[np.intp]:
+        """The places that are asked for."""
+        return np.array([one.place for one in self.items], dtype=np.intp)
+
+    def off(self, drawn: Values, due: Values) -> Sizes:
+        """Give how far drawn values are from what they should be, true units; of a bearing across it."""
+        apart = drawn - due
+        if self.kind == ORDINATES:
+            return np.asarray(np.abs((apart / self.way).real))
+        if self.kind == BEARINGS:
+            long = np.maximum(np.abs(due), np.finfo(float).tiny)
+            ahead = (drawn * due.conj()).real > 0
+            return np.asarray(np.where(ahead, np.abs((drawn * due.conj()).imag) / long, np.abs(drawn) + np.abs(due)))
+        return np.abs(apart)
+
+    def allowed(self, slip: float, deviations: float) -> Sizes:
+        """Give what each value may be out, true units, of a hand that slips by so many mm."""
+        return np.asarray(deviations * slip * self.scale * self.error + self.slack)
+
+    def step(self, start: int, end: int) -> float:
+        """Give by what share of what is allowed at a place the step to it from another may be out: slips add up."""
+        grown = max(float(self.error[end] ** 2 - self.error[start] ** 2), 0.0)
+        return float(np.sqrt(grown + PRICKED**2)) / float(self.error[end])

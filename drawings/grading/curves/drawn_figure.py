@@ -1,0 +1,132 @@
+"""Curves as a student drew them: values at their places, where each stands on paper, the written scale (график)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from statistics import median
+
+import numpy as np
+
+from drawings.checks.graphs.scale_line import written_scales
+from drawings.eye.sheet import SeenSheet
+from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Paper, Values
+from drawings.grading.drawn_plan import Arrow
+from drawings.measure.measured import MeasuredPoint, MeasuredVector
+from drawings.measure.transform import Affine
+from drawings.paper.strokes import Line
+from drawings.paper.walk import flat, group_named
+
+PLACED = 0.7  # mm: a foot is at its place if a fair hand may have pricked it there
+SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be longer
+
+
+@dataclass(frozen=True)
+class DrawnFigure:
+    """A figure of a sheet: its values in true units by their places, NaN where there are none; its arrows on paper.
+
+    `shift` is by how much all its ordinates stand beside their places, mm; `aside` are those that do so alone.
+    """
+
+    asked: FigureAsked
+    values: Values
+    arrows: Mapping[int, Arrow]
+    written: bool = True
+    shift: float = 0.0
+    aside: frozenset[int] = field(default_factory=frozenset)
+
+    @property
+    def there(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        """Which places have a value."""
+        return ~np.isnan(self.values)
+
+
+def from_marks(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+    """Give a figure by the marks of a sheet; None where it has none of it."""
+    marks = {(one.name, one.position): one for one in seen.measured.marks if one.plan == asked.plan}
+    own = {one.place: marks[one.name, one.position] for one in asked.items if (one.name, one.position) in marks}
+    if not own:
+        return None
+    scale, written = _written(asked, seen)
+    arrows = {place: _arrow(mark, seen) for place, mark in own.items()}
+    values = np.full(len(asked.true), complex(np.nan, np.nan))
+    for place, mark in own.items():
+        values[place] = mark.value
+    if asked.kind == ORDINATES and asked.paper is not None:
+        return _on_axis(asked, seen, values, arrows, scale, written)
+    return DrawnFigure(asked, _scaled(asked, values, scale), arrows, written)
+
+
+def _written(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
+    """Give the scales that stand over a figure, ours where none stand; and whether all do."""
+    group = group_named(seen.leaf.groups, asked.plan)
+    found = {} if group is None else written_scales(group)
+    due = {letter: mu for letter, mu in asked.scales.items() if letter}
+    return {**asked.scales, **{letter: found[letter] for letter in due if letter in found}}, due.keys() <= found.keys()
+
+
+def _scaled(asked: FigureAsked, values: Values, scale: Mapping[str, float]) -> Values:
+    """Give values by the scales that a student wrote: across by the first, up by the last."""
+    ratios = [_ratio(scale[letter], mu) for letter, mu in asked.scales.items()]
+    return np.asarray(values.real * ratios[0] + 1j * values.imag * ratios[-1])
+
+
+def _ratio(written: float, own: float) -> float:
+    """Give by what factor a written scale differs from ours; one that is rounded as ours is, does not."""
+    return 1.0 if abs(written - own) <= 1e-3 * own else written / own
+
+
+def _arrow(mark: MeasuredVector | MeasuredPoint, seen: SeenSheet) -> Arrow:
+    by = seen.measured.moved
+    if isinstance(mark, MeasuredVector):
+        return Arrow(by(mark.start), by(mark.end))
+    return Arrow(by(mark.at), by(mark.at))
+
+
+def _on_axis(
+    asked: FigureAsked,
+    seen: SeenSheet,
+    values: Values,
+    arrows: Mapping[int, Arrow],
+    scale: Mapping[str, float],
+    written: bool,
+) -> DrawnFigure:
+    """Read ordinates from the axis, whatever place they are drawn from, and see whether each is at its place."""
+    assert asked.paper is not None  # asked before
+    by, paper = seen.measured.moved, asked.paper
+    moved = _moved(asked, paper, seen, arrows)
+    mu = asked.scale * _ratio(tuple(scale.values())[-1], asked.scale)
+    along = (paper.axis[1] - paper.axis[0]) / abs(paper.axis[1] - paper.axis[0])
+    beside = {}
+    for place, arrow in arrows.items():
+        # As our own sheet lies: what moved the whole sheet, and then the figure on it, is undone.
+        end, start = (_back(spot, by) - moved - paper.feet[place] for spot in (arrow.end, arrow.start))
+        values[place] = asked.way * (end / asked.way).real * mu
+        beside[place] = (start / along).real
+    shift = median(beside.values())
+    shift = shift if abs(shift) > PLACED else 0.0
+    aside = frozenset(place for place, off in beside.items() if abs(off - shift) > PLACED)
+    return DrawnFigure(asked, values, arrows, written, shift, aside)
+
+
+def _back(spot: complex, by: Affine) -> complex:
+    return complex((spot - by.t) / by.p)
+
+
+def _moved(asked: FigureAsked, paper: Paper, seen: SeenSheet, arrows: Mapping[int, Arrow]) -> complex:
+    """Give by how much a figure was moved with its axis, mm: to the axis that its feet are nearest to."""
+    by = seen.measured.moved
+    feet = [_back(arrow.start, by) - paper.feet[place] for place, arrow in arrows.items()]
+    middle = complex(median(one.real for one in feet), median(one.imag for one in feet))
+    moves = [0j, *_axes(paper, seen)]
+    return min(moves, key=lambda one: (abs(one - middle) > PLACED, abs(one - middle)))
+
+
+def _axes(paper: Paper, seen: SeenSheet) -> Iterator[complex]:
+    """Give by how much lines that are as long as the axis, and go its way, are away from it."""
+    by, (start, end) = seen.measured.moved, paper.axis
+    for one in flat(seen.leaf.groups):
+        if isinstance(one, Line):
+            first, last = _back(one.start, by), _back(one.end, by)
+            if abs((last - first) - (end - start)) <= SAME:
+                yield first - start

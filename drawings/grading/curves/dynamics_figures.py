@@ -1,0 +1,197 @@
+"""The record of a sheet of a machine's motion: its graphs, the loop, its tangents (графики листа динамики)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from drawings.checks.dynamics.dynamics_expected import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
+from drawings.checks.dynamics.dynamics_loop import LOOP, SEGMENTS, TANGENTS
+from drawings.grading import verdict
+from drawings.grading.curves.asked_figure import (
+    BEARINGS,
+    ORDINATES,
+    PRICKED,
+    Course,
+    FigureAsked,
+    Item,
+    Mistake,
+    Sizes,
+    Values,
+)
+from drawings.grading.curves.chords_by_hand import chords_by_hand
+from drawings.grading.curves.dynamics_courses import BEARING, CUT, Turned
+from drawings.grading.curves.own_sheet import OwnSheet, items
+from plans.study import Study
+
+
+def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+    """Give the figures of a sheet of dynamics (row of the table of records)."""
+    comparison, task = study.comparison("dynamics"), study["dynamics"].task
+    if comparison.analysis.cycle is None:
+        return
+    sheet = _Sheet(own, Expected(task, comparison.analysis), Expected(task, comparison.exact))
+    yield from sheet.graphs()
+    yield from sheet.loop()
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """A sheet with what the analysis says of it: by the chords of the construction, and exactly."""
+
+    own: OwnSheet
+    expected: Expected
+    exact: Expected
+
+    def graphs(self) -> Iterator[FigureAsked]:
+        """Give the graphs over the turn in the order in which they are drawn."""
+        turn = Turned(self.expected)
+        yield from self._graph(MOMENTS, mistakes=tuple(self._idle()))
+        yield from self._graph(WORKS, (MOMENTS,), turn.works, self._works_by_hand)
+        yield from self._graph(SURPLUS, (WORKS,), turn.surplus, self._surplus_by_hand, tuple(self._undriven()))
+        yield from self._graph(INERTIA)
+
+    def _graph(
+        self,
+        name: str,
+        behind: tuple[str, ...] = (),
+        course: Course | None = None,
+        error: Sizes | None = None,
+        mistakes: tuple[Mistake, ...] = (),
+    ) -> Iterator[FigureAsked]:
+        marks = self.own.vectors(name)
+        if not marks:
+            return
+        values, way = self.expected.graphs[name], 1 + 0j if name == INERTIA else 1j
+        mu = self.scale(name)
+        yield FigureAsked(
+            key=name,
+            plan=name,
+            sheet=self.own.name,
+            unit=next(iter(marks.values())).unit,
+            scales={self.own.letter(name, mu): mu},
+            items=items(marks),
+            true=np.asarray(way * values),
+            slack=np.abs(values - self.exact.graphs.get(name, values)),
+            error=np.full(len(values), PRICKED) if error is None else error,
+            kind=ORDINATES,
+            way=way,
+            paper=self.own.paper(name, self.expected.cycle.turned),
+            behind=behind,
+            course=course,
+            linear=course is not None and name != SPEEDS,
+            mistakes=mistakes,
+            stepped=name == WORKS,
+        )
+
+    def scale(self, name: str) -> float:
+        """Give the scale of a graph's ordinates, true units a mm."""
+        return next((one.scale for one in self.own.vectors(name).values()), 1.0)
+
+    @property
+    def _works_by_hand(self) -> Sizes:
+        """Give how far works are out that are drawn by chords, mm."""
+        paper = self.own.paper(WORKS, self.expected.cycle.turned)
+        if paper is None or not self.own.vectors(MOMENTS):
+            return np.full(len(self.expected.cycle.turned), PRICKED)
+        wide = np.abs(np.diff(paper.feet))
+        high = -self.expected.cycle.means / self.scale(MOMENTS)
+        areas = float(np.abs(np.diff(self.expected.cycle.turned)).sum() / wide.sum())  # rad a mm
+        return chords_by_hand(wide, high, self.scale(WORKS) / (self.scale(MOMENTS) * areas))
+
+    @property
+    def _surplus_by_hand(self) -> Sizes:
+        """Give how far the surplus is out that is measured off the works, mm."""
+        measured = PRICKED * self.scale(WORKS) / self.scale(SURPLUS) if self.own.vectors(WORKS) else 0.0
+        return np.full(len(self.expected.cycle.turned), np.hypot(PRICKED, measured))
+
+    def _idle(self) -> Iterator[Mistake]:
+        """Give the graph of moments without what loads have over one of its stretches between jumps."""
+        after, before = self.expected.graphs[MOMENTS], self.expected.before
+        jumps = np.flatnonzero(np.abs(after - before) > 0.5 * self.scale(MOMENTS))  # mm: a smaller one is not seen
+        bounds = [0, *(k for k in jumps.tolist() if 0 < k < len(after) - 1), len(after)]
+        for low, high in pairwise(bounds):
+            if high - low < len(after):
+                values = after.copy()
+                values[low:high] = 0.0
+                yield Mistake(verdict.IDLE, np.asarray(1j * values))
+
+    def _undriven(self) -> Iterator[Mistake]:
+        """Give the surplus without what the drive gives."""
+        yield Mistake(verdict.UNDRIVEN, np.asarray(-1j * self.expected.graphs[WORKS]))
+
+    def loop(self) -> Iterator[FigureAsked]:
+        """Give the loop, its tangents, what they cut off, and the speeds that follow from it."""
+        scales = self.own.scales(LOOP)
+        if not {"J", "T"} <= scales.keys():
+            return
+        turn = Turned(self.expected, (scales["J"], scales["T"]))
+        yield from self._points(turn)
+        if self.expected.wheel is not None and self.expected.omega is not None:
+            yield from self._tangents(turn)
+            slips = turn.speed_slips({name: self.scale(name) for name in (SURPLUS, INERTIA)})
+            error = PRICKED * np.hypot(1.0, slips / self.scale(SPEEDS))
+            yield from self._graph(SPEEDS, (SURPLUS, INERTIA, CUT), turn.speeds, error)
+
+    def _points(self, turn: Turned) -> Iterator[FigureAsked]:
+        marks = {one.position: one for one in self.own.measured.points if one.plan == LOOP and one.position is not None}
+        if not marks:
+            return
+        true = turn.loop(turn.true)
+        yield FigureAsked(
+            key=LOOP,
+            plan=LOOP,
+            sheet=self.own.name,
+            unit="mm",
+            scales={"J": turn.scales[0], "T": turn.scales[1]},
+            items=items(marks),
+            true=true,
+            slack=np.abs(true - turn.loop(Turned(self.exact, turn.scales).true)),
+            error=np.full(len(true), 2 * PRICKED),  # in x and in y, each measured off a graph
+            behind=(SURPLUS, INERTIA),
+            course=turn.loop,
+            mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
+        )
+
+    def _tangents(self, turn: Turned) -> Iterator[FigureAsked]:
+        wheel, ratio = turn.wheel, turn.scales[0] / turn.scales[1]
+        seen = {one.name: one for one in self.own.measured.vectors if one.plan == LOOP and one.position is None}
+        slopes = np.array([complex(1.0, slope * ratio) for slope in wheel.slopes])
+        bearings = np.array(
+            [seen[name].value if name in seen else slope for name, slope in zip(TANGENTS, slopes, strict=True)]
+        )
+        true = np.abs(bearings) * slopes / np.abs(slopes)
+        swapped = np.abs(bearings) * slopes[::-1] / np.abs(slopes[::-1])
+        yield self._aside(BEARING, "mm", 1.0, TANGENTS, true, PRICKED, mistakes=(Mistake(verdict.EXCHANGED, swapped),))
+        cuts = np.array([1j * cut for cut in wheel.cuts])
+        off = np.array([1j * cut for cut in self.exact.wheel.cuts]) if self.exact.wheel else cuts
+        ruled = PRICKED * np.hypot(1.0, np.abs(slopes))
+        yield self._aside(CUT, "J", turn.scales[1], SEGMENTS, cuts, ruled, off, (LOOP, BEARING), turn.cuts)
+
+    def _aside(
+        self,
+        key: str,
+        unit: str,
+        mu: float,
+        names: tuple[str, ...],
+        true: Values,
+        error: Sizes | float,
+        exact: Values | None = None,
+        behind: tuple[str, ...] = (),
+        course: Course | None = None,
+        mistakes: tuple[Mistake, ...] = (),
+    ) -> FigureAsked:
+        """Give what stands beside the loop."""
+        seen = {one.name for one in self.own.measured.vectors if one.plan == LOOP}
+        own = tuple(Item(name, None, k, name) for k, name in enumerate(names) if name in seen)
+        slack = np.zeros(len(true)) if exact is None else np.abs(true - exact)
+        kind = BEARINGS if key == BEARING else ORDINATES
+        scales = {} if key == BEARING else {"T": mu}
+        return FigureAsked(
+            key, LOOP, self.own.name, unit, scales or {"": mu}, own, true, slack,
+            np.broadcast_to(np.asarray(error, dtype=np.float64), (len(true),)), kind,
+            behind=behind, course=course, mistakes=mistakes,
+        )  # fmt: skip

@@ -1,0 +1,196 @@
+"""Judging curves: each value held against the analysis and against what it goes on from; a mistake is named once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from drawings.grading import verdict
+from drawings.grading.curves.asked_figure import BEARINGS, ORDINATES, FigureAsked, Item, Mistake, Sizes, Values
+from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.verdict import Verdict
+
+SHORT = 0.1  # mm: an ordinate that is shorter may be a point
+SEVERAL = 2  # values that say that a whole figure is out
+Truths = np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
+
+
+@dataclass
+class Drawn:
+    """What a student has drawn of the figures so far, at all their places, and by what factor a whole one is out."""
+
+    values: dict[str, Values] = field(default_factory=dict)
+    wholes: dict[str, Values] = field(default_factory=dict)
+    factors: dict[str, float] = field(default_factory=dict)
+    right: set[str] = field(default_factory=set)
+
+
+class FigureJudge:
+    """Judges the figures of a sheet in the order in which they follow from one another."""
+
+    def __init__(self, asked: Sequence[FigureAsked]) -> None:
+        self.own = Drawn(values={one.key: one.true for one in asked}, right={one.key for one in asked})
+
+    def verdicts(self, drawn: DrawnFigure, allowed: Sizes) -> Iterator[Verdict]:
+        """Judge one figure, and keep it for those that go on from it."""
+        told = _Told(drawn, allowed, self._going_on(drawn.asked), self._whole_right(drawn.asked))
+        yield from told.verdicts()
+        key = drawn.asked.key
+        self.own.values[key] = told.whole_values
+        if told.mistake is not None:
+            self.own.wholes[key] = told.mistake.values
+        if told.factor is not None:
+            self.own.factors[key] = told.factor
+        if not told.good:
+            self.own.right.discard(key)
+
+    def _whole_right(self, asked: FigureAsked) -> bool:
+        return set(asked.behind) <= self.own.right
+
+    def _going_on(self, asked: FigureAsked) -> list[Values]:
+        """Give what a figure is if it is drawn on from those before it as they are, or as their mistakes say."""
+        if asked.course is None:
+            return []
+        found = [asked.course(self.own.values)]
+        if any(name in self.own.wholes for name in asked.behind):
+            found.append(
+                asked.course(
+                    {**self.own.values, **{k: self.own.wholes[k] for k in asked.behind if k in self.own.wholes}}
+                )
+            )
+        factors = [self.own.factors.get(name, 1.0) for name in asked.behind]
+        if asked.linear and factors and factors[0] != 1.0 and len(set(factors)) == 1:
+            found.append(factors[0] * asked.true)
+        return found
+
+
+class _Told:
+    """What is said of one figure."""
+
+    def __init__(self, drawn: DrawnFigure, allowed: Sizes, going_on: Sequence[Values], rightly: bool) -> None:
+        self.drawn, self.asked, self.allowed = drawn, drawn.asked, allowed
+        self.going_on, self.rightly = going_on, rightly
+        self.near = self._fits(self.asked.true)
+        self.follows = np.zeros(len(self.near), dtype=np.bool_)
+        for values in going_on:
+            self.follows |= self._fits(values)
+        self.mistake, self.factor = self._whole()
+
+    def _fits(self, due: Values) -> Truths:
+        """Tell which values are as they are due; one that is not there is none."""
+        with np.errstate(invalid="ignore"):
+            near = np.asarray(self.asked.off(self.drawn.values, due) <= self.allowed)
+        if not self.asked.stepped:
+            return near
+        last = 0  # where the curve begins
+        for k in np.flatnonzero(near).tolist():
+            near[k] = self._stepped(last, k, due) or k == 0
+            last = k if near[k] else last
+        return near
+
+    def _stepped(self, start: int, end: int, due: Values) -> bool:
+        """Tell whether the step from one place to another is as it is due."""
+        drawn = self.drawn.values
+        begun = drawn[start] if self.drawn.there[start] else due[start]
+        apart = self.asked.off(drawn[end : end + 1] - begun, due[end : end + 1] - due[start])
+        return bool(apart[0] <= self.allowed[end] * self.asked.step(start, end))
+
+    @property
+    def good(self) -> bool:
+        """Whether all its values are right."""
+        fine = self.near | self.follows if self.rightly else self.near
+        return bool(fine[self.asked.places].all()) and self.drawn.shift == 0.0
+
+    @property
+    def whole_values(self) -> Values:
+        """The values at all places: as what they all are drawn by, or between those that are marked out as these are."""
+        true, there = self.asked.true, self.drawn.there
+        if not there.any():
+            return true
+        named = () if self.mistake is None else (self.mistake.values,)
+        for due in (true, *self.going_on, *named):
+            if self._fits(due)[there].all():
+                return np.asarray(np.where(there, self.drawn.values, due))
+        # What is too short to be drawn is not marked: it is where it should be.
+        known = there | (np.abs(true) <= SHORT * self.asked.scale)
+        at, moved, there = np.arange(len(true)), np.where(there, self.drawn.values - true, 0), known
+        return np.asarray(
+            true + np.interp(at, at[there], moved[there].real) + 1j * np.interp(at, at[there], moved[there].imag)
+        )
+
+    def _whole(self) -> tuple[Mistake | None, float | None]:
+        """Give the mistake by which most of a figure is out, and the factor, if it is one."""
+        left = self.drawn.there & ~self.near & ~self.follows
+        if left.sum() < 1:
+            return None, None
+        for one in self.asked.mistakes:
+            told = self.drawn.there & (self.asked.off(one.values, self.asked.true) > 2 * self.allowed)
+            if told.any() and (self._fits(one.values) | ~told).all() and (left & told).any():
+                return one, None
+        if left.sum() < SEVERAL:
+            return None, None
+        fitting = [
+            (int(fits.sum()), -float(np.nansum(self.asked.off(self.drawn.values, one.values))), one, factor)
+            for base in (self.asked.true, *self.going_on)
+            for one, factor in self._generals(base)
+            if ((fits := self._fits(one.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.drawn.there.sum()
+        ]
+        best = max(fitting, key=lambda one: one[:2], default=None)
+        return (None, None) if best is None else best[2:]
+
+    def _generals(self, base: Values) -> Iterator[tuple[Mistake, float | None]]:
+        """Give what may be wrong with any figure: all the other way, by one factor, from another zero line."""
+        there, asked = self.drawn.there, self.asked
+        drawn = self.drawn.values[there]
+        yield Mistake(verdict.OPPOSITE, -base), -1.0
+        size = float((np.abs(base[there]) ** 2).sum())
+        if size and asked.kind != BEARINGS:
+            factor = float((drawn * base[there].conj()).real.sum() / size)
+            if factor > 0:
+                yield Mistake(verdict.SCALE, factor * base), factor
+        if asked.kind == ORDINATES:
+            away = asked.way * float(np.median(((drawn - base[there]) / asked.way).real))
+            yield Mistake(verdict.LEVEL, base + away), None
+
+    def verdicts(self) -> Iterator[Verdict]:
+        """Judge the figure as a whole, then each value that is asked for."""
+        if not self.drawn.written:
+            yield self._said(verdict.UNSCALED)
+        if self.drawn.shift:
+            yield self._said(verdict.SHIFTED)
+        if self.mistake is not None:
+            yield self._said(self.mistake.kind)
+        within = self._fits(self.mistake.values) if self.mistake is not None else np.zeros_like(self.near)
+        yield from (self._one(one, within) for one in self.asked.items)
+
+    def _one(self, one: Item, within: Truths) -> Verdict:
+        k, value = one.place, self.drawn.values[one.place]
+        if np.isnan(value):
+            return self._said(verdict.MISSING, one)
+        off = float(self.asked.off(self.drawn.values, self.asked.true)[k])
+        if k in self.drawn.aside:
+            return self._said(verdict.ASIDE, one, off)
+        if self.near[k] or (self.follows[k] and self.rightly):
+            return self._said(verdict.RIGHT, one, off)
+        if self.follows[k] or within[k] or self._goes_on(k):
+            return self._said(verdict.FOLLOWS, one, off)
+        back = self.asked.off(-self.drawn.values, self.asked.true)[k] <= self.allowed[k]
+        return self._said(verdict.REVERSED if back else verdict.WRONG, one, off)
+
+    def _goes_on(self, k: int) -> bool:
+        """Tell whether a value of a curve that is drawn on from place to place is right from the one before it."""
+        before = np.flatnonzero(self.drawn.there[:k])
+        if not self.asked.stepped or not before.size:
+            return False
+        return any(self._stepped(int(before[-1]), k, due) for due in (self.asked.true, *self.going_on))
+
+    def _said(self, kind: str, one: Item | None = None, off: float | None = None) -> Verdict:
+        asked = self.asked
+        if one is None:
+            return Verdict(asked.plan, None, "", kind, unit=asked.unit)
+        arrow = self.drawn.arrows.get(one.place)
+        at = None if arrow is None else (arrow.start, arrow.end)
+        allowed = float(self.allowed[one.place])
+        return Verdict(asked.plan, None, one.called, kind, off, allowed, asked.unit, at, ("", one.name))

@@ -1,0 +1,68 @@
+"""The curves of one sheet graded: found, judged as they follow, or missing (оценка графиков)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from drawings.eye.sheet import SeenSheet
+from drawings.grading import verdict
+from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
+from drawings.grading.curves.asked_figure import FigureAsked, Sizes
+from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
+from drawings.grading.curves.figure_judge import FigureJudge
+from drawings.grading.verdict import Verdict
+
+
+def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tuple[DrawnFigure, ...]]:
+    """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
+    own: dict[str, list[DrawnFigure]] = {}
+    for one in asked:
+        drawn = from_marks(one, seen)
+        if drawn is not None:
+            own.setdefault(one.sheet, []).append(drawn)
+    return {sheet: tuple(found) for sheet, found in own.items()}
+
+
+def figure_verdicts(
+    drawn: Mapping[str, Sequence[DrawnFigure]],
+    asked: Sequence[FigureAsked],
+    sheets: Collection[str],
+    marked: Collection[str],
+    allowed: Callable[[FigureAsked], Sizes],
+) -> Iterator[Verdict]:
+    """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
+
+    `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
+    cannot be read.
+    """
+    for sheet in dict.fromkeys(one.sheet for one in asked):
+        due, found = [one for one in asked if one.sheet == sheet], drawn.get(sheet, ())
+        judge, there = FigureJudge(due), {one.asked.key: one for one in found}
+        for one in due if found or sheet in sheets else ():
+            if one.key in there:
+                yield from judge.verdicts(there[one.key], allowed(one))
+            elif found or sheet in marked:
+                yield from _missing(one)
+            else:
+                yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)
+
+
+def _missing(asked: FigureAsked) -> Iterator[Verdict]:
+    for one in asked.items:
+        yield Verdict(asked.plan, None, one.called, verdict.MISSING, unit=asked.unit, letters=("", one.name))
+
+
+def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Sizes:
+    """Give what each value of a figure may be out, true units."""
+    found = np.array(_allowed(asked, by.by, coarse))
+    for one in asked.items:
+        found[one.place] = _allowed(asked, by.to(one.called), coarse)[one.place]
+    return found
+
+
+def _allowed(asked: FigureAsked, by: Allowance, coarse: float) -> Sizes:
+    if by.share is not None:
+        return np.full(len(asked.true), by.share * float(np.abs(asked.true).max())) + asked.slack
+    return asked.allowed(max(by.slip, coarse), DEVIATIONS)

@@ -1,0 +1,173 @@
+"""Students at curves: a scene's own sheet with one figure drawn otherwise, and those that follow drawn on from there."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Values
+from drawings.grading.curves.figure_records import figures_asked
+from drawings.original.originals import Original, Originals
+from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
+from drawings.pens.svg import svg
+from tests.gallery import GALLERY
+
+Keep = Callable[[Stroke], Stroke | None]
+
+
+class CurveTask(NamedTuple):
+    """A scene that is set: its sheets, and the figures that they ask for."""
+
+    originals: Originals
+    figures: tuple[FigureAsked, ...]
+
+    def figure(self, key: str) -> FigureAsked:
+        return next(one for one in self.figures if one.key == key)
+
+    def sheet(self, name: str) -> Original:
+        return next(one for one in self.originals.sheets if one.name == name)
+
+
+@cache
+def curve_task(scene: str) -> CurveTask:
+    """Set a scene of the gallery."""
+    originals = Originals(GALLERY / f"{scene}.toml")
+    return CurveTask(originals, figures_asked(originals))
+
+
+def gone_on(task: CurveTask, key: str, values: Values) -> dict[str, Values]:
+    """Give all figures of a sheet where one is drawn otherwise and those that rest on it go on from there."""
+    sheet = task.figure(key).sheet
+    own = [one for one in task.figures if one.sheet == sheet]
+    found = {one.key: one.true for one in own}
+    found[key] = values
+    changed = {key}
+    for one in own:
+        if one.course is not None and changed & set(one.behind) and one.key != key:
+            found[one.key] = one.course(found)
+            changed.add(one.key)
+    return {name: found[name] for name in changed}
+
+
+def drawn(
+    task: CurveTask, sheet: Original, values: Mapping[str, Values], keep: Keep = lambda one: one, along: float = 0.0
+) -> bytes:
+    """Draw a sheet with the values of some figures otherwise; `along` moves their ordinates along the axis, mm."""
+    leaf = sheet.leaf
+    for key, own in values.items():
+        asked = task.figure(key)
+        moves = _moves(asked, own)
+        groups = tuple(_group(one, asked, moves, along) for one in leaf.groups)
+        leaf = replace(leaf, groups=groups)
+    kept = (_kept(one, keep) for one in leaf.groups)
+    return svg(replace(leaf, groups=tuple(one for one in kept if isinstance(one, Group))))
+
+
+def _moves(asked: FigureAsked, values: Values) -> Values:
+    """Give by how much each value moves on paper, mm."""
+    moved = np.nan_to_num(values - asked.true)
+    if asked.kind == ORDINATES or len(asked.scales) == 1:
+        return np.asarray(moved / asked.scale)
+    return np.asarray(moved)  # of a loop they are mm
+
+
+def _kept(one: Stroke, keep: Keep) -> Stroke | None:
+    if isinstance(one, Group):
+        parts = (_kept(part, keep) for part in one.strokes)
+        one = replace(one, strokes=tuple(part for part in parts if part is not None))
+    return keep(one)
+
+
+def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Group:
+    places = {(one.name, "" if one.position is None else str(one.position)): one.place for one in asked.items}
+    own = group.data.get("name", ""), group.data.get("position", "")
+    if group.data.get("plan") == asked.plan and own in places:
+        by = complex(moves[places[own]])
+        return replace(group, strokes=tuple(_marked(one, asked, by, along) for one in group.strokes))
+    strokes = tuple(_group(one, asked, moves, along) if isinstance(one, Group) else one for one in group.strokes)
+    if group.name == asked.plan and asked.paper is not None:
+        strokes = tuple(_curve(one, asked, moves, along) for one in strokes)
+    return replace(group, strokes=strokes)
+
+
+def _marked(one: Stroke, asked: FigureAsked, by: complex, along: float) -> Stroke:
+    aside = along * _along(asked)
+    if isinstance(one, Line):
+        return replace(one, start=one.start + aside, end=one.end + by + aside)
+    return replace(one, centre=one.centre + by) if isinstance(one, Circle) else one
+
+
+def _along(asked: FigureAsked) -> complex:
+    if asked.paper is None:
+        return 0j
+    start, end = asked.paper.axis
+    return (end - start) / abs(end - start)
+
+
+def _curve(one: Stroke, asked: FigureAsked, moves: Values, along: float) -> Stroke:
+    """Move the corners of a curve with its ordinates; lines that are straight over the turn stay."""
+    if not isinstance(one, Polyline) or len(one.points) < 3:
+        return one
+    assert asked.paper is not None  # asked before
+    way, start = _along(asked), asked.paper.axis[0]
+    feet = ((asked.paper.feet - start) / way).real
+    at = ((np.array(one.points) - start) / way).real
+    by = np.interp(at, feet, moves.real) + 1j * np.interp(at, feet, moves.imag)
+    return one._replace(points=tuple((np.array(one.points) + by + along * way).tolist()))
+
+
+def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
+    """Draw a sheet with a mistake of the table."""
+    asked = task.figure(row["figure"])
+    values, way = asked.true.copy(), asked.way if asked.kind == ORDINATES else 1 + 0j
+    places = {one.name if one.position is None else one.called: one.place for one in asked.items}
+    places |= {one.name: one.place for one in asked.items}
+    by, mm = row.get("by", 0), asked.scale if len(asked.scales) == 1 else 1.0
+    at = [places[name] for name in row.get("at", ())]
+    if row["how"] in ("missing", "unscaled"):
+        return drawn(task, task.sheet(asked.sheet), {}, lambda one: _lost(one, asked, row))
+    if row["how"] == "shifted":
+        return drawn(task, task.sheet(asked.sheet), {asked.key: values}, along=by)
+    match row["how"]:
+        case "back":
+            values = -values
+        case "times":
+            values = by * values
+        case "level":
+            values = values + way * by * mm
+        case "nothing":
+            values[at[0] : at[1] + 1] = 0
+        case "moved":
+            values[at] += way * by * mm
+        case "turned":
+            values[at] *= cmath.rect(1, math.radians(by))
+        case "exchanged":
+            values[at] = values[at[::-1]]
+        case "mistake":
+            found = [one.values for one in asked.mistakes if one.kind == row["kind"]]
+            values = max(found, key=lambda one: float(np.abs(one - asked.true).max())).copy()
+        case how:
+            raise ValueError(how)
+    later = gone_on(task, asked.key, values) if row.get("on", True) else {asked.key: values}
+    return drawn(task, task.sheet(asked.sheet), later)
+
+
+def _lost(one: Stroke, asked: FigureAsked, row: Mapping[str, Any]) -> Stroke | None:
+    """Give a stroke unless it is left out: an ordinate of some names, or the line of the scales."""
+    if isinstance(one, Group) and row["how"] == "missing":
+        lost = one.data.get("plan") == asked.plan and one.data.get("name") in row["at"]
+        return None if lost else one
+    if isinstance(one, Group) and one.name == asked.plan and row["how"] == "unscaled":
+        return _kept_texts(one)
+    return one
+
+
+def _kept_texts(group: Group) -> Group:
+    parts = (_kept_texts(one) if isinstance(one, Group) else one for one in group.strokes)
+    return replace(group, strokes=tuple(one for one in parts if not (isinstance(one, Text) and "μ" in one.plain)))
