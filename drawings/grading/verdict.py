@@ -12,6 +12,8 @@ SIMILAR, BRANCH = "similar", "branch"
 DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
 INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
 MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
+HEAVY, PRODUCT, BEYOND = "heavy", "product", "beyond"  # of a counterweight, of what is multiplied, of an arm's sign
+ORDER = "order"  # of a harmonic
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of a curve, or of all of it.
@@ -32,6 +34,7 @@ UNGRADED: Final = (DEAD, UNREAD, SMALL)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
+    HEAVY, PRODUCT, BEYOND, ORDER,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
     *OF_CURVES,
 )  # fmt: skip
