@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Sequence
 
-from drawings.checks import reading
+from drawings.checks import arrowheads, reading
 from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.documents import title_block
 from drawings.checks.graphs.scale_line import ratio
@@ -13,6 +13,7 @@ from drawings.checks.linkage import (
     bars,
     centre_images,
     drive_arrows,
+    filled_corners,
     guides,
     linkage_notes,
     linkage_set,
@@ -75,6 +76,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from _positions(measured, leaf, linkage, comparison)
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
+    yield from arrowheads.faults(leaf, drafting_of(study.scene).hand.symbol)
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from reading.marked_scales(leaf)
     yield from linkage_notes.faults(leaf, linkage, comparison)
@@ -200,6 +202,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from position_numbers.faults(plan)
     yield from guides.faults(plan)
     yield from pair_symbols.faults(plan)
+    yield from filled_corners.faults(plan)
     yield from notches.faults(plan)
     yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)

@@ -35,10 +35,14 @@ def record_of(study: Study, leaf: Leaf) -> Record:
     for cut in drawn.plan.cuts:
         true = expected.polygon(linkage.groups, cut.group) | expected.parts(cut.group)
         found |= {(f"forces-{cut.label}", k, "", name): one for name, one in _sides(drawn, cut, true)}
-        found |= {(f"scheme-{cut.label}", k, "", one.name): one for one in _arms(drawn, cut)}
+        found |= {(f"scheme {cut.label}", k, "", one.name): one for one in _arms(drawn, cut)}
     images = {linkage.drafts().velocities.point(name).name: expected.image(name) for name in solved.points}
     found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, images, drafting_of(study.scene))}
-    scales = {name: mu for name, mu in leaf.metadata["scales"].items() if name.startswith(_FIGURES)}
+    scales = {
+        name.replace("scheme-", "scheme "): mu
+        for name, mu in leaf.metadata["scales"].items()
+        if name.startswith(_FIGURES)
+    }
     boards = {name: FORCES for name in scales if name.startswith(FIGURES[FORCES])}
     coarsest = {board: max(mu for name, mu in scales.items() if name in boards) for board in boards.values()}
     return Record(found, {name: {k: mu} for name, mu in (scales | coarsest).items()}, boards)
@@ -72,7 +76,7 @@ def _arms(drawn: ForcePlans, cut: Cut) -> Iterator[Found]:
     """Give the arms on the scheme of a cut: from the point of moments square to the line of action."""
     for arm in leverages(drawn.plan, cut, 0):
         if arm.dimensioned:
-            yield _arm(f"scheme-{cut.label}", arm.letter, (arm.pivot, arm.at), arm.direction)
+            yield _arm(f"scheme {cut.label}", arm.letter, (arm.pivot, arm.at), arm.direction)
 
 
 def _lever(drawn: ForcePlans, images: Mapping[str, complex], drafting: Drafting) -> Iterator[Found]:

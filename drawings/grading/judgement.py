@@ -88,15 +88,15 @@ class Judge:
             return self._said(verdict.RIGHT, one, off)
         if self._follows(one, value):
             return self._said(verdict.FOLLOWS, one, off)
-        if slip := self._slip(one, value):
+        slip = self._nearest(one, value, one.found.slips) if one.found is not None else None
+        if slip is None and one.found is not None and not self._near(one, -value):
+            slip = self._nearest(one, value, tuple(mistaken(one.found.span.end, self.own)))
+        if slip is not None:
             return self._said(slip.kind, one, off)._replace(of=slip.of)
         return self._said(self._kind(one, value), one, off)
 
-    def _slip(self, one: Asked, value: complex) -> Slip | None:
+    def _nearest(self, one: Asked, value: complex, own: tuple[Slip, ...]) -> Slip | None:
         """Give the mistake that a vector is drawn by, the nearest of those that are known of it."""
-        if one.found is None:
-            return None
-        own = (*one.found.slips, *mistaken(one.found.span.end, self.own))
         near = [slip for slip in own if abs(value - slip.value) <= self.allowed[one.letters]]
         return min(near, key=lambda slip: abs(value - slip.value), default=None)
 
@@ -119,21 +119,29 @@ class Judge:
     def _near(self, one: Asked, value: complex) -> bool:
         return abs(value - one.true) <= self.allowed[one.letters]
 
+    def _is_due(self, one: Asked, value: complex) -> bool:
+        """Tell whether a vector is right, or what the student's other plans give; a free one also what his own give."""
+        if self._near(one, value) or one.letter:
+            return self._near(one, value) or self._follows(one, value)
+        here = {mark for own in self.drawn.asked.vectors if own.found is not None for mark in own.found.span}
+        before = {mark: place for mark, place in self.own.items() if mark not in here}
+        return any(abs(value - there) <= self.allowed[one.letters] for there in self._going_on(one, before))
+
     def _follows(self, one: Asked, value: complex) -> bool:
         """Tell whether a vector is what its own construction gives from what the student drew before it."""
-        return any(abs(value - there) <= self.allowed[one.letters] for there in self._going_on(one))
+        ways = (self.own, {**self.own, **self.without}) if self.without else (self.own,)
+        gone = (there for own in ways for there in self._going_on(one, own))
+        return any(abs(value - there) <= self.allowed[one.letters] for there in gone)
 
-    def _going_on(self, one: Asked) -> Iterator[complex]:
+    def _going_on(self, one: Asked, own: Mapping[Mark, complex]) -> Iterator[complex]:
         """Give what a vector is where the later of its ends is found by its construction from the student's places."""
         if one.found is None:
             return
         later, sign = max((one.found.span.start, -1), (one.found.span.end, 1), key=lambda end: end[0].number)
         earlier = one.found.span.end if sign < 0 else one.found.span.start
-        begun = self.own.get(earlier, complex(np.ravel(earlier.point)[0]))
-        for before in (self.own, {**self.own, **self.without}) if self.without else (self.own,):
-            there = continued(later, before)
-            if there is not None:
-                yield sign * (there - begun)
+        there, begun = continued(later, own), own.get(earlier, complex(np.ravel(earlier.point)[0]))
+        if there is not None:
+            yield sign * (there - begun)
 
     def _carried_mirrored(self, one: Asked, value: complex) -> bool:
         if one.found is None:
@@ -154,7 +162,7 @@ class Judge:
             return None
         for kind, times in _wholes([(one.true, value) for one, value in pairs]):
             fits = [one for one, value in pairs if self._near(one, times(value))]
-            telling = [one for one, value in pairs if not self._near(one, value) and one in fits]
+            telling = [one for one, value in pairs if one in fits and not self._is_due(one, value)]
             if len(telling) >= SEVERAL and 2 * len(fits) > len(pairs):
                 return kind, times
         return None

@@ -24,7 +24,6 @@ BESIDE = 3.0  # mm by which a letter must be nearer to another's arrow: lanes ar
 class _Side(NamedTuple):
     """A side on paper, and the corners that it goes between."""
 
-    name: str
     arrow: Arrow
     corners: tuple[str, str]
 
@@ -46,17 +45,16 @@ class _Side(NamedTuple):
 
 
 def open_sides(plan: DrawnPlan, near: float) -> Iterator[Verdict]:
-    """Name the sides that do not meet the others, by more than a hand's slips, `near` mm."""
+    """Tell of a polygon whose sides do not meet, by more than a hand's slips, `near` mm."""
     sides = [
-        _Side(one.name, plan.arrows[one.letters], one.corners)
+        _Side(plan.arrows[one.letters], one.corners)
         for one in plan.asked.vectors
         if one.corners is not None and one.letters in plan.arrows and not one.diagonal
     ]
-    apart = list(_apart(sides, near))
-    if apart and not _chained(sides, near):
-        for side in apart:
-            asked, spot = plan.asked, side.arrow.end
-            yield Verdict(asked.plan, asked.position, side.name, verdict.OPEN, at=(spot, spot))
+    side = next(_apart(sides, near), None)
+    if side is not None and not _chained(sides, near):
+        spot = side.arrow.end
+        yield Verdict(plan.asked.plan, plan.asked.position, "", verdict.UNCLOSED, at=(spot, spot))
 
 
 def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
@@ -66,6 +64,9 @@ def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
         side = next((one for one in left if not spots.keys().isdisjoint(one.corners)), left[0])
         left.remove(side)
         gaps = side.gaps(spots)
+        if not side.fits(gaps, near):  # drawn back to front it meets the others too
+            side = side._replace(arrow=Arrow(side.arrow.end, side.arrow.start))
+            gaps = side.gaps(spots)
         if not side.fits(gaps, near):
             yield side
             continue
@@ -84,11 +85,10 @@ def letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan, near: float)
     """Name the vectors whose letters are missing, or stand at each other's arrows, `near` mm at the most."""
     shown = [(one, along(*arrow)) for one, arrow in _seen(plan)]
     for one, spots in shown:
-        own = distance(labels.get(_plain(one), ()), spots)
-        if not own <= near:
-            yield _said(plan, one, verdict.UNLETTERED)
-        elif any(_crossed(labels, (one, spots), other) for other in shown):
+        if any(_crossed(labels, (one, spots), other) for other in shown):
             yield _said(plan, one, verdict.SWAPPED)
+        elif not distance(labels.get(_plain(one), ()), spots) <= near:
+            yield _said(plan, one, verdict.UNLETTERED)
 
 
 def _seen(plan: DrawnPlan) -> Iterator[tuple[Asked, Arrow]]:

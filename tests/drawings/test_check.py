@@ -110,6 +110,18 @@ def test_a_drawing_that_an_editor_saved_anew_is_as_it_was(folder: Path, capsys: 
     assert "all that is drawn is as it was" not in told(capsys, folder / NAME, "--language", "en")[1]
 
 
+def test_corners_drawn_otherwise_are_told(folder: Path, capsys: Capture) -> None:
+    """A viewer draws corners sharp unless the file says round; a straight line has none to be told of."""
+    text = (folder / NAME).read_text("utf-8")
+    for element, says in (
+        ("line", "all that is drawn is as it was"),
+        ("path", "corners of the line miter instead of round"),
+    ):
+        (folder / NAME).write_text(re.sub(rf'(<{element} [^>]*) stroke-linejoin="round"', r"\1", text), "utf-8")
+        code, said = told(capsys, folder / NAME, "--language", "en")
+        assert code == 5 and says in said
+
+
 def other_text() -> bytes:
     leaf = fan().sheets[0].leaf
     table = next(group for group in leaf.groups if group.name == "masses-1")

@@ -9,11 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.labelled import Label, labels_of
+from drawings.checks.labelled import Label, labels_of, off
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.numbers.numbers_due import Course, DueNumbers, Seen, courses
 from drawings.checks.wrong import on
+from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Group, Text
+from drawings.paper.walk import texts
 from plans.linkage.study import EXTREMES
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Output
@@ -23,6 +25,7 @@ from plans.words.words import Message
 
 LINKS = "links"  # the group of the numbers of links, among the letters of the plan
 NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
+UNDER = 3.0  # mm from a place to a letter in the way: a leader begins less than two millimetres off, clear of letters
 FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
 NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
 ROOMY = 12.0  # mm between positions on the crank's circle: none of their numbers crowds another
@@ -59,7 +62,13 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     if strays > MOST * len(labels):
         yield on("position_number", POSITIONS.plan, name=str(strays))
     for one in _due(plan, crank, tracks, read):
-        yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in one.missing(FAR, plan.near))
+        lost = [k for k in one.missing(FAR, plan.near) if not _is_under(plan, complex(one.places[k]))]
+        yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in lost)
+
+
+def _is_under(plan: LaidPlan, spot: complex) -> bool:
+    """Tell whether a letter stands so near to a place that not even a leader of a number can begin there."""
+    return any(off(spot, bounds(text)) <= UNDER for text in texts(plan.leaf.groups))
 
 
 def _due(
