@@ -1,4 +1,4 @@
-"""Students at curves: a scene's own sheet with one figure drawn otherwise, and those that follow drawn on from there."""
+"""Students at curves: a scene's own sheet with one figure drawn otherwise, and those that follow drawn on."""
 
 from __future__ import annotations
 
@@ -147,11 +147,16 @@ def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
             values[at] += way * by * mm
         case "turned":
             values[at] *= cmath.rect(1, math.radians(by))
-        case "exchanged":
-            values[at] = values[at[::-1]]
+        case "one back":
+            values[at] = -values[at]
+        case "swapped lengths":
+            values[at] = values[at[::-1]].real + 1j * values[at].imag
         case "mistake":
-            found = [one.values for one in asked.mistakes if one.kind == row["kind"]]
-            values = max(found, key=lambda one: float(np.abs(one - asked.true).max())).copy()
+            found = [one for one in asked.mistakes if one.kind == row["kind"]]
+            one = max(found, key=lambda one: float(np.abs(one.values - asked.true).max()))
+            values = one.values + (0 if one.along is None else by * mm * one.along)
+        case "mirrored":
+            values = -values.conj()
         case how:
             raise ValueError(how)
     later = gone_on(task, asked.key, values) if row.get("on", True) else {asked.key: values}

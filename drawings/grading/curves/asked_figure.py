@@ -23,7 +23,8 @@ Course: TypeAlias = Callable[[Mapping[str, Values]], Values]
 
 # Of a slip of a mm: how far an ordinate is out, both of whose ends are pricked (standard deviation, mm).
 PRICKED = float(EVEN * np.sqrt(2))
-ORDINATES, POINTS, BEARINGS = "ordinates", "points", "bearings"
+ORDINATES, POINTS, BEARINGS, LENGTHS = "ordinates", "points", "bearings", "lengths"
+CHAIN = "chain"  # vectors each of which begins where the one before it in its row ends
 
 
 class Item(NamedTuple):
@@ -36,10 +37,20 @@ class Item(NamedTuple):
 
 
 class Mistake(NamedTuple):
-    """A mistake that has a name, and what the figure is with it."""
+    """A mistake that has a name, and what the figure is with it; each value may go on by one size, `along`."""
 
     kind: str
     values: Values
+    along: Values | None = None
+
+    def fitted(self, drawn: Values) -> Mistake:
+        """Give the mistake by the size that a drawn figure has it by."""
+        there = ~np.isnan(drawn)
+        if self.along is None or not there.any():
+            return self
+        apart, ways = (drawn - self.values)[there], self.along[there]
+        size = float((apart * ways.conj()).real.sum() / (np.abs(ways) ** 2).sum())
+        return Mistake(self.kind, self.values + size * self.along)
 
 
 class Paper(NamedTuple):
@@ -91,6 +102,8 @@ class FigureAsked:
         apart = drawn - due
         if self.kind == ORDINATES:
             return np.asarray(np.abs((apart / self.way).real))
+        if self.kind == LENGTHS:
+            return np.asarray(np.abs(np.abs(drawn) - np.abs(due)))
         if self.kind == BEARINGS:
             long = np.maximum(np.abs(due), np.finfo(float).tiny)
             ahead = (drawn * due.conj()).real > 0
