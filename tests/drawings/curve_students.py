@@ -71,10 +71,7 @@ def drawn(
 
 def _moves(asked: FigureAsked, values: Values) -> Values:
     """Give by how much each value moves on paper, mm."""
-    moved = np.nan_to_num(values - asked.true)
-    if asked.kind == ORDINATES or len(asked.scales) == 1:
-        return np.asarray(moved / asked.scale)
-    return np.asarray(moved)  # of a loop they are mm
+    return np.asarray(np.nan_to_num(values - asked.true) / asked.scale)
 
 
 def _kept(one: Stroke, keep: Keep) -> Stroke | None:
@@ -128,7 +125,7 @@ def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
     values, way = asked.true.copy(), asked.way if asked.kind == ORDINATES else 1 + 0j
     places = {one.name if one.position is None else one.called: one.place for one in asked.items}
     places |= {one.name: one.place for one in asked.items}
-    by, mm = row.get("by", 0), asked.scale if len(asked.scales) == 1 else 1.0
+    by, mm = row.get("by", 0), asked.scale
     at = [places[name] for name in row.get("at", ())]
     if row["how"] in ("missing", "unscaled"):
         return drawn(task, task.sheet(asked.sheet), {}, lambda one: _lost(one, asked, row))

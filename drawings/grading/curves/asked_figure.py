@@ -84,13 +84,14 @@ class FigureAsked:
     course: Course | None = None
     linear: bool = False  # whether it is out by the factor that all before it are out by
     mistakes: tuple[Mistake, ...] = ()
+    on_paper: bool = False  # whether its values are mm of paper, and its scales what these stand for
     stepped: bool = False  # whether each value is laid off from the one before it
     why: Message | None = None
 
     @property
     def scale(self) -> float:
-        """The scale of the values, true units a mm."""
-        return tuple(self.scales.values())[-1]
+        """The scale of the values, true units a mm; of those that are mm of paper 1."""
+        return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
 
     @property
     def places(self) -> npt.NDArray[np.intp]:

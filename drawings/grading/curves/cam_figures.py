@@ -19,11 +19,12 @@ from drawings.figures.cam.pressure_graph import NAME as ANGLES
 from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.size_view import NAME as SIZES
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Values
+from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.asked_figure import POINTS as PLACES
 from drawings.grading.curves.cam_courses import ACCELERATION, DIAGRAM, POINTS, PRESSURE, TRAVEL, VELOCITY, CamCourses
 from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.cyclogram_figures import bars
+from drawings.grading.curves.figure_judge import SHORT
 from drawings.grading.curves.own_sheet import OwnSheet, items
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from plans.cyclogram.rows import EVERY
@@ -90,7 +91,7 @@ class _Sheet:
         if other is not None:
             yield Mistake(verdict.PHASES, np.asarray(1j * self.cam.law(other, key)))
 
-    def _error(self, key: str) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    def _error(self, key: str) -> Sizes:
         """Give how far a diagram is out that is drawn by chords, mm a mm of slip."""
         edges, plain = self.expected.edges, np.full(len(self.expected.edges), PRICKED)
         above = law_named(self.expected.cam, ABOVE.get(key, ""))
@@ -102,7 +103,7 @@ class _Sheet:
         angle = float((edges[-1] - edges[0]) / wide.sum())
         return chords_by_hand(wide, self.cam_means(ABOVE[key]) / high, mu / (high * angle))
 
-    def cam_means(self, key: str) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    def cam_means(self, key: str) -> Sizes:
         """Give the mean ordinates of the strips of a diagram."""
         row = self.cam.rows[key]
         return np.asarray((row.after[:-1] + row.before[1:]) / 2)
@@ -153,11 +154,33 @@ class _Sheet:
         laid = bool(self.own.vectors(law_named(self.expected.cam, TRAVEL)))
         yield from self._figure(
             DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
-            course=self.cam.sizes_points if laid else None, error=np.full(len(self.cam.ends), 2 * PRICKED),
+            course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
             slack=self._sized(), mistakes=tuple(self._wrong_sizes()),
         )  # fmt: skip
 
-    def _sized(self) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    def _laid_by_hand(self, plan: str, *laws: str) -> Sizes:
+        """Give how far points are out that are laid off as they are measured on diagrams of the law, mm.
+
+        To the profile the sizes are carried over too.
+        """
+        mu, carried = self.own.marks(plan)[0].scale if self.own.marks(plan) else 1.0, self.own.marks(SIZES)
+        length = (self.expected.cam.follower.length or 1.0) if self.expected.cam.rocks else 1.0
+        slips = [1.0, *(length * slip / mu for key in laws for slip in self._read_by_hand(key))]
+        slips += [np.sqrt(2) * carried[0].scale / mu] if plan != SIZES and carried else []
+        return np.full(len(self.cam.ends), PRICKED * float(np.sqrt(np.square(slips).sum())))
+
+    def _read_by_hand(self, key: str) -> Iterator[float]:
+        """Give how far a value is out that is read off a diagram of the law, true units a mm of slip in pricking.
+
+        Where not all its places are marked, it may be read off a chord between two that are.
+        """
+        marks, values = self.own.vectors(law_named(self.expected.cam, key)), self.cam.rows[key].after
+        if marks:
+            mu, error = next(iter(marks.values())).scale, self._error(key)
+            bare = set(np.flatnonzero(np.abs(values) > SHORT * mu).tolist()) - marks.keys()
+            yield mu * float(np.hypot(1.0, np.sqrt(np.diff(error**2).max()) / PRICKED if bare else 0.0))
+
+    def _sized(self) -> Sizes:
         """Give by how much D is out that is laid off by the chords of the law."""
         off = [
             self.cam.rows[key].after - exact
@@ -192,7 +215,7 @@ class _Sheet:
             error=self._angles_by_hand(),
         )  # fmt: skip
 
-    def _angles_by_hand(self) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    def _angles_by_hand(self) -> Sizes:
         """Give how far angles are out that are measured off the diagram of the sizes, mm of their graph."""
         seen, count = self.own.marks(SIZES), len(self.cam.turned)
         angles = self.own.vectors(ANGLES)
@@ -212,7 +235,7 @@ class _Sheet:
         yield from self._figure(
             POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
             behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
-            error=np.full(count, 3 * PRICKED), mistakes=tuple(self._inverted()),
+            error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
         )  # fmt: skip
         turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
         for name, mistakes in (("K", ()), ("O_1", (turned,))):

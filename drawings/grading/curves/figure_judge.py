@@ -118,7 +118,7 @@ class _Told:
         if not there.any():
             return true
         named = () if self.mistake is None else (self.mistake.values,)
-        for due in (true, *self.going_on, *named):
+        for due in (*self.going_on, true, *named):
             if self.fits(due):
                 return np.asarray(np.where(there, self.drawn.values, due))
         # What is too short to be drawn is not marked: it is where it should be.
