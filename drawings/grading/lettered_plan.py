@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.eye.alike import folded
@@ -162,6 +163,7 @@ def _others(names: Mapping[str, complex], near: Mapping[tuple[str, complex], flo
         yield moved
 
 
+@lru_cache(maxsize=1024)
 def spelled(letter: str) -> str:
     """Write a letter as anybody may write it: without the marks of levels, as it looks.
 
