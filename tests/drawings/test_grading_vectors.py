@@ -213,7 +213,7 @@ def test_twenty_fair_hands_are_accepted_and_poor_ones_refused(scene: str, plan: 
 
 
 def by_an_editor(plan: PlanAsked, mu: float, turn: float) -> bytes:
-    """Draw a polygon as an editor does: paths with markers in px, letters in a font at their middles, a turned group."""
+    """Draw a polygon as an editor does: paths with markers in px, letters at their middles, a turned group."""
     own = laid((plan,), {})
     lines, words = [], [(f"mu_{plan.symbol} = {mu:g}", 400 + 380j)]
     for one in plan.vectors:
