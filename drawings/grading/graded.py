@@ -23,6 +23,7 @@ from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
 from drawings.grading.own_places import left_out, own_places, scales_of
+from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
@@ -73,7 +74,7 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: S
     lost = (plan for plan in due if plan.place not in there)
     marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
     told_of = figure_verdicts(figures, curves, sheets, marked, partial(allowed_of, by=by, coarse=seen.measured.quantum))
-    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
+    said = (*once(tuple(_judged(seen, drawn, by))), *(one for plan in lost for one in _missing(plan)), *told_of)
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
@@ -114,4 +115,5 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
+        yield from arrow_verdicts(seen, plan, by)
         yield from drawing_faults(seen.leaf, labels, plan)
