@@ -18,6 +18,12 @@ def some(rows: Iterable[Any], every: int) -> list[Any]:
     return [pytest.param(row, marks=pytest.mark.rest if place % every else ()) for place, row in enumerate(rows)]
 
 
+def first(rows: Iterable[Any]) -> list[Any]:
+    """Keep the first row of a test in the everyday run; the rest, each of which takes long, are left to `--whole`."""
+    every = list(rows)
+    return some(every, len(every) or 1)
+
+
 def examples(part: int, all_of_them: int = 100) -> Callable[[Any], Any]:
     """Give a property fewer examples in the everyday run."""
 

@@ -78,6 +78,7 @@ ONLY_IN = {
     "pylinkage": ("plans/bench/peers.py",),
     "scipy": ("plans/analytic/dynamics/equation.py",),
     "mechanism": ("plans/bench/peers.py",),
+    "pytest": ("drawings/acceptance/plugin.py",),  # which is only loaded by it
 }
 # Imported inside the function that needs them.
 LATE = ("mpmath", "scipy", "shapely", "matplotlib", "numba", "pylinkage", "mechanism")
@@ -221,7 +222,7 @@ ROOMS = (
     ("drawings.checks", "drawings.sheets"),
     ("drawings.original",),
     ("drawings.grading",),
-    ("drawings.bench", "drawings.gallery", "drawings.form"),
+    ("drawings.bench", "drawings.gallery", "drawings.form", "drawings.acceptance"),
     ("drawings.commands",),
 )
 ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.checks import reading, table_grid
+from drawings.checks import arrowheads, reading, table_grid
 from drawings.checks.documents import title_block
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces import arm_marks
@@ -25,7 +25,7 @@ from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.forces.schemes import LoadingSchemes
 from drawings.checks.forces.sheet_curves import SheetCurves
 from drawings.checks.forces.written_equations import WrittenEquations
-from drawings.checks.graphs.figure_strokes import FigureStrokes, figure
+from drawings.checks.graphs.figure_strokes import FigureStrokes, figure, read
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.linkage.value_rows import TABLE
 from drawings.checks.reading import plain, scales
@@ -76,6 +76,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     # No figure of a force sheet is foremost: its title block has no ratio.
     yield from title_block.faults(leaf, study.scene, KIND, drafting_of(study.scene).word("forces sheet title"), "")
     yield from reading.tables(leaf, named)
+    yield from arrowheads.faults(leaf, drafting_of(study.scene).hand.symbol)
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from check.by_hand(named)
 
@@ -173,7 +174,9 @@ class _Check:
         group = next(cut.group for cut in self.statics.drafts().plans.plan.cuts if cut.label == label)
         must = expected.polygon(groups, group)
         letters = {name: plain(Text(0j, force_letter(name, language, letter)).plain) for name in must}
-        return Details(self.measured, sheets, label, {**must, **expected.parts(group)}, letters, self.slack)
+        known = {**must, **expected.parts(group)}
+        names = {read(self.floor.letter(name)): name for name in known}
+        return Details(self.measured, sheets, label, known, letters, names, self.slack)
 
     def arrows(self) -> Iterator[Message]:
         """Hold the directions of arrows that are not to scale, on the schemes and on the lever."""

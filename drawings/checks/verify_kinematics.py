@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Sequence
 
-from drawings.checks import reading
+from drawings.checks import arrowheads, reading
 from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.documents import title_block
 from drawings.checks.graphs.scale_line import ratio
@@ -13,6 +13,7 @@ from drawings.checks.linkage import (
     bars,
     centre_images,
     drive_arrows,
+    filled_corners,
     guides,
     linkage_notes,
     linkage_set,
@@ -23,7 +24,6 @@ from drawings.checks.linkage import (
     part_letters,
     paths,
     position_marks,
-    position_numbers,
     stroke_dimensions,
     stroke_marks,
     strokes,
@@ -33,6 +33,8 @@ from drawings.checks.linkage import (
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.linkage.position_marks import EXACT
+from drawings.checks.numbers import position_numbers
 from drawings.checks.seen import repeats
 from drawings.checks.vectors import plan_headings, vector_plans
 from drawings.checks.vectors.laid_vectors import LaidVectorPlan
@@ -45,6 +47,7 @@ from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
+from plans.checks.comparison import Finding
 from plans.checks.expected import Expected
 from plans.checks.parts import findings, spans
 from plans.linkage.letters import POLES
@@ -73,6 +76,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from _positions(measured, leaf, linkage, comparison)
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
+    yield from arrowheads.faults(leaf, drafting_of(study.scene).hand.symbol)
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from reading.marked_scales(leaf)
     yield from linkage_notes.faults(leaf, linkage, comparison)
@@ -169,6 +173,14 @@ def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Mea
     return 2 * own + 2 * measured.quantum * vector.scale
 
 
+def _apart(finding: Finding, k: int, seen: float) -> float:
+    """Give how far a place may be out, m: no more than the roads are apart where a dead centre allows all of the sheet.
+
+    What is less than can be `seen` is left as it is allowed.
+    """
+    return min(float(finding.allowed[k]), max(float(finding.difference[k]), seen))
+
+
 def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Iterator[Message]:
     """Hold the mass centres of the plan of positions, and what stands beside its links, against the analysis."""
     at = ground(measured)
@@ -176,7 +188,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         return
     laid = LaidMechanism(study, comparison.analysis, leaf.metadata["shown"], at)
     seen = {mark.name: mark for mark in measured.points if mark.plan == POSITIONS.plan}
-    roads = [float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan)]
+    roads = [_apart(finding, laid.position, EXACT * at.scale) for finding in comparison.of(POSITIONS.plan)]
     allowed = max((one for one in roads if math.isfinite(one)), default=0.0)  # a gap has but its frame
     for name, (link, own) in laid.centres.items():
         mark, true = seen.get(name), laid.true(link, own)
@@ -190,6 +202,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from position_numbers.faults(plan)
     yield from guides.faults(plan)
     yield from pair_symbols.faults(plan)
+    yield from filled_corners.faults(plan)
     yield from notches.faults(plan)
     yield from paths.faults(plan)
     yield from position_marks.faults(leaf, laid)

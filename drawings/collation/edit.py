@@ -124,7 +124,9 @@ def style(right: LineStyle, there: LineStyle) -> Message:
         return message("look.colour", is_=there.colour, must=right.colour)
     if right.fill != there.fill:
         return message("look.fill", is_=there.fill, must=right.fill)
-    return message("look.cap", is_=there.cap, must=right.cap)
+    if right.cap != there.cap:
+        return message("look.cap", is_=there.cap, must=right.cap)
+    return message("look.join", is_=there.join, must=right.join)
 
 
 def written(text: Text) -> str:

@@ -104,6 +104,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with trace.stage("imports"):
         from drawings.checks import verify as checks
         from drawings.checks.documents import compared
+        from drawings.checks.documents import headlines as said_first
         from drawings.original.edition import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
@@ -124,7 +125,8 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with staged(contents) as written:
         with trace.stage("measuring"):
             told = compared.faults(text, study.comparisons, scene.sheet.language)
-            checks.verify_report((*faults(text, study, leaves), *told))
+            first = said_first.faults(headlines(study), study)
+            checks.verify_report((*faults(text, study, leaves), *told, *first))
             seen: dict[str, list[SeenSheet]] = {kind: [] for kind in leaves}
             for path, (kind, leaf) in sheets.items():
                 held = partial(named(SHEETS[kind].faults), study=study)

@@ -14,13 +14,13 @@ from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
 from drawings.files.json_text import print_json
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import PlanAsked, plans_asked, ungraded
-from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.asked import plans_asked, ungraded
 from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.hints import hints
 from drawings.grading.marking import Marking, MarkingError, read_marking
+from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
 from drawings.grading.roll import grade_all
 from drawings.grading.told import HEAD, Hints, lines, plain, plain_name, row
@@ -46,7 +46,7 @@ def run(options: argparse.Namespace) -> int:
         tell(word(language, "grade.ungraded", kind=kind))
     if not plans and not curves:
         return CODES[REJECTED]
-    own = grade_self(originals, plans, by, curves)
+    own = grade_own(originals, plans, by, curves)
     if own.outcome != PASS:
         tell(word(language, "grade.self"))
         return CODES[OURS]
@@ -57,15 +57,6 @@ def run(options: argparse.Namespace) -> int:
         _write(options.output, graded, steps, language)
     _tell_twins(graded, language)
     return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
-
-
-def grade_self(
-    originals: Originals, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked] = ()
-) -> Graded:
-    """Grade the scene's own sheets, which are right if anything is."""
-    kinds = {plan.sheet for plan in plans} | {curve.sheet for curve in curves}
-    every = [grade(originals.drawn(one), plans, by, curves) for one in originals.sheets if one.name in kinds]
-    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else REJECTED))
 
 
 def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:

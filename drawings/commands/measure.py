@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,10 +13,11 @@ from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, check, measure_file
 from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
+from drawings.measure.measured_lines import lines, plan_name
 from drawings.measure.measured_profile import MeasuredProfile
 from drawings.paper.limits import SheetRefused
 from geometry.curve import CubicPiece, Piece
-from plans.words.words import ENGLISH, message
+from plans.words.words import ENGLISH, message, placed, word
 
 FAILED = 5
 
@@ -29,8 +30,8 @@ def run(options: argparse.Namespace) -> int:
         raise type(refused)("file", sheet=options.sheet, why=refused.reason) from None
     if not measured.marks and not measured.profiles:
         raise SheetRefused("bare", sheet=options.sheet)
-    _tell_strangers(options.sheet)
     language = _language(options.scene) if options.scene else ENGLISH
+    _tell_strangers(options.sheet, language)
     wrong = check(measured)
     off = {miss.key for miss in wrong}
     astray = _astray(measured, options) if options.scene else {}
@@ -41,19 +42,16 @@ def run(options: argparse.Namespace) -> int:
             plain | {"profiles": profiles} | {how: [one._asdict() for one in own] for how, own in astray.items()}
         )
     else:
-        for mark in measured.marks:
-            sign = "DIFFERS from the stated" if mark.key in off else ""
-            value = f"({mark.value.real:.6g}, {mark.value.imag:.6g})"
-            print(f"{mark.plan:<14} {mark.position!s:>4}  {mark.name:<10} {value:<26} {mark.unit:<6} {sign}".rstrip())
-        for one in measured.profiles:
-            told = f"{len(one.pieces)} pieces, stated within {one.deviation:.2g} m, rounded to {one.quantum:.1g} m"
-            sign = "  DIFFERS from the stated" if one.key in off else ""
-            print(f"{one.plan:<14} {'':>4}  {one.name:<10} {told}{sign}")
-        for note in measured.notes:
-            print(message("aside.note", note=note).worded(language))
-        for how, key in ((how, key) for how, own in astray.items() for key in own):
-            print(f"{how}: {' '.join(str(part) for part in key if part is not None)}")
+        for line in (*lines(measured, off, language), *_told(astray, language)):
+            print(line)
     return FAILED if wrong or any(astray.values()) else 0
+
+
+def _told(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[str]:
+    """Say what is astray, mark by mark."""
+    for how, key in ((how, key) for how, own in astray.items() for key in own):
+        names = (plan_name(part, language) if part == key.plan else str(part) for part in key if part is not None)
+        yield word(language, f"measure.{how}", mark=" ".join(names))
 
 
 def _language(scene: Path) -> str:
@@ -89,13 +87,12 @@ def _all(measured: Measured) -> Sequence[MeasuredVector | MeasuredPoint | Measur
     return (*measured.marks, *measured.profiles)
 
 
-def _tell_strangers(sheet: Path) -> None:
+def _tell_strangers(sheet: Path, language: str) -> None:
     """Say which files of the sheet's set are not those that were drawn together."""
     manifest = manifest_beside(sheet)
     if manifest is not None:
         for name in manifest.strangers(sheet.parent):
-            fault = f"does not fit {manifest.name}: changed since it was drawn, or its run was stopped"
-            tell(f"{sheet.with_name(name)}: {fault}")
+            tell(placed(sheet.with_name(name), message("measure.stranger", set=manifest.name)).worded(language))
 
 
 def _plain(measured: Measured, kind: str) -> list[dict[str, object]]:

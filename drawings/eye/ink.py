@@ -53,7 +53,8 @@ def ink(look: Look, scale: float) -> Ink:
     colour = _blended(look.stroke, share(look.stroke_opacity) * look.shade)
     fill = _blended(look.fill, share(look.fill_opacity) * look.shade)
     width = length(look.stroke_width) * scale
-    style = LineStyle(width, _dash(look.stroke_dasharray, scale), colour, fill, _cap(look.stroke_linecap))
+    dash, join = _dash(look.stroke_dasharray, scale), look.stroke_linejoin
+    style = LineStyle(width, dash, colour, fill, _cap(look.stroke_linecap), join)
     if colour == _NONE:
         style = LineStyle(0.0, (), colour, fill)
     return Ink(style, _why(look, style), fill != _NONE and _clear(look, fill))

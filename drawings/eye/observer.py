@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from drawings.eye.effects import effects
 from drawings.eye.ink import Ink, Unseen, ink
 from drawings.eye.lettered import any_letters, pen_of_letters, plain_letters
-from drawings.eye.outlines import SHAPES, outlines, scale_of
+from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.eye.typeset import Typeset, joined, typeset
 from drawings.eye.writing import SeenLetter, written
 from drawings.measure.marks import KINDS
@@ -96,7 +96,8 @@ class Observer:
             self._leave_aside(f"<{one.frame.tag}>")
 
     def _line(self, one: _Open, seen: Ink) -> None:
-        strokes = tuple(outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style))
+        own = outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style)
+        strokes = tuple(map(cornered, own))
         outer = self.open[-2]
         data = _marked(one.attributes)
         if not data:
@@ -123,7 +124,7 @@ class Observer:
             outer.letters += letters
             outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
         else:
-            self._add(outer, (written(letters, said or "", _filled(seen.style.colour)),), seen)
+            self._add(outer, (written(letters, said or "", _penned(seen.style)),), seen)
         return True
 
     def _typeset(self, one: _Open) -> None:
@@ -177,7 +178,13 @@ def _text(one: _Open) -> Text | None:
     said = one.attributes.get(_SAID, "")
     if typed:
         return joined(typed, said, _filled(one.ink.style.fill))
-    return written(lined, said, _filled(one.ink.style.colour)) if lined else None
+    return written(lined, said, _penned(one.ink.style)) if lined else None
+
+
+def _penned(style: LineStyle) -> LineStyle:
+    """Give the ink of letters that are drawn with a pen, whose corners are seen."""
+    own = _filled(style.colour)
+    return own if style.join == own.join else own._replace(join=style.join)
 
 
 def _filled(colour: str) -> LineStyle:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from drawings.eye.tracks import Track, tracks
 from drawings.measure.curvedata import pieces
 from drawings.measure.pathdata import number, numbers
 from drawings.measure.transform import Affine
 from drawings.paper.limits import REACH, SheetRefused
-from drawings.paper.strokes import Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import PLAIN, Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke
 from geometry.curve import Piece, RoundPiece
 
 SHAPES = frozenset(("line", "circle", "ellipse", "rect", "polyline", "polygon", "path"))
@@ -164,3 +165,11 @@ def _checked(point: complex) -> complex:
     if not (abs(point.real) <= REACH and abs(point.imag) <= REACH):
         raise SheetRefused("off_paper")
     return point
+
+
+def cornered(stroke: Stroke) -> Stroke:
+    """Give a stroke as it is seen: of one without corners nobody sees how they would be drawn."""
+    if not isinstance(stroke, Line | Arc | Circle) or stroke.style.join == PLAIN.join:
+        return stroke
+    style = stroke.style._replace(join=PLAIN.join)
+    return stroke._replace(style=style) if isinstance(stroke, Arc) else replace(stroke, style=style)

@@ -3,37 +3,57 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, TypeAlias
+from types import MappingProxyType
+from typing import Final, NamedTuple, TypeAlias
 
 from drawings.grading.records import RECORDS, Found, Record
-from drawings.measure.measured import MeasuredVector
+from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.original.originals import Original, Originals
+from drawings.paper.walk import groups
 from geometry.board import Mark
 from geometry.span import Span
 from plans.techniques import named, technique_of
 
 Place: TypeAlias = tuple[str, int | None]  # a plan and its position
+# By what the scale of a plan is lettered, where not by the quantity of its marks.
+SYMBOLS: Final = MappingProxyType({"r": "l", "h": "l"})
 
 
 class Asked(NamedTuple):
-    """One vector or point that is asked for: letters of its ends, its name, its true value, how the record finds it."""
+    """One vector or point that is asked for: letters of its ends, its name, its true value, how the record finds it.
+
+    A free vector is lettered itself, wherever it lies: `letter` is what its sheet writes beside it.
+    """
 
     name: str  # "v_BA"; of what has no letters of its own, those of its ends
-    start: str  # "" : measured from the pole, as a point is
+    start: str  # "" : measured from the pole, as a point is, or free
     end: str
     true: complex
     found: Found | None
+    letter: str = ""
 
     @property
     def letters(self) -> tuple[str, str]:
         """The letters of its ends."""
         return self.start, self.end
 
+    @property
+    def corners(self) -> tuple[str, str] | None:
+        """The corners of a polygon that a free vector is laid between, if it is a side of one."""
+        side = self.found.side if self.found is not None else None
+        return None if side is None else (side.start.name, side.end.name)
+
+    @property
+    def diagonal(self) -> bool:
+        """Whether it is read off across a polygon, and no side of it."""
+        return self.found is not None and self.found.diagonal
+
 
 class PlanAsked(NamedTuple):
     """A plan that is asked for: which, on what sheet, its unit, its vectors, the scales of the plans that it rests on.
 
-    The scales are true units a mm, by the subjects of the plans, its own among them.
+    The scales are true units a mm, by the subjects of the plans, its own among them; `board` is the subject of its own
+    record, and `symbol` letters its scale.
     """
 
     plan: str
@@ -42,6 +62,8 @@ class PlanAsked(NamedTuple):
     unit: str
     vectors: tuple[Asked, ...]
     scales: Mapping[str, float]
+    board: str = ""
+    symbol: str = ""
 
     @property
     def place(self) -> Place:
@@ -50,8 +72,13 @@ class PlanAsked(NamedTuple):
 
     @property
     def letters(self) -> frozenset[str]:
-        """The letters that stand on it."""
-        return frozenset(letter for one in self.vectors for letter in one.letters if letter)
+        """The letters that stand at the ends of its vectors."""
+        return frozenset(letter for one in self.vectors if not one.letter for letter in one.letters if letter)
+
+    @property
+    def lettered(self) -> bool:
+        """Whether it can be found by its letters: a plan of points, or of arms on a scheme, by data alone."""
+        return any(one.start or one.corners for one in self.vectors)
 
 
 def plans_asked(originals: Originals, kinds: Mapping[str, str] = RECORDS) -> tuple[PlanAsked, ...]:
@@ -71,24 +98,47 @@ def _of_sheet(originals: Originals, sheet: Original, kinds: Mapping[str, str]) -
         return
     marks = originals.seen(sheet).measured
     places: dict[Place, list[Asked]] = {}
-    measures: dict[Place, tuple[str, float]] = {}
+    measures: dict[Place, tuple[str, str, float]] = {}
+    titles = _titles(sheet)
     for mark in marks.marks:
         place = mark.plan, mark.position
         if place not in places:
-            places[place], measures[place] = [], (mark.unit, mark.scale)
-        start, end = _ends(mark.name) if isinstance(mark, MeasuredVector) else ("", mark.name)
-        places[place].append(Asked(mark.name, start, end, mark.stated, None))
+            symbol = SYMBOLS.get(mark.quantity, mark.quantity)
+            places[place], measures[place] = [], (mark.unit, symbol, mark.scale)
+        start, end = ends_of(mark)
+        letter = titles.get((*place, mark.name), mark.name) if is_free(mark) else ""
+        places[place].append(Asked(mark.name, start, end, mark.stated, None, letter))
     record: Record = named(row)(originals.study, sheet.leaf)
     for place, own in places.items():
         if place[0] in record.plans:
             vectors = tuple(_known(one, record, place) for one in own)
-            unit, scale = measures[place]
+            unit, symbol, scale = measures[place]
+            board = record.boards.get(place[0], place[0])
             behind = {name: own[place[1]] for name, own in record.plans.items() if place[1] in own}
-            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale})
+            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)
 
 
-def _ends(name: str) -> tuple[str, str]:
-    start, _, end = name.rpartition(" ")
+def _titles(sheet: Original) -> dict[tuple[str, int | None, str], str]:
+    """Give what is written beside the vectors of a sheet, by their plans, positions and names."""
+    found = {}
+    for group in groups(sheet.leaf.groups):
+        data = group.data
+        if data.get("kind") == "vector" and group.title:
+            position = int(data["position"]) if "position" in data else None
+            found[data["plan"], position, data["name"]] = group.title
+    return found
+
+
+def is_free(mark: MeasuredVector | MeasuredPoint) -> bool:
+    """Tell whether a mark is a vector that is lettered itself, and not at its ends."""
+    return isinstance(mark, MeasuredVector) and " " not in mark.name
+
+
+def ends_of(mark: MeasuredVector | MeasuredPoint) -> tuple[str, str]:
+    """Give the letters of the ends of a vector; of a point and of a free vector its own, from nowhere."""
+    if not isinstance(mark, MeasuredVector):
+        return "", mark.name
+    start, _, end = mark.name.rpartition(" ")
     return start, end
 
 

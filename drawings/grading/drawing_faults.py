@@ -11,6 +11,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.polygon_faults import letters, open_sides
 from drawings.grading.verdict import Verdict
 from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Group, Leaf, Text
@@ -23,8 +24,7 @@ CLOSED = 2 * math.sqrt(2) * 4 * SLIP
 NEAR = 25.0
 # What is written of a scale: mu with the letter of the quantity, or K, which is 1/mu; "1:2" of a plan of positions.
 UPRIGHT = 1e-3  # rad, by which an upright sheet may be turned
-_SCALE = re.compile(r"(μ|µ|mu|K)_?\{?([A-Za-z])\}?\s*=\s*(\d+(?:[.,]\d+)?)")
-_QUANTITIES = {"velocities": "v", "accelerations": "a", "positions": "l"}
+_SCALE = re.compile(r"(μ|µ|mu|K)_?\{?([A-Za-z]{1,3})\}?\s*=\s*(\d+(?:[.,]\d+)?)")
 
 
 def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
@@ -32,7 +32,7 @@ def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
 
     The headings of the plan's own group go first, then what the mark itself states where it is written anywhere.
     """
-    letter = _QUANTITIES.get(asked.plan, "")
+    letter = asked.symbol
     marks = [one for one in seen.measured.marks if (one.plan, one.position) == asked.place]
     here = [one for group in _around(seen.leaf, asked) for one in _scales((group,), letter)]
     anywhere = _scales(seen.leaf.groups, letter)
@@ -59,14 +59,14 @@ def _scales(own: Sequence[Group], letter: str) -> list[float]:
     return [mu for _, mu, symbol in _read(texts(own)) if symbol == letter]
 
 
-def scales_written(own: Iterable[Text], plan: str) -> list[tuple[Text, float]]:
+def scales_written(own: Iterable[Text], plan: PlanAsked) -> list[tuple[Text, float]]:
     """Give the scales of plans of one subject that are written, true units a mm."""
-    return [(text, mu) for text, mu, symbol in _read(own) if symbol == _QUANTITIES.get(plan)]
+    return [(text, mu) for text, mu, symbol in _read(own) if symbol == plan.symbol]
 
 
 def _read(own: Iterable[Text]) -> Iterator[tuple[Text, float, str]]:
     for text in own:
-        if found := _SCALE.search(text.plain):
+        for found in _SCALE.finditer(text.plain):
             yield text, _mu(found[1], found[3]), found[2]
 
 
@@ -83,11 +83,12 @@ def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: Draw
     """List the faults of how a plan is drawn."""
     if not plan.written:
         yield _of(plan, verdict.UNSCALED)
-    gaps = tuple(_open(plan))
+    gaps = (*_open(plan), *open_sides(plan, CLOSED))
     yield from gaps
     opened = {gap.name for gap in gaps}
     if abs(plan.turn - 1) <= UPRIGHT:  # a p that lies on its side is read as a d, or a b
-        yield from (one for one in _letters(labels, plan) if one.name not in opened)
+        own = (*_letters(labels, plan), *letters(labels, plan, NEAR))
+        yield from (one for one in own if one.name not in opened)
     yield from _outside(leaf, plan)
 
 
@@ -95,6 +96,8 @@ def _open(plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters at which arrows do not meet."""
     ends: dict[str, list[complex]] = {}
     for (start, end), arrow in plan.arrows.items():
+        if end not in plan.places:  # a free vector
+            continue
         if (arrow.end, arrow.start) != (plan.places[start], plan.places[end]):  # drawn back to front, it meets them too
             ends.setdefault(start, []).append(arrow.start)
             ends.setdefault(end, []).append(arrow.end)
@@ -125,9 +128,9 @@ def _takes(labels: Mapping[str, Sequence[Label]], places: Mapping[str, complex],
 
 
 def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
-    for letters, arrow in plan.arrows.items():
+    for ends, arrow in plan.arrows.items():
         if not all(0 <= one.real <= leaf.width and 0 <= one.imag <= leaf.height for one in (arrow.end,)):
-            yield _of(plan, verdict.OUTSIDE, letters[1])
+            yield _of(plan, verdict.OUTSIDE, ends[1])
 
 
 def _plain(letter: str) -> str:

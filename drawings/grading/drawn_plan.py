@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 from typing import NamedTuple
 
-from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.asked import Asked, PlanAsked, ends_of, is_free
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
+from drawings.paper.limits import SEEN
 
 
 class Arrow(NamedTuple):
@@ -29,7 +30,7 @@ class Arrow(NamedTuple):
 class DrawnPlan:
     """One plan of a sheet: its arrows by the letters of their ends, its scale (true units a mm), where its pole is.
 
-    A point of the plan of positions is an arrow from the pole, which nobody draws.
+    A point of the plan of positions is an arrow from the pole, which nobody draws. A free vector has no places.
     """
 
     asked: PlanAsked
@@ -46,9 +47,18 @@ class DrawnPlan:
         return [one for one in self.asked.vectors if one.letters not in self.arrows]
 
     @property
+    def arrowed(self) -> bool:
+        """Whether an arrow is on it, and not points alone."""
+        return any(one.start or one.letter for one in self.asked.vectors if one.letters in self.arrows)
+
+    @property
     def whole(self) -> bool:
         """Whether each vector that is asked for is on it."""
         return not self.lacking
+
+    def is_small(self, one: Asked) -> bool:
+        """Tell whether a vector is too short on paper to be found by its letter."""
+        return self.lettered and bool(one.letter) and abs(one.true) < 2 * SEEN * self.scale
 
     @property
     def fitted(self) -> float:
@@ -58,6 +68,12 @@ class DrawnPlan:
         ]
         size = sum(abs(vector) ** 2 for _, vector in pairs)
         return abs(sum(true * vector.conjugate() for true, vector in pairs)) / size if size else 1.0
+
+    @property
+    def bare(self) -> DrawnPlan:
+        """The plan without the record of what is asked for, which takes long to send from process to process."""
+        asked = self.asked._replace(vectors=tuple(one._replace(found=None) for one in self.asked.vectors))
+        return replace(self, asked=asked)
 
     def value(self, letters: tuple[str, str]) -> complex | None:
         """Give a vector in true units; None of one that is not drawn."""
@@ -90,14 +106,10 @@ def from_marks(asked: PlanAsked, measured: Measured, scale: float | None) -> Dra
     if not own:
         return None
     by = measured.moved
-    arrows = {_letters(mark): _brought(_arrow(mark), by) for mark in own}
+    arrows = {ends_of(mark): _brought(_arrow(mark), by) for mark in own}
+    hung = {ends_of(mark): arrows[ends_of(mark)] for mark in own if not is_free(mark)}
     mu, upright = (scale or own[0].scale) / abs(by.p), abs(by.p) / by.p
-    return DrawnPlan(asked, arrows, mu, places_of(arrows), scale is not None, upright)
-
-
-def _letters(mark: MeasuredVector | MeasuredPoint) -> tuple[str, str]:
-    start, _, end = mark.name.rpartition(" ")
-    return start, end
+    return DrawnPlan(asked, arrows, mu, places_of(hung), scale is not None, upright)
 
 
 def _arrow(mark: MeasuredVector | MeasuredPoint) -> Arrow:

@@ -33,7 +33,7 @@ def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: 
     tall = max(height, 2 * MARGIN + LEADING * size * (len(notes) + 1))
     marks = "".join(_mark(number, one, height) for number, one in enumerate(wrong, 1) if one.at is not None)
     rows = "".join(
-        f'<text x="{width + MARGIN:.2f}" y="{MARGIN + LEADING * size * (k + 1):.2f}">{_safe(line)}</text>'
+        f'<text x="{width + MARGIN:.2f}" y="{MARGIN + LEADING * size * (k + 1):.2f}">{safe(line)}</text>'
         for k, line in enumerate(notes)
     )
     whole = width + 2 * MARGIN + BREADTH * size * LETTERS
@@ -81,6 +81,6 @@ def _numbers(wrong: Sequence[Verdict], height: float) -> str:
     )
 
 
-def _safe(line: str) -> str:
+def safe(line: str) -> str:
     """Write a line so that it is text in any encoding."""
     return escape(line).encode("ascii", "xmlcharrefreplace").decode("ascii")

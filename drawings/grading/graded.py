@@ -17,19 +17,18 @@ from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
+from drawings.grading.free_plan import free_plans
 from drawings.grading.judgement import Judge
 from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
-from drawings.grading.own_places import own_places
+from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
-from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message, message
 
-_DRAWN = tuple(order.plan for order in ORDERS[1:])  # plans of arrows
 PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
 
 
@@ -41,6 +40,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
     def wrong(self) -> tuple[Verdict, ...]:
@@ -64,19 +64,20 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: S
     figures = figures_drawn(seen, curves)
     if not drawn and not figures:
         return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
-    if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking]:
+    if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn}
     there = {plan.asked.place for plan in drawn}
-    told = any(plan.asked.plan == POSITIONS.plan for plan in drawn)  # its points are found by marks alone
-    due = [plan for plan in plans if plan.sheet in sheets and (told or plan.plan != POSITIONS.plan)]
+    told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
+    due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
     marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
     told_of = figure_verdicts(figures, curves, sheets, marked, partial(allowed_of, by=by, coarse=seen.measured.quantum))
     said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
-    graded = Graded(PASS, tuple(said), paper=(seen.leaf.width, seen.leaf.height))
+    paper = seen.leaf.width, seen.leaf.height
+    graded = Graded(PASS, tuple(said), paper=paper, drawn=tuple(plan.bare for plan in drawn))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
 
 
@@ -94,18 +95,23 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
         return tuple(marked)
     lines = segments(seen.leaf, onlooker.heads)
     whole = tuple(redrawn(plan, lines) for plan in marked)
-    if any(plan.asked.plan in _DRAWN for plan in marked):  # data that are left in one plan are left in all
+    if any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
+    here = {plan.asked.sheet for plan in marked}
     own = [figure_of(one) for one in figures(lines)]
-    left = [one for one in plans if one.place not in {plan.asked.place for plan in marked}]
-    return (*whole, *lettered_plans(left, own, list(texts(seen.leaf.groups))))
+    there = {plan.asked.place for plan in marked}
+    left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
+    words, labels = list(texts(seen.leaf.groups)), [one for own in labels_of(seen.leaf.groups).values() for one in own]
+    polygons = tuple(free_plans(left, lines, words, labels))
+    here |= {plan.asked.sheet for plan in polygons}  # a lever looks as the plan of another sheet does
+    others = [one for one in left if not here or one.sheet in here]
+    return (*whole, *polygons, *lettered_plans(others, own, words))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
     labels = labels_of(seen.leaf.groups)
     for plan in drawn:
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
-        scales = {one.asked.plan: one.scale for one in beside}
-        may = by.of(plan.asked, scales, seen.measured.quantum)
-        yield from Judge(plan, may, own_places(beside)).verdicts()
+        may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
+        yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -13,11 +13,16 @@ from drawings.grading import verdict
 from drawings.grading.asked import Asked
 from drawings.grading.continuation import continued, mirrored, turned_over
 from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.moments import mistaken
+from drawings.grading.records import Slip
 from drawings.grading.verdict import Verdict
 from geometry.board import Mark
 
 # Parts whose turning to the wrong side has a name of its own, by how their letters begin.
-PARTS = {"a^n": verdict.NORMAL, "a^k": verdict.CORIOLIS}
+PARTS = {
+    "a^n": verdict.NORMAL, "a^k": verdict.CORIOLIS,
+    "Φ": verdict.INERTIA, "G": verdict.UPWARD, "R": verdict.REACTION,
+}  # fmt: skip
 # A plan is drawn to another scale, mirrored or turned as a whole where so many of its vectors say so.
 SEVERAL = 2
 
@@ -29,6 +34,7 @@ class Judge:
     drawn: DrawnPlan
     allowed: Mapping[tuple[str, str], float]
     own: Mapping[Mark, complex]
+    without: Mapping[Mark, complex] = field(default_factory=dict)  # what he has left out
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge the plan as a whole, then each vector that is asked for."""
@@ -45,11 +51,19 @@ class Judge:
         blamed = set[str]()
         for one in self.drawn.asked.vectors:
             said = self._one(one)
-            if not said.good and said.kind not in (verdict.MISSING, verdict.DEAD) and self._joined(one):
-                if one.end in blamed:
+            if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
+                places = self._places(one)
+                if places & blamed:
                     said = said._replace(kind=verdict.FOLLOWS)
-                blamed.add(one.end)
+                blamed |= places
             yield said
+
+    def _places(self, one: Asked) -> set[str]:
+        """Give the places that a wrong arrow may have from another: its end, or where the sides that close meet."""
+        if one.letter:
+            side = one.found.side if one.found is not None else None
+            return {corner.name for corner in side or () if corner.step.op == "meet"}
+        return {one.end} if self._joined(one) else set()
 
     def _joined(self, one: Asked) -> bool:
         """Tell whether an arrow is drawn between the places of its letters, as its plan has them."""
@@ -68,15 +82,25 @@ class Judge:
         if not math.isfinite(allowed):
             return self._said(verdict.DEAD, one)
         if value is None:
-            return self._said(verdict.MISSING, one)
-        kind = self._kind(one, value)
-        return self._said(kind, one, abs(value - one.true))
+            return self._said(verdict.SMALL if self.drawn.is_small(one) else verdict.MISSING, one)
+        off = abs(value - one.true)
+        if self._near(one, value):
+            return self._said(verdict.RIGHT, one, off)
+        if self._follows(one, value):
+            return self._said(verdict.FOLLOWS, one, off)
+        slip = self._nearest(one, value, one.found.slips) if one.found is not None else None
+        if slip is None and one.found is not None and not self._near(one, -value):
+            slip = self._nearest(one, value, tuple(mistaken(one.found.span.end, self.own)))
+        if slip is not None:
+            return self._said(slip.kind, one, off)._replace(of=slip.of)
+        return self._said(self._kind(one, value), one, off)
+
+    def _nearest(self, one: Asked, value: complex, own: tuple[Slip, ...]) -> Slip | None:
+        """Give the mistake that a vector is drawn by, the nearest of those that are known of it."""
+        near = [slip for slip in own if abs(value - slip.value) <= self.allowed[one.letters]]
+        return min(near, key=lambda slip: abs(value - slip.value), default=None)
 
     def _kind(self, one: Asked, value: complex) -> str:
-        if self._near(one, value):
-            return verdict.RIGHT
-        if self._follows(one, value):
-            return verdict.FOLLOWS
         if self._near(one, -value):
             return PARTS.get(one.name.partition("_")[0], verdict.REVERSED)
         if self._carried_mirrored(one, value):
@@ -95,17 +119,27 @@ class Judge:
     def _near(self, one: Asked, value: complex) -> bool:
         return abs(value - one.true) <= self.allowed[one.letters]
 
+    def _is_due(self, one: Asked, value: complex) -> bool:
+        """Tell whether a vector is right, or what the student's other plans give; a free one also what his own give."""
+        if self._near(one, value) or one.letter:
+            return self._near(one, value) or self._follows(one, value)
+        here = {mark for own in self.drawn.asked.vectors if own.found is not None for mark in own.found.span}
+        before = {mark: place for mark, place in self.own.items() if mark not in here}
+        return any(abs(value - there) <= self.allowed[one.letters] for there in self._going_on(one, before))
+
     def _follows(self, one: Asked, value: complex) -> bool:
         """Tell whether a vector is what its own construction gives from what the student drew before it."""
-        return any(abs(value - there) <= self.allowed[one.letters] for there in self._going_on(one))
+        ways = (self.own, {**self.own, **self.without}) if self.without else (self.own,)
+        gone = (there for own in ways for there in self._going_on(one, own))
+        return any(abs(value - there) <= self.allowed[one.letters] for there in gone)
 
-    def _going_on(self, one: Asked) -> Iterator[complex]:
+    def _going_on(self, one: Asked, own: Mapping[Mark, complex]) -> Iterator[complex]:
         """Give what a vector is where the later of its ends is found by its construction from the student's places."""
         if one.found is None:
             return
         later, sign = max((one.found.span.start, -1), (one.found.span.end, 1), key=lambda end: end[0].number)
         earlier = one.found.span.end if sign < 0 else one.found.span.start
-        there, begun = continued(later, self.own), self.own.get(earlier, complex(np.ravel(earlier.point)[0]))
+        there, begun = continued(later, own), own.get(earlier, complex(np.ravel(earlier.point)[0]))
         if there is not None:
             yield sign * (there - begun)
 
@@ -128,7 +162,7 @@ class Judge:
             return None
         for kind, times in _wholes([(one.true, value) for one, value in pairs]):
             fits = [one for one, value in pairs if self._near(one, times(value))]
-            telling = [one for one, value in pairs if not self._near(one, value) and one in fits]
+            telling = [one for one, value in pairs if one in fits and not self._is_due(one, value)]
             if len(telling) >= SEVERAL and 2 * len(fits) > len(pairs):
                 return kind, times
         return None

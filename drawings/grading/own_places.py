@@ -14,10 +14,28 @@ def own_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
     found: dict[Mark, complex] = {}
     for plan in plans:
         for one in plan.asked.vectors:
-            if one.found is not None:
+            if one.found is not None and one.letter:
+                value = plan.value(one.letters)
+                found |= {} if value is None else {one.found.span.end: value}
+            elif one.found is not None:
                 found |= _of(plan, one.found.span.start, one.start)
                 found |= _of(plan, one.found.span.end, one.end)
     return found
+
+
+def scales_of(plan: DrawnPlan, beside: Iterable[DrawnPlan]) -> dict[str, float]:
+    """Give the scales of a student's plans by their names and by their boards, whose coarsest counts; its own last."""
+    found: dict[str, float] = {}
+    for one in beside:
+        board = one.asked.board or one.asked.plan
+        found[board] = max(one.scale, found.get(board, 0.0))
+    return found | {plan.asked.plan: plan.scale}
+
+
+def left_out(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
+    """Give the free vectors that a student has left out: to him they are nothing."""
+    own = ((plan, one) for plan in plans for one in plan.lacking)
+    return {one.found.span.end: 0j for _, one in own if one.found is not None and one.letter}
 
 
 def _of(plan: DrawnPlan, mark: Mark, letter: str) -> dict[Mark, complex]:

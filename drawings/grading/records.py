@@ -11,20 +11,41 @@ from geometry.span import Span
 Letters: TypeAlias = tuple[str, int | None, str, str]  # plan, position, and the letters of both ends
 
 
+class Slip(NamedTuple):
+    """A mistake that students make: its kind, what the vector is by it, and of which quantity the mistake is."""
+
+    kind: str
+    value: complex
+    of: str = ""
+
+
 class Found(NamedTuple):
-    """How a vector is found: its name, its true value by analysis, and the marks of the record that it lies between."""
+    """How a vector is found: its name, its true value by analysis, and the marks of the record that it lies between.
+
+    The side of a polygon has the corners of the polygon that it is laid between, and so has a diagonal; `slips` are
+    mistakes known of it.
+    """
 
     name: str
     true: complex
     span: Span
+    side: Span | None = None
+    diagonal: bool = False
+    slips: tuple[Slip, ...] = ()
 
 
 class Record(NamedTuple):
-    """What a technique tells of a sheet: its vectors, and which plans the sheet has to what scales, by position."""
+    """What a technique tells of a sheet: its vectors, and which plans the sheet has to what scales, by position.
+
+    `boards` are the subjects of the record on which plans are drawn that have names of their own.
+    """
 
     found: Mapping[Letters, Found]
     plans: Mapping[str, Mapping[int | None, float]]
+    boards: Mapping[str, str] = MappingProxyType({})
 
 
 # By technique: of a study and a leaf to the record of that sheet.
-RECORDS: Final[Mapping[str, str]] = MappingProxyType({"linkage": "drawings.grading.linkage:record_of"})
+RECORDS: Final[Mapping[str, str]] = MappingProxyType(
+    {"linkage": "drawings.grading.linkage:record_of", "forces": "drawings.grading.forces:record_of"}
+)

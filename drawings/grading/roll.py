@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import sys
 import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from drawings.files.file_error import of_system
 from drawings.grading.graded import OURS, REJECTED, Graded
@@ -18,26 +19,33 @@ from drawings.paper.limits import SHEET_BYTES
 from geometry.regular_file import regular_bytes
 from plans.words.words import message
 
-# Wall seconds for one sheet: the largest honest ones take under two.
+# Seconds of work on one sheet: our own take under two, one of ten megabytes takes eight.
 SECONDS = 30.0
-# Bytes that a process may take beyond those of the one it came from: a sheet of ten megabytes needs half of them.
-MEMORY = 400 * 1024**2
+# Seconds that a process may be there at all: so busy a machine may be, or so long it may wait for nothing.
+PATIENCE = 4 * SECONDS
+# Bytes that a process may take beyond those of the one it came from, which has some fifty: of the sheets that may be
+# handed in the worst needs 61 megabytes, of ten megabytes full of lines.
+MEMORY = 96 * 1024**2
+# How a process ends that has worked too long; Windows knows no such end.
+SPENT = getattr(signal, "SIGXCPU", 0)
 _STATM = Path("/proc/self/statm")  # of Linux: how much memory a process has
 
-Grading = Callable[[bytes], Graded]
+Answer = TypeVar("Answer")  # of one sheet, as it is asked for: graded, or checked
 
 
 class _Work(NamedTuple):
-    """A process that grades a sheet, until when it may."""
+    """A process that grades a sheet, until when it may be there."""
 
     path: Path
     process: Any
     until: float
 
 
-def grade_all(paths: Sequence[Path], grading: Grading, workers: int | None = None) -> Iterator[tuple[Path, Graded]]:
+def grade_all(
+    paths: Sequence[Path], grading: Callable[[bytes], Answer], workers: int | None = None
+) -> Iterator[tuple[Path, Answer | Graded]]:
     """Grade sheets, as many at a time as there are processors; each is answered for, in the order of the paths."""
-    waiting, done = list(dict.fromkeys(paths)), dict[Path, Graded]()
+    waiting, done = list(dict.fromkeys(paths)), dict[Path, Answer | Graded]()
     running: dict[Connection, _Work] = {}
     most = workers or os.cpu_count() or 1
     for path in dict.fromkeys(paths):
@@ -48,17 +56,17 @@ def grade_all(paths: Sequence[Path], grading: Grading, workers: int | None = Non
         yield path, done[path]
 
 
-def _begun(path: Path, grading: Grading) -> dict[Connection, _Work]:
+def _begun(path: Path, grading: Callable[[bytes], Answer]) -> dict[Connection, _Work]:
     """Begin to grade a sheet in a process that knows all that this one does."""
     how: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
     ours, theirs = how.Pipe(duplex=False)
     process = how.Process(target=_work, args=(path, grading, theirs), daemon=True)
     process.start()
     theirs.close()
-    return {ours: _Work(path, process, time.monotonic() + SECONDS)}
+    return {ours: _Work(path, process, time.monotonic() + PATIENCE)}
 
 
-def _gather(running: dict[Connection, _Work], done: dict[Path, Graded]) -> None:
+def _gather(running: dict[Connection, _Work], done: dict[Path, Answer | Graded]) -> None:
     """Take what is graded, and end what takes too long."""
     first = min(work.until for work in running.values())
     ready = wait(list(running), timeout=max(first - time.monotonic(), 0.0))
@@ -72,23 +80,24 @@ def _gather(running: dict[Connection, _Work], done: dict[Path, Graded]) -> None:
         end.close()
 
 
-def _answer(end: Connection, work: _Work) -> Graded:
+def _answer(end: Connection, work: _Work) -> Any:
     try:
-        answer: Graded = end.recv()
+        return end.recv()
     except (EOFError, OSError):
         work.process.join(1.0)
+        if work.process.exitcode == -SPENT:
+            return Graded(REJECTED, reason=message("grade.late"))
         return Graded(OURS, reason=message("grade.died", code=str(work.process.exitcode)))
-    return answer
 
 
-def _work(path: Path, grading: Grading, end: Connection) -> None:
+def _work(path: Path, grading: Callable[[bytes], object], end: Connection) -> None:
     """Grade one sheet, whatever is in it."""
     _limit()
     end.send(answered(path, grading))
     end.close()
 
 
-def answered(path: Path, grading: Grading) -> Graded:
+def answered(path: Path, grading: Callable[[bytes], Answer]) -> Answer | Graded:
     """Grade one sheet of a file: what cannot be read is rejected, and what breaks is an error of ours."""
     try:
         return grading(regular_bytes(path, SHEET_BYTES + 1))
@@ -110,4 +119,4 @@ def _limit() -> None:
         own = int(_STATM.read_text("ascii").split()[0]) * resource.getpagesize()
         resource.setrlimit(resource.RLIMIT_AS, (own + MEMORY, own + MEMORY))
     spent = int(time.process_time()) + int(SECONDS) + 1
-    resource.setrlimit(resource.RLIMIT_CPU, (spent, spent))
+    resource.setrlimit(resource.RLIMIT_CPU, (spent, spent + 1))  # the signal first, its end a second later

@@ -19,7 +19,7 @@ HEAD = ("sheet", "outcome", "points", "of", "right", "follows", "mistakes", "wha
 def lines(path: Path, graded: Graded, marking: Marking, hints: Hints, language: str) -> Iterator[str]:
     """Tell of one sheet, line by line."""
     yield f"{plain_name(path)}: {_heading(graded, marking).worded(language)}"
-    yield from (f"  {_line(one, hints, language)}" for one in gathered(graded.verdicts) if not one.good)
+    yield from (f"  {with_values(one, hints, language)}" for one in gathered(graded.verdicts) if not one.good)
     if follow := tuple(f"{one.name} ({one.position})" for one in graded.verdicts if one.kind == FOLLOWS):
         yield f"  {word(language, 'grade.follow', names=follow)}"
 
@@ -48,7 +48,8 @@ def _heading(graded: Graded, marking: Marking) -> Message:
     return message(f"grade.outcome.{graded.outcome}", won=f"{won:g}", most=f"{most:g}")
 
 
-def _line(one: Verdict, hints: Hints, language: str) -> str:
+def with_values(one: Verdict, hints: Hints, language: str) -> str:
+    """Tell what is wrong, by how much of what is allowed, and which step to look at again."""
     told_ = _said(one, language)
     if one.off is not None and one.allowed is not None:
         off, allowed = f"{one.off:.3g}", f"{one.allowed:.2g}"
@@ -63,8 +64,14 @@ def without_values(one: Verdict, hints: Hints, language: str) -> str:
 
 def _said(one: Verdict, language: str) -> str:
     kind = word(language, f"grade.kind.{one.kind}")
-    where = message("grade.plan" if one.position is not None else "grade.figure", plan=one.plan, position=one.position)
+    kind = word(language, "grade.of", kind=kind, of=one.of) if one.of else kind
+    where = plan_told(one.plan, one.position)
     return word(language, "grade.vector" if one.name else "grade.whole", where=where, name=one.name, kind=kind)
+
+
+def plan_told(plan: str, position: int | str | None) -> Message:
+    """Name a plan, with its position if it has one."""
+    return message("grade.plan" if position is not None else "grade.figure", plan=plan, position=position)
 
 
 def _again(one: Verdict, told_: str, hints: Hints, language: str) -> str:
@@ -89,7 +96,7 @@ def plain(path: Path, graded: Graded, marking: Marking, language: str) -> dict[s
 def _plain(one: Verdict) -> dict[str, object]:
     return {
         "plan": one.plan, "position": one.position, "quantity": one.name, "verdict": one.kind,
-        "off": one.off, "allowed": one.allowed, "unit": one.unit,
+        "of": one.of, "off": one.off, "allowed": one.allowed, "unit": one.unit,
     }  # fmt: skip
 
 

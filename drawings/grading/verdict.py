@@ -9,7 +9,9 @@ MISSING, REVERSED, WRONG = "missing", "reversed", "wrong"
 NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of their own
 LONG, TURNED = "long", "turned"  # only the size, only the direction
 SIMILAR, BRANCH = "similar", "branch"
-DEAD = "dead"  # too near a dead centre: not graded
+DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
+INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
+MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of a curve, or of all of it.
@@ -20,15 +22,18 @@ SIDE, BACKWARDS, BASE = "side", "backwards", "base"
 # Of how it is drawn.
 UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
 APART = "apart"
+UNCLOSED = "unclosed"  # of a polygon
 
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_CURVES: Final = (SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE)
 OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
-OF_DRAWING: Final = (UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE, APART)
-UNGRADED: Final = (DEAD, UNREAD)
+OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
+UNGRADED: Final = (DEAD, UNREAD, SMALL)
 KINDS: Final = (
-    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD,
-    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART, *OF_CURVES,
+    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
+    INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
+    SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
+    *OF_CURVES,
 )  # fmt: skip
 
 
@@ -48,6 +53,7 @@ class Verdict(NamedTuple):
     unit: str = ""
     at: tuple[complex, complex] | None = None
     letters: tuple[str, str] = ("", "")
+    of: str = ""  # in which quantity the mistake is, if not in this one
 
     @property
     def good(self) -> bool:

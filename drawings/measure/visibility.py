@@ -19,7 +19,9 @@ ANIMATIONS = frozenset(("animate", "animateTransform", "animateMotion", "animate
 _SEEN = "display visibility opacity stroke stroke-width stroke-opacity fill fill-opacity clip-path mask filter"
 _FOLLOWED = frozenset(f"{_SEEN} transform transform-origin".split())
 # Those that say how what is seen looks.
-_LOOKS = _FOLLOWED | frozenset(["stroke-dasharray", "stroke-linecap", "font-size", "font-style", "text-anchor"])
+_LOOKS = _FOLLOWED | frozenset(
+    ["stroke-dasharray", "stroke-linecap", "stroke-linejoin", "font-size", "font-style", "text-anchor"]
+)
 # Properties by which a style could move what the attributes show.
 _SHAPES = "cx cy r rx ry x y x1 y1 x2 y2 d points"
 _MOVING = frozenset(f"{_SHAPES} translate rotate scale offset-path motion-path zoom transform-box".split())
@@ -42,6 +44,7 @@ class Look(NamedTuple):
     fill_opacity: str = "1"
     stroke_dasharray: str = "none"
     stroke_linecap: str = "butt"
+    stroke_linejoin: str = "miter"
     font_size: str = "16"
     font_style: str = "normal"
     text_anchor: str = "start"

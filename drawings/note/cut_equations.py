@@ -10,7 +10,7 @@ from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.report.formula import DIRECTION, FULL, Formula, inline, total
 from geometry.board import Mark, at
 from geometry.meet import cross
-from plans.forces.cut import CLOSING, LOAD, REACTION, Cut, Equation, Side
+from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, Cut, Equation, Side
 from plans.forces.force import ForcePlan
 
 
@@ -58,6 +58,7 @@ class CutEquations:
     values: ForceValues
     formula: Formula
     nothing: tuple[float, float]
+    usual: float = 0.0  # N*m: below it a given moment is none, also beside a jam
     scale: float | None = None
 
     def lines(self, cut: Cut) -> Iterator[str]:
@@ -78,7 +79,7 @@ class CutEquations:
                 source = self._source(load.name, load.link, size)
                 yield inline(self.letter(load.name), *source, self.formula.quantity(size, "N"))
         for couple in (couple for couple in cut.couples if couple.kind != REACTION):
-            value = self._turned(self.values.moment(couple.name, couple.moment))
+            value = self._value(couple)
             source = self._source(couple.name, couple.link, value)
             yield inline(self.letter(couple.name), *source, self.formula.quantity(value, "N*m"))
 
@@ -113,7 +114,7 @@ class CutEquations:
         loads = {load.name: load.force for load in one.loads}
         seen = {name for name, mark in loads.items() if self._sized(abs(self.values.force(name, mark)))}
         others = [arm for arm in armed if arm.name in seen]
-        couples = [pair for pair in one.couples if self._turned(self.values.moment(pair.name, pair.moment))]
+        couples = [pair for pair in one.couples if self._value(pair)]
         letters = [_signed(arm.sense, f"{self.letter(arm.name)} {formula.letter(arm.letter)}") for arm in others]
         letters += [self.letter(couple.name) for couple in couples]
         if not letters:
@@ -181,6 +182,11 @@ class CutEquations:
 
     def _sized(self, force: float) -> float:
         return force if force > self.nothing[0] else 0.0
+
+    def _value(self, couple: Couple) -> float:
+        """Give the moment of a couple; what is given is none only where it usually would be."""
+        value = self.values.moment(couple.name, couple.moment)
+        return self._turned(value) if couple.kind == REACTION or abs(value) <= self.usual else value
 
     def _turned(self, moment: float) -> float:
         return moment if abs(moment) > self.nothing[1] else 0.0

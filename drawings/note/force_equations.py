@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,6 @@ from drawings.report.linkage.equations_chapter import in_position
 from drawings.report.markdown import chapter
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut
-from plans.forces.force import ForcePlan
 from plans.forces.statics import Statics
 from plans.words.words import word
 
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 POLYGON = "forces-"  # before the links of a cut: the name of its force plan
-Values = Callable[[ForcePlan, int], ForceValues]
 Scales = Mapping[int, Mapping[str, float]]  # of force plans and levers by their names, by position
 
 
@@ -44,7 +42,6 @@ def equations(
     statics: Statics,
     comparison: ForceComparison,
     scales: Scales,
-    values: Values = ForceValues,
     drafting: Drafting | None = None,
 ) -> Iterator[str]:
     """Write the equations of forces in the positions of the force sheets."""
@@ -54,8 +51,9 @@ def equations(
         yield chapter(language, "force_equations")
         yield word(language, "report.underlines")
     for k, own in sorted(scales.items()):
-        told = values(plans.plan, k)
-        written = CutEquations(told, formula, comparison.construction.nothing_at(k))
+        told = ForceValues(plans.plan, k)
+        usual = float(comparison.construction.nothing_over[1].min())
+        written = CutEquations(told, formula, comparison.construction.nothing_at(k), usual)
         yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))

@@ -33,13 +33,14 @@ class SheetError(DraftError, ValueError):
 
 
 class LineStyle(NamedTuple):
-    """How a stroke is drawn: width and dash in mm, colour and fill as "#rrggbb" or "none", its ends butt or round."""
+    """How a stroke is drawn: width and dash in mm, colour and fill as "#rrggbb" or "none", its ends, its corners."""
 
     width: float = 0.5
     dash: tuple[float, ...] = ()
     colour: str = "#000000"
     fill: str = "none"
     cap: Literal["butt", "round"] = "butt"
+    join: str = "round"  # a pen draws all its corners so
 
 
 PLAIN = LineStyle()

@@ -93,7 +93,7 @@ def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int,
 
 def _hardest(statics: Statics, comparison: ForceComparison, have: Collection[int]) -> int:
     """Give the position of the largest balancing moment, where loads act if they act anywhere."""
-    loading, (newton, torque) = statics.drafts().loading, comparison.construction.nothing
+    loading, (newton, torque) = statics.drafts().loading, comparison.construction.nothing_over
     count = len(statics.study.turn)
     loaded, possible, plans = (np.zeros(count, dtype=bool) for _ in range(3))
     for load in loading.forces:

@@ -131,7 +131,9 @@ class _KinematicsSheet:
         if not self._is_whole(subject, k):
             why = self._why(subject, k)
             absent = missing_plan.measure(why, name, self.drafting)
-            return Exhibit(Panel(absent, together=str(k)), partial(missing_plan.draw, why, drafting=self.drafting))
+            return Exhibit(
+                Panel(absent, together=str(k)), partial(missing_plan.draw, why, name, drafting=self.drafting)
+            )
         room = vector_plan.measure(shown, name, self.drafting)
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)

@@ -129,11 +129,27 @@ class Kinetostatics:
         """The force N and the moment N*m below which there is none, but rounding of the data that a scene gives."""
         return NOTHING * self.largest, NOTHING * self.largest * self.size
 
+    @property
+    def nothing_over(self) -> tuple[Floats, Floats]:
+        """The same over the positions: beside their own largest, or the usual one where that is more.
+
+        In a position that all but jams the others' forces stay what they are: what is usual is the middle of them all.
+        """
+        turning = [one.moment for one in self.reactions.values() if one.moment is not None]
+        reach = self.size or 1.0
+        rows = [
+            *(one.force for one in self.reactions.values()),
+            *(row / reach for row in (*turning, self.balancing.moment)),
+        ]
+        own = np.nan_to_num(np.fmax.reduce([np.abs(row) for row in rows]))
+        usual = self.counted(np.where(own > 0, own, np.nan))
+        least = NOTHING * np.maximum(own, np.nanmedian(usual) if np.isfinite(usual).any() else 0.0)
+        return least, least * self.size
+
     def nothing_at(self, position: int) -> tuple[float, float]:
-        """The same of one position: where forces are not known, beside the largest there."""
-        if self.known is None or self.known[position]:
-            return self.nothing
-        return replace(self, known=np.arange(len(self.phi)) == position).nothing
+        """The same of one position."""
+        force, moment = self.nothing_over
+        return float(force[position]), float(moment[position])
 
     def arm(self, key: str) -> Floats | None:
         """Give the arm m of a sliding pair's reaction: 0 where it bears nothing, NaN where it bears a moment alone."""

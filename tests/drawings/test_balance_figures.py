@@ -179,6 +179,7 @@ def test_a_change_is_told_in_per_cent(before: float, after: float, told: str) ->
     assert change(before, after, drafting_of(parse_scene(HEAD + ENGINE + "[balance]\n"))) == told
 
 
+@pytest.mark.rest
 def test_of_a_crank_that_cannot_turn_fully_only_its_positions_are_shown() -> None:
     swinging = FOUR_BAR.replace("0.35, 0]", "0.75, 0]").replace("B = [0.39, 0.3]", "B = [0.49, 0.16]")
     own = leaves(study(swinging.replace("link = 1\n", "link = 1\npositions = 24\n"), "[balance]\n", "A3"))

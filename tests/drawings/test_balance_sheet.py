@@ -26,7 +26,7 @@ from plans.words.words import message, said
 from tests.drawings.balance_scenes import SCENES, scene
 from tests.drawings.conftest import Run
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
-from tests.parts import some
+from tests.parts import first
 
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "balance_faults.toml")
 LINES = drawing_faults(ROOT / "tests" / "cases" / "balance_line_faults.toml")
@@ -44,7 +44,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 32))
+@pytest.mark.parametrize("case", first([(name, *paper) for paper in PAPERS for name in SCENES]))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
     assert study.comparison("balance").worst <= 1.0
@@ -66,7 +66,7 @@ def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None
         checked(leaf, study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", [*some(FAULTS, 22), *some(LINES, 23)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", [*first(FAULTS), *first(LINES)], ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A1")
     assert study.comparison("balance").worst <= 1.0
@@ -80,7 +80,8 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     assert unread or not re.search(r"\b(the|is|on|in|for|against)\b", own)
 
 
-@pytest.mark.parametrize("fault", some(LINES, len(LINES)), ids=lambda fault: fault.name)
+@pytest.mark.rest
+@pytest.mark.parametrize("fault", first(LINES), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_a_russian_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A2", "ru", "ISO")
     assert study.comparison("balance").worst <= 1.0
@@ -121,6 +122,7 @@ def test_the_bench_judges_what_is_measured_back(tmp_path: Path) -> None:
     assert off.kinds[SHAKING] == pytest.approx(0.01, rel=1e-3)
 
 
+@pytest.mark.rest
 def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "bar.toml"
     path.write_text(scene("bar", "A1"), "utf-8")

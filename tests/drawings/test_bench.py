@@ -228,6 +228,7 @@ def test_the_plot_and_the_csv_show_the_forces(loaded: Bench) -> None:
     assert row["error_v"] == "" and row["accepted"] == "True"
 
 
+@pytest.mark.rest
 def test_a_force_sheet_that_is_refused_leaves_its_hands_out_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     def refused(*_: Any) -> Any:
         raise DraftError("no room for the lever")
@@ -267,6 +268,7 @@ def test_the_command_prints_and_keeps_a_bench(run: Run, tmp_path: Path) -> None:
     assert len(lines((tmp_path / "crank-rocker-bench.csv").read_bytes())) > len(TECHNIQUES)
 
 
+@pytest.mark.rest
 def test_json_alone_stands_on_stdout(run: Run, tmp_path: Path, quick: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session, "session", lambda *_: quick)
     code, out, err = run(GALLERY / "shaper.toml", *SHORT, "--json", "-o", tmp_path)
@@ -326,6 +328,7 @@ def test_a_folder_that_cannot_be_written_is_told_before_anything_is_measured(
     assert run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path / "file")[0] == 7
 
 
+@pytest.mark.rest
 def test_an_old_plot_outlives_a_failure_of_the_new_one(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -20,7 +20,7 @@ from tests.drawings.cam_contours import EVERY, levers, view_of
 from tests.drawings.collisions import collisions
 from tests.drawings.exhibits import SHEET, read_back
 from tests.drawings.pages import said
-from tests.parts import some
+from tests.parts import first
 
 
 def scene(size: str = "A3", language: str = "en") -> Scene:
@@ -48,7 +48,7 @@ def table(name: str, size: str = "A3") -> dict[str, tuple[str, ...]]:
     return rows
 
 
-@pytest.mark.parametrize("name", some(["clockwise", "offset", "flat", "rocker", "against", "flat rocker"], 5))
+@pytest.mark.parametrize("name", first(["clockwise", "offset", "flat", "rocker", "against", "flat rocker"]))
 def test_the_table_tells_the_radii_of_formulas(name: str) -> None:
     """Polar radius and angle from the first point, against the rotation; of a groove those of its middle."""
     shown, _ = made(name)
@@ -74,7 +74,7 @@ def test_a_cam_that_translates_is_told_by_coordinates() -> None:
         assert complex(across, up) == pytest.approx(spot, abs=8e-4)
 
 
-@pytest.mark.parametrize("name", some(["groove", "wedge", "clockwise", "undercut"], 3))
+@pytest.mark.parametrize("name", first(["groove", "wedge", "clockwise", "undercut"]))
 def test_radii_are_measured_back(name: str) -> None:
     shown, _ = made(name)
     seen = {one.position: one for one in measured(name).vectors}
@@ -137,9 +137,7 @@ def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: t
 
 @pytest.mark.parametrize(
     "case",
-    some(
-        [(name, size, language) for name in EVERY for size, language in (("A3", "en"), ("A4", "ru"), ("A1", "ru"))], 9
-    ),
+    first([(name, size, language) for name in EVERY for size, language in (("A3", "en"), ("A4", "ru"), ("A1", "ru"))]),
 )
 def test_letters_are_clear_of_all_lines(case: tuple[str, str, str]) -> None:
     for leaf in made(*case)[1]:

@@ -33,12 +33,13 @@ from plans.checks import compare as comparing
 from plans.model.motion import Motion, PointMotion
 from tests.drawings.conftest import Run
 from tests.gallery import LINKAGES
-from tests.parts import some
+from tests.parts import first
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
 CATALOGUE = sorted((ROOT / "tests/catalogue").glob("*.toml"))
 SHAPER = ROOT / "drawings/gallery/shaper.toml"
+PLAIN = ROOT / "tests/catalogue/plain.toml"
 
 # A four-bar whose crank cannot turn fully: the far positions are gaps.
 GAPPED = """
@@ -102,23 +103,23 @@ class Done(NamedTuple):
 @pytest.fixture(scope="module")
 def shaper(tmp_path_factory: pytest.TempPathFactory) -> Done:
     """Draw the shaper once, by the command, for all that is asked of it; nothing is changed in its folder."""
-    return shaper_in(tmp_path_factory.mktemp("shaper") / "not/made/yet")
+    return drawn_in(tmp_path_factory.mktemp("shaper") / "not/made/yet")
 
 
-def shaper_in(folder: Path) -> Done:
-    """Draw the shaper by the command."""
+def drawn_in(folder: Path, scene: Path = SHAPER) -> Done:
+    """Draw a scene, or the shaper, by the command."""
     with redirect_stdout(StringIO()) as out, redirect_stderr(StringIO()) as err:
-        code = cli.main(["draw", str(SHAPER), "-o", str(folder)])
+        code = cli.main(["draw", str(scene), "-o", str(folder)])
     return Done(folder, code, out.getvalue(), err.getvalue())
 
 
 @pytest.fixture(scope="module")
 def over_older(tmp_path_factory: pytest.TempPathFactory) -> Done:
-    """Draw the shaper once where two sheets of earlier runs lie."""
+    """Draw a four-bar linkage once where two sheets of earlier runs lie."""
     folder = tmp_path_factory.mktemp("older")
-    for name in ("shaper-kinematics.svg", "shaper-kinematics-2.svg"):
+    for name in ("plain-kinematics.svg", "plain-kinematics-2.svg"):
         (folder / name).write_text("old", "utf-8")
-    return shaper_in(folder)
+    return drawn_in(folder, PLAIN)
 
 
 def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(shaper: Done) -> None:
@@ -142,7 +143,8 @@ def test_the_output_is_told_and_who_chose_it(run: Run, shaper: Done, tmp_path: P
     chosen = "utput: link 5 by its point D, the last link on the frame; [output] names another\n"
     assert f"\no{chosen}" in shaper.out
     assert f"\n- O{chosen}" in report
-    named = edited(tmp_path, "[sheet]", "[output]\nlink = 3\n[sheet]")
+    named = tmp_path / "plain.toml"
+    named.write_text(PLAIN.read_text("utf-8") + "positions = 2\n[output]\nlink = 3\n", "utf-8")
     assert "\noutput: link 3, as [output] names it\n" in run("draw", named, "-o", tmp_path)[1]
 
 
@@ -157,7 +159,7 @@ def test_every_vector_and_point_of_the_drawn_sheet_measures_back(shaper: Done) -
 
 
 def test_a_following_sheet_of_an_earlier_run_is_named(over_older: Done) -> None:
-    left = over_older.folder / "shaper-kinematics-2.svg"
+    left = over_older.folder / "plain-kinematics-2.svg"
     assert over_older.code == 0
     assert over_older.err.startswith(f"{left}: left by an earlier run with more sheets")
     assert left.read_text("utf-8") == "old"
@@ -165,7 +167,7 @@ def test_a_following_sheet_of_an_earlier_run_is_named(over_older: Done) -> None:
 
 def test_draw_replaces_an_older_sheet(over_older: Done) -> None:
     assert over_older.code == 0
-    assert sealed((over_older.folder / "shaper-kinematics.svg").read_bytes())
+    assert sealed((over_older.folder / "plain-kinematics.svg").read_bytes())
 
 
 def test_a_sheet_with_gaps_is_drawn_and_each_gap_is_told_with_its_reason(
@@ -228,7 +230,7 @@ def largest(data: dict[str, Any], key: str) -> float:
     return max(math.hypot(*pair) for point in data["points"].values() for pair in point[key] if pair)
 
 
-@pytest.mark.parametrize("scene", some(LINKAGES, 6), ids=lambda scene: scene.stem)
+@pytest.mark.parametrize("scene", first(LINKAGES), ids=lambda scene: scene.stem)
 def test_both_roads_print_the_same_numbers(run: Run, scene: Path) -> None:
     ours, theirs = (json.loads(run("solve", scene, "--by", by)[1]) for by in ("construction", "analysis"))
     assert theirs["by"] == "analysis"
@@ -389,7 +391,7 @@ def spoilt(stroke: Stroke, spoil: Callable[[Line, dict[str, str]], Group], done:
     return replace(stroke, strokes=tuple(spoilt(part, spoil, done) for part in stroke.strokes))
 
 
-@pytest.mark.parametrize("spoil", some([shifted, reversed_, dropped, misnamed, stretched, named_twice], 6))
+@pytest.mark.parametrize("spoil", first([shifted, reversed_, dropped, misnamed, stretched, named_twice]))
 def test_a_sheet_with_one_wrong_vector_is_withheld(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch, spoil: Callable[[Line, dict[str, str]], Group]
 ) -> None:
@@ -603,10 +605,10 @@ def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
 
 
 def test_texts_are_left_to_the_viewer_where_the_scene_says_so(run: Run, tmp_path: Path) -> None:
-    scene = tmp_path / "shaper.toml"
-    scene.write_text(SHAPER.read_text("utf-8").replace("[sheet]\n", '[sheet]\nlettering = "text"\n'), "utf-8")
+    scene = tmp_path / "plain.toml"
+    scene.write_text(PLAIN.read_text("utf-8") + 'positions = 2\n[sheet]\nlettering = "text"\n', "utf-8")
     assert run("draw", scene, "-o", tmp_path)[0] == 0
-    sheet = (tmp_path / "shaper-kinematics.svg").read_text("utf-8")
+    sheet = (tmp_path / "plain-kinematics.svg").read_text("utf-8")
     assert ">Plan of positions</text>" in sheet
     # A text of several levels is a group of one for each.
     assert sheet.count("<text ") > sheet.count("data-text=") == sheet.count("aria-label=") > 100
@@ -767,9 +769,9 @@ def test_a_closed_stdout_ends_with_7_and_one_line() -> None:
 
 
 def test_a_terminal_without_greek_letters_ends_no_command(tmp_path: Path) -> None:
-    done = process("draw", SHAPER, "-o", tmp_path, PYTHONIOENCODING="ascii")
+    done = process("draw", PLAIN, "-o", tmp_path, PYTHONIOENCODING="ascii")
     assert done.returncode == 0, done.stderr
-    done = process("explain", SHAPER, "a_D", "--json", PYTHONIOENCODING="ascii")
+    done = process("explain", PLAIN, "a_B", "--json", PYTHONIOENCODING="ascii")
     assert "π" in {step["name"] for step in json.loads(done.stdout)}
 
 

@@ -30,7 +30,7 @@ from plans.study import Study
 from plans.words.words import said
 from tests.drawings.collisions import collisions
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
-from tests.parts import some
+from tests.parts import first
 
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "diagram_faults.toml")
 # A slider, a crank that gathers speed, one that swings, outputs that turn to and fro and fully.
@@ -68,7 +68,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.parametrize("name", some(SCENES, 4))
+@pytest.mark.parametrize("name", first(SCENES))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
     study = study_of(name)
     for leaf in leaves(study):
@@ -92,7 +92,7 @@ def test_the_poles_of_a_part_of_a_turn_stand_on_the_paper(tmp_path: Path) -> Non
     assert all(field.left < at.real < field.right and field.bottom < at.imag < field.top for at in poles)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 11), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", first(FAULTS), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("diagrams").worst <= 1.0

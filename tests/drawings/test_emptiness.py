@@ -13,7 +13,7 @@ from plans.scene.scene import read_scene
 from plans.study import Study
 from tests.drawings.emptiness import emptiness
 from tests.gallery import LINKAGES
-from tests.parts import some
+from tests.parts import first
 
 LARGEST, LAST = 0.15, 0.30  # shares of the field that an empty rectangle may take, on the last sheet of a set
 FORMATS = ("A2", "A3", "A1")
@@ -21,7 +21,7 @@ ROWS = [*product(LINKAGES, (*FORMATS, "A4"))]
 KINDS = {"kinematics": kinematics, "forces": forces}
 
 
-@pytest.mark.parametrize("row", some(ROWS, 36), ids=lambda row: f"{row[0].stem}-{row[1]}")
+@pytest.mark.parametrize("row", first(ROWS), ids=lambda row: f"{row[0].stem}-{row[1]}")
 def test_no_sheet_is_left_empty(row: tuple[Path, str]) -> None:
     path, size = row
     scene = read_scene(path)

@@ -16,7 +16,7 @@ from plans.study import Study
 from tests.drawings.emptiness import emptiness
 from tests.drawings.test_emptiness import LARGEST, LAST
 from tests.gallery import SCENES
-from tests.parts import some
+from tests.parts import first
 
 KINDS = {
     "balancing": balancing, "bank": bank, "cam": cam, "cyclogram": cyclogram, "dynamics": dynamics,
@@ -30,7 +30,7 @@ MACHINES = [path for path in SCENES if KINDS.keys() & set(read_scene(path).sheet
 ROWS = [*product(reversed(MACHINES), ("A4", "A3", "A2", "A1"))]
 
 
-@pytest.mark.parametrize("row", some(ROWS, 44), ids=lambda row: f"{row[0].stem}-{row[1]}")
+@pytest.mark.parametrize("row", first(ROWS), ids=lambda row: f"{row[0].stem}-{row[1]}")
 def test_no_sheet_of_a_machine_is_left_empty(row: tuple[Path, str]) -> None:
     path, size = row
     scene = read_scene(path)

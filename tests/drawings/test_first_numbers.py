@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import drawings
+from drawings.checks.documents.headlines import faults
 from drawings.report.linkage.first_numbers import greatest
 from drawings.report.report import headlines
 from plans.scene.scene import parse_scene
@@ -66,6 +67,23 @@ def test_a_plan_of_positions_alone_says_nothing_of_strokes_and_velocities() -> N
     told = said("crank-rocker", ("title =", 'sheets = ["positions"]\ntitle ='), ("plans = [4, 10]\n", ""))
     assert "ψ" not in told
     assert "max" not in told
+
+
+def test_what_is_said_first_is_held_to_the_analysis() -> None:
+    text = (GALLERY / "scotch-yoke.toml").read_text("utf-8")
+    study = Study(parse_scene(text))
+    told = "\n".join(headlines(study))
+    assert list(faults([told], study)) == []
+    for right, wrong in (
+        ("H = 0.12 m", "H = 0.13 m"),
+        ("K = 1.0000", "K = 1.0100"),
+        ("|v_B|max = 0.75398 m/s (position 3)", "|v_B|max = 0.75398 m/s (position 2)"),
+        ("|a_B|max = 9.4748", "|a_B|max = 9.4749"),
+        ("|M_bal|max = 24 N·m", "|M_bal|max = 25 N·m"),
+        ("H = 0.12 m, ", ""),
+    ):
+        assert right in told
+        assert list(faults([told.replace(right, wrong)], study)) != []
 
 
 def test_gaps_have_no_greatest() -> None:

@@ -30,7 +30,7 @@ from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sh
 from tests.rows import over
 
 A1 = hand_of("A1")
-SHOWN = sorted(CASES) if parts.whole else sorted(CASES)[::2]
+SHOWN = sorted(CASES) if parts.whole else sorted(CASES)[::4]
 ROUNDING = 1e-9  # of the greatest force: what the construction may differ from the equilibrium by
 
 

@@ -32,7 +32,7 @@ from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.conftest import Run
 from tests.gallery import GALLERY, SCENES
-from tests.parts import some
+from tests.parts import first
 
 IN_TURN = sorted(SCENES, key=lambda path: path.stem != "crank-rocker")  # the first every day, all with --whole
 ROUNDED = range(3, 8)  # digits that a result may be written with
@@ -79,7 +79,7 @@ def spellings(number: float) -> Iterator[str]:
         yield f"{number:.{digits - 1}e}".split("e")[0].replace(".", "").rstrip("0")
 
 
-@pytest.mark.parametrize("path", some(IN_TURN, len(IN_TURN)))
+@pytest.mark.parametrize("path", first(IN_TURN))
 def test_no_result_is_written_on_a_form(path: Path) -> None:
     study, leaves = form(path)
     known = given(study.scene)

@@ -34,6 +34,7 @@ ALIKE = (
     *("rocker-cam", "feed-cam", "tappet-cam", "valve-cam", "flat-rocker-cam", "automaton"),
     *("conveyor", "whitworth", "crank-rocker", "jaw-crusher", "tangent", "toggle-press", "scotch-yoke", "compressor"),
     *("engine-full", "engine-share", "lanchester", "engine-partial", "v-engine", "six-link-balance"),
+    *("table-cam", "fan", "four-bar-balance"),
     *("copying-cam", "shaper", "shaper-loaded", "walking-leg", "planer", "press", "oscillating-cylinder", "squeezer"),
 )
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it

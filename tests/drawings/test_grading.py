@@ -19,6 +19,7 @@ from drawings.grading.continuation import turned_over
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from geometry.draughtsman import Draughtsman, copies
+from tests import parts
 from tests.drawings.students import Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.gallery import LINKAGES
 from tests.rows import over
@@ -112,7 +113,8 @@ def said(own: Task, source: bytes) -> list[str]:
     return sorted(f"{one.name} {one.kind}" for one in grade(source, own.plans, HAND).wrong)
 
 
-@over("row", MISTAKES)
+@pytest.mark.part
+@over("row", MISTAKES if parts.whole else MISTAKES[::5])
 def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
     own = task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]

@@ -14,7 +14,7 @@ from drawings.report.cam_report import chapters
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.gallery import GALLERY
-from tests.parts import some
+from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
@@ -125,6 +125,7 @@ def test_the_trace_of_a_positions_only_run(tmp_path: Path) -> None:
     assert not {"analysis", "layout", "measuring"} & set(told)
 
 
+@pytest.mark.rest
 def test_the_trace_of_a_kinematics_sheet_which_leaves_no_trace_in_the_files(draw: Run, tmp_path: Path) -> None:
     told = traced("draw", SHAPER, "-o", tmp_path)
     assert told["made"] == "extremes, positions, velocities, accelerations, kinematic diagrams"
@@ -198,12 +199,11 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
 
 @pytest.mark.parametrize(
     "case",
-    some(
+    first(
         [
             ("cam", (), "nothing"),
             ("profile", ("drawings.figures.cam.law", "drawings.figures.cam.size", "drawings.figures.graphs"), "laws"),
-        ],
-        2,
+        ]
     ),
 )
 def test_a_cam_is_drawn_without_any_linkage(case: tuple[str, tuple[str, ...], str], tmp_path: Path) -> None:

@@ -47,6 +47,7 @@ def test_without_a_choice_only_the_loads_tell_the_working_stroke(tmp_path: Path)
     assert "быстрее" not in report
 
 
+@pytest.mark.rest
 def test_a_force_between_two_links_stands_on_the_sheet_at_both_ends(tmp_path: Path) -> None:
     report, sheet = written(tmp_path, "pump", ('language = "ru"', 'language = "en"\nlettering = "text"'))
     assert "- P between B of link 2 and C of link 3, always" in report

@@ -95,7 +95,7 @@ class Drawn(NamedTuple):
 
 ALL = [(name, number, column) for name, case in CASES.items() for column in case.columns for number in range(3)]
 ALL = [one for one in ALL if one[1] < len(plan_of(one[0]).cuts)]
-SHOWN = ALL if parts.whole else ALL[::2]
+SHOWN = ALL if parts.whole else ALL[::4]
 
 
 @cache

@@ -4,6 +4,7 @@ import cmath
 import math
 import re
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from drawings.measure import pathdata
 from drawings.measure.marks import KINDS
 from drawings.measure.measure import check, measure, measure_file
 from drawings.measure.measured import MarkKey
+from drawings.measure.measured_lines import lines
 from drawings.measure.transform import Affine, transform
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
@@ -385,3 +387,14 @@ def test_a_full_sheet_is_measured_quickly() -> None:
     before = time.process_time()
     assert check(measure(source)) == []
     assert time.process_time() - before < 2
+
+
+def test_the_table_is_in_the_words_of_the_scene() -> None:
+    drawn = vector(10 + 20j, 13 + 24j, 0.5)
+    far = replace(drawn, data=drawn.data | {"value": "9 9"})
+    measured = measure(sheet(replace(far, data=far.data | {"plan": "velocities", "unit": "m/s"})))
+    off = {miss.key for miss in check(measured)}
+    assert list(lines(measured, off, "ru")) == [
+        "план скоростей    3  B          (1,5; 2)                   м/с    ОТЛИЧАЕТСЯ от заявленного"
+    ]
+    assert list(lines(measured, (), "en")) == ["velocities        3  B          (1.5, 2)                   m/s"]

@@ -39,7 +39,7 @@ from tests.rows import over
 shapely = pytest.importorskip("shapely")
 
 NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
-SHOWN = NAMES if parts.whole else NAMES[::4]
+SHOWN = NAMES if parts.whole else NAMES[::12]
 # The outputs of these turn, or run to infinity: there is no stroke.
 SWINGING = {
     "crank-rocker",

@@ -12,7 +12,7 @@ import pytest
 
 from drawings.commands import cli
 from drawings.files import signals
-from tests.parts import some
+from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
 PLAIN = ROOT / "tests/catalogue/plain.toml"
@@ -53,7 +53,7 @@ def shell(command: str, *arguments: object) -> subprocess.CompletedProcess[bytes
     return subprocess.run(line, cwd=ROOT, capture_output=True, check=False, timeout=60)
 
 
-@pytest.mark.parametrize("name", some(CODES, 3))
+@pytest.mark.parametrize("name", first(CODES))
 def test_a_run_told_to_end_leaves_nothing_and_says_so_by_its_code(tmp_path: Path, name: str) -> None:
     command = [sys.executable, "-c", WAITING, "draw", str(PLAIN), "-o", str(tmp_path / "a" / "b")]
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
@@ -109,7 +109,8 @@ def test_help_without_any_stdout_ends_with_7() -> None:
     assert done.stderr.startswith(b"standard output is closed")
 
 
-@pytest.mark.parametrize("out", some(["closed", "full"], 2))
+@pytest.mark.rest
+@pytest.mark.parametrize("out", first(["closed", "full"]))
 def test_notes_that_nobody_hears_reach_neither_stdout_nor_a_file(tmp_path: Path, out: str) -> None:
     scene = tmp_path / "noted.toml"
     scene.write_text("\ufeff" + PLAIN.read_text("utf-8"), "utf-8")  # its mark is noted
@@ -159,7 +160,7 @@ def test_a_scene_of_a_very_long_name_is_drawn_or_told_to_be_too_long(tmp_path: P
 
 
 @pytest.mark.parametrize(
-    "command", some([["solve"], ["compare", "--json"], ["explain", "B", "--json"]], 2), ids=lambda c: c[0]
+    "command", first([["solve"], ["compare", "--json"], ["explain", "B", "--json"]]), ids=lambda c: c[0]
 )
 def test_json_has_cyrillic_letters_as_they_are(tmp_path: Path, command: list[str]) -> None:
     scene = tmp_path / "a.toml"

@@ -16,7 +16,7 @@ from drawings.measure.measure import check, measure
 from drawings.measure.transform import Affine, about, matrix, transform
 from drawings.paper import limits
 from drawings.paper.limits import SheetRefused
-from tests.parts import some
+from tests.parts import first
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">'
 LOOK = 'stroke="#000" fill="none"'
@@ -173,7 +173,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("name", some(HOSTILE, 3))
+@pytest.mark.parametrize("name", first(HOSTILE))
 def test_hostile_sheets_are_refused_quickly(name: str) -> None:
     source = HOSTILE[name].encode()
     before = time.process_time()

@@ -120,6 +120,7 @@ def test_the_true_forces_on_the_ram_are_in_balance_to_thirty_digits() -> None:
     assert working.any() and not working.all()
 
 
+@pytest.mark.rest
 def test_true_loads_are_the_constructed_ones_but_for_roundings() -> None:
     study = prepared(scene(SPRUNG), 36)
     wanted = replay(study, range(36), forces.prepared(study))

@@ -17,7 +17,7 @@ from tests import parts
 from tests.plans import linkages
 from tests.plans.studies import study_of
 
-LINKAGES, TURN, DENSE = 1000 if parts.whole else 250, 12, 3600
+LINKAGES, TURN, DENSE = 1000 if parts.whole else 60, 12, 3600
 CHANGE, BEYOND, OUT = "change point", "beyond a change point", "out of reach"
 KITE = linkages.four_bar(0.2, 0.3, 0.3, 0.2, sketch={"B": 0.3 + 0.2j})
 RHOMBUS = linkages.four_bar(0.2, 0.2, 0.2, 0.2, sketch={"B": 0.3 + 0.2j})

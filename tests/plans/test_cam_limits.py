@@ -60,7 +60,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize("case", some(CASES, 7))
+@pytest.mark.parametrize("case", some(CASES, 21))
 def test_sizes_that_are_found_keep_to_the_limits(case):
     one = limited(*case)
     for found in (draw(one, sizing(Course(one)).sizes), analyse(one, sizes(one))):

@@ -98,6 +98,7 @@ def test_an_antiparallelogram_goes_on_as_one() -> None:
     assert abs((b - a).imag).max() > 0.1  # the rod leans
 
 
+@pytest.mark.rest
 def test_a_slider_on_the_rod_follows_it_through() -> None:
     comparison = compared(study(WITH_SLIDER))
     points = comparison.construction.points

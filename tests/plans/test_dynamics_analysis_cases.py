@@ -143,6 +143,7 @@ def test_a_load_by_its_way_is_that_of_a_stroke_that_turns_back_only_at_its_ends(
     assert ours.moment(every) == pytest.approx(theirs.moment(every), abs=1e-10)
 
 
+@pytest.mark.rest
 def test_a_load_by_its_way_breaks_on_a_reversal_within_a_stroke() -> None:
     """The press of eight links has two bottoms; it presses whenever it goes down, and the crank is driven for it."""
     statics = Study(parse_scene((CASES / "loads/press.toml").read_text("utf-8")))["forces"]

@@ -89,6 +89,7 @@ def test_slope_and_weights_are_those_of_the_balance_of_power(one: Steady) -> Non
     assert reduction.sense * balancing == pytest.approx(told.slope / 2 - told.moment, abs=1e-11 * size)
 
 
+@pytest.mark.rest
 @given(steadies())
 @examples(2, 60)
 def test_beginning_elsewhere_changes_no_flywheel(one: Steady) -> None:

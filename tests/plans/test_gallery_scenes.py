@@ -90,6 +90,7 @@ def test_the_gallery_has_sheets_of_both_languages_both_standards_and_every_forma
     assert {table.notation for table in tables} == {"mu", "K"}
 
 
+@pytest.mark.rest
 @over("scene", SCENES)
 def test_its_title_block_is_filled_and_no_designation_is_given_twice(scene: Path) -> None:
     table = read_scene(scene).sheet
@@ -322,6 +323,7 @@ def test_the_published_lengths_of_jansen_s_leg_stand_in_its_scene() -> None:
     assert sorted(given + place) == sorted(published)
 
 
+@pytest.mark.rest
 @pytest.mark.part
 @over("scene", LINKAGES if parts.whole else LINKAGES[::2])
 def test_both_roads_agree_where_the_crank_turns_the_other_way(scene: Path) -> None:

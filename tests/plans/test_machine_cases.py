@@ -91,6 +91,7 @@ def test_machine_that_drives() -> None:
     assert compared(pushed).construction.cycle.driving < 0
 
 
+@pytest.mark.rest
 def test_load_that_jumps_at_a_dead_centre() -> None:
     """Without an overrun the cut sets in where the slider rests: the moment bends there and does not jump."""
     found = compared(PLANING.replace("overrun = 0.05\n", ""))
@@ -99,6 +100,7 @@ def test_load_that_jumps_at_a_dead_centre() -> None:
     assert found.exact.cycle.work[-1] == pytest.approx(-2000 * 0.2, rel=1e-12)
 
 
+@pytest.mark.rest
 def test_two_equal_extremes() -> None:
     """I5: a load on both strokes alike has two equal summits; one of them is touched, and both roads cut the same."""
     both = compared(PLANING.replace('during = "working stroke"\n', ""))
@@ -112,6 +114,7 @@ def test_crank_that_cannot_turn_fully() -> None:
         machine.construct(("works",))
 
 
+@pytest.mark.rest
 def test_reduction_alone_of_a_crank_that_cannot_turn_fully() -> None:
     """Theme 7: where no fluctuation is asked for, the reduction is told wherever the mechanism can be assembled."""
     asked = text(asked="").replace("AB = 0.4", "AB = 0.09").replace(PLANING, "")

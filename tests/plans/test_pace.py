@@ -80,6 +80,7 @@ def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit
     assert_same_motion(steady.analysis, told.analysis)
 
 
+@pytest.mark.rest
 @pytest.mark.part
 @over("path", FORCES if parts.whole else FORCES[::3])
 def test_at_the_same_rates_told_of_each_position_all_forces_are_the_same_to_the_last_bit(path: Path) -> None:

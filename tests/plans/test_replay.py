@@ -29,7 +29,7 @@ ALL = {
     "slider-crank": linkages.slider_crank(0.06, 0.20, 0.02, rod={"S": 0.07}),
     "shaper": linkages.shaper(),
 }
-COUNTS = some((1000, 12, 36, 360, 100_000), 4)
+COUNTS = some((1000, 12, 36, 360, 100_000), 5)
 SAMPLE = 24
 
 

@@ -202,6 +202,7 @@ def test_of_a_stiff_motor_the_chosen_solver_takes_a_tenth_of_what_the_common_one
     assert ours.end.omega == pytest.approx(common.end.omega, rel=1e-8)
 
 
+@pytest.mark.rest
 def test_stiff_and_soft_motors_come_to_a_constant_speed_and_a_constant_moment() -> None:
     link = slider_crank(4.0, force=2000.0)
     hard = run(link, Motor(Kloss(1e6, 0.01, 12.0)), RunTask(12.0, 1)).steady
@@ -272,6 +273,7 @@ def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> 
     assert found.mean == pytest.approx(20.0 * (1 - 57.29577951 / 600), rel=1e-4)
 
 
+@pytest.mark.rest
 def test_a_load_above_the_starting_moment_is_borne_only_if_it_comes_later() -> None:
     link, motor = steady(2.0, resistance=40.0), Motor(Kloss(60.0, 0.2, 100.0))
     from_start = run(link, motor, RunTask(12.0, 3, loaded=True))

@@ -15,6 +15,7 @@ from plans.dynamics.steps import ANGLE, ROWS_MOST, SPEED, STOP, Acting, Ends, by
 from plans.model.dynamics import TURN
 from plans.model.motor import Constant, Kloss, Linear, Motor
 from plans.model.run import RUN_DOWN, RUN_UP, STALLED, STEADY, TOO_MANY_ROWS, TOO_WEAK, ReducedLink, RunTask
+from tests.parts import some
 from tests.plans.reduced_links import crank_inertia, slider_crank, steady
 
 MOTOR = Motor(Linear(60.0, 20.0))
@@ -85,7 +86,7 @@ def test_in_a_steady_stage_the_account_closes_whatever_the_step() -> None:
     assert found.turned[stage.last] == pytest.approx(math.ceil(found.turned[stage.first] / TURN) * TURN + 2 * TURN)
 
 
-@pytest.mark.parametrize("motor", [Motor(Linear(600.0, 20.0)), Motor(Constant(100.0)), MOTOR])
+@pytest.mark.parametrize("motor", some([Motor(Linear(600.0, 20.0)), Motor(Constant(100.0)), MOTOR], 3))
 def test_the_table_is_of_the_first_order(motor: Motor) -> None:
     errors = step_errors(slider_crank(4.0), motor, RunTask(12.0))
     assert order(errors) == pytest.approx(1.0, abs=0.1)
@@ -131,6 +132,7 @@ def test_the_tables_failures_are_plain() -> None:
         assert len({found.failure.message.worded(language) for language in ("en", "ru")}) == 2
 
 
+@pytest.mark.rest
 def test_both_ways_are_timed_anew() -> None:
     for _, way in ways(steady(5.0), MOTOR, RunTask(12.0, 1)):
         assert way() is not way()

@@ -113,6 +113,7 @@ def leaves(value: Any, path: faults.Path = ()) -> list[tuple[faults.Path, Any]]:
     return [(path, value)]
 
 
+@pytest.mark.rest
 @examples(2)
 @given(texts())
 def test_what_stands_at_a_path_is_its_value(text: str) -> None:
@@ -202,7 +203,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("text", some(HOSTILE.values(), 3), ids=HOSTILE.keys())
+@pytest.mark.parametrize("text", some(HOSTILE.values(), 6), ids=HOSTILE.keys())
 def test_a_hostile_text_is_refused_at_once(text: str) -> None:
     began = time.perf_counter()
     with pytest.raises((SceneError, LimitError)):

@@ -13,6 +13,7 @@ import pytest
 
 from plans.checks.force_comparison import ForceComparison
 from plans.model.motion import Motion
+from tests.parts import some
 from tests.plans.force_cases import ROADS, compared, of_road
 
 TESTS = Path(__file__).parents[1]
@@ -59,7 +60,7 @@ def wanted(name: str, order: str) -> Iterator[tuple[int, float]]:
         yield link, value + (turned if order == "angles" else 0.0)
 
 
-@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("road", some(ROADS, 3))
 @pytest.mark.parametrize("name", [*STATES, "published"])
 def test_the_links_lie_at_the_published_angles(name: str, road: str) -> None:
     links = motion_of(name, road).links

@@ -114,7 +114,7 @@ BESIDE = (1e-8, 1e-11, 1e-12, 2e-13, 1e-13, 1e-15, 0.0)
 
 
 @pytest.mark.part
-@pytest.mark.parametrize("near", BESIDE if parts.whole else BESIDE[::3])
+@pytest.mark.parametrize("near", BESIDE if parts.whole else BESIDE[::4])
 def test_right_beside_a_dead_centre_both_roads_tell_forces_or_name_the_same_gap(near: float) -> None:
     """Where the condition bears velocities, it bears forces: half of the digits are left at 1000 roundings beside."""
     comparison = compared(DEAD.replace("[60, 90]", f"[60, {float(90 - np.degrees(near))!r}]"))
@@ -247,3 +247,14 @@ def test_beside_a_position_whose_forces_have_no_true_digit_those_of_the_others_a
     assert jammed.nothing[0] > 1e3 * abs(found.balancing.moment).max()
     assert replace(jammed, known=jam < 2.0).nothing == replace(found, known=jam < 2.0).nothing
     assert replace(jammed, known=jam < 0.0).nothing == jammed.nothing  # known nowhere: all that there is
+
+
+def test_beside_a_position_that_all_but_jams_the_forces_of_the_others_stay_what_they_are() -> None:
+    found = of(SLOTTED).forces
+    jam = np.where(np.arange(len(found.phi)) == 5, 1e6, 1.0)
+    reactions = {key: one._replace(force=one.force * jam) for key, one in found.reactions.items()}
+    jammed = replace(found, reactions=reactions)
+    force, moment = jammed.nothing_at(3)
+    assert (force, moment) == pytest.approx(found.nothing_at(3), rel=0.5)
+    assert jammed.nothing_at(5)[0] == pytest.approx(1e6 * found.nothing_at(5)[0], rel=0.5)
+    assert jammed.nothing[1] > 1e5 * moment

@@ -10,6 +10,7 @@ from drawings.checks.balance_words.bank_sentences import BankSentences
 from drawings.checks.balance_words.report_lines import head, table, wrong_chapter
 from drawings.checks.balance_words.sentences import Sentence, in_report, number
 from drawings.checks.bank.bank_expected import Expected
+from drawings.checks.documents import chapters
 from drawings.page.drafting import drafting_of
 from plans.bank.letters import FORCE, MOMENT, SINGLE, letters
 from plans.model.balance.bank import Harmonic
@@ -27,21 +28,20 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     """Give what the report tells of a bank otherwise than the analysis (row of the table of reports)."""
     expected, language = Expected(study["bank"].task, study.comparison("bank")), study.scene.sheet.language
     sentences = BankSentences(expected, drafting_of(study.scene), DIGITS, in_report)
-    chapters = {
+    due = {
         "bank": _listed([*sentences.members(), *sentences.given()]),
         "bank_orders": list(_orders(expected, sentences)),
         "bank_sums": _listed(sentences.sums()),
         "bank_compensators": _listed(sentences.compensators()),
     }
-    for name, lines in chapters.items():
+    for name, lines in due.items():
         title = head(word(language, f"report.{name}"))
         if lines:
             yield from wrong_chapter(text, [*title, *lines])
         elif title[0].marked in text.splitlines():
             yield message("wrong.told", text=title[0].marked)
-    lost = word(language, "report.bank_left_out")
-    if lost not in text.splitlines():
-        yield message("wrong.missing", name=lost)
+    heads = [name for name, lines in due.items() if lines]
+    yield from chapters.faults(text, language, [*heads, "left_out", "bank_left_out"])
 
 
 def _listed(sentences: Iterator[Sentence] | Sequence[Sentence]) -> list[Sentence]:

@@ -15,6 +15,7 @@ from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_units import BARE
 from drawings.checks.cam.due_notes import DueNotes
+from drawings.checks.documents import chapters
 from drawings.checks.precise import precise, tells
 from drawings.checks.reading import reads
 from drawings.page.drafting import Drafting, drafting_of
@@ -40,8 +41,10 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     for found in study.comparison("cam").analysis.cams:
         expected = Expected(found, drawings[found.cam.name])
         yield from ReportedCam(text, expected, drafting, LAWS in study.plans).faults()
-    if word(drafting.language, "report.cam_left_out") not in text.splitlines():
-        yield message("wrong.missing", name=word(drafting.language, "report.cam_left_out"))
+    heads = [(key, name) for key in ("cam", "cam_values", "cam_found") for name in drawings]
+    told = [word(drafting.language, f"report.{key}", name=name) for key, name in heads]
+    told += [word(drafting.language, f"report.{key}") for key in ("left_out", "cam_left_out")]
+    yield from chapters.ordered(text, told)
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,6 @@ from drawings.checks.linkage import (
     pair_symbols,
     paths,
     position_marks,
-    position_numbers,
     stroke_dimensions,
     strokes,
     ticks,
@@ -24,6 +23,7 @@ from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.notches import about, notched
 from drawings.checks.linkage.position_marks import named
 from drawings.checks.linkage.stroke_dimensions import DueStroke, length, on_guide
+from drawings.checks.numbers import position_numbers
 from drawings.checks.vectors import plan_headings
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measure import Measured

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from drawings.checks.cyclogram.cyclogram_charts import SHARE
 from drawings.checks.cyclogram.due_notes import DueNotes
+from drawings.checks.documents import chapters
 from drawings.checks.documents.told_cell import Cell
 from drawings.checks.note.lines import part
 from drawings.checks.precise import precise, tells
@@ -42,6 +43,7 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
         if not _tells(line, k, one, drafting):
             yield message("wrong.told", text=line or drafting.word(f"role {one.role}"))
     yield from (message("wrong.told", text=line) for line in own[len(comparison.analysis.positions) :])
+    yield from chapters.faults(text, drafting.language, [CYCLOGRAM, "left_out"])
 
 
 def _tells(line: str, number: int, one: Position, drafting: Drafting) -> bool:

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from typing import NamedTuple, TypeAlias
 
+import numpy as np
+
+from drawings.checks.forces.drawn_lines import DrawnLines
+from drawings.checks.forces.laid_scheme import FINE
+from drawings.checks.forces.written_equations import WrittenEquations
+from drawings.checks.graphs.figure_strokes import FigureStrokes
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_polygon import DETAIL
 from drawings.measure.measure import Measured
@@ -25,6 +31,7 @@ class Details(NamedTuple):
     label: str
     known: Mapping[str, complex]
     letters: Mapping[str, str]  # as the sheet reads the forces
+    names: Mapping[str, str]  # of all forces and parts by their letters in equations
     slack: float
 
     def faults(self) -> Iterator[Wrong]:
@@ -32,7 +39,7 @@ class Details(NamedTuple):
         plan = f"forces-{self.label}"
         whole = {one.name: one for one in self.measured.vectors if one.plan == plan}
         every = (one for measured, _ in self.sheets for one in measured.vectors)
-        enlarged = [one for one in every if one.plan.startswith(f"{DETAIL}{self.label}-")]
+        enlarged = [one for one in every if self._details(one)]
         for one in enlarged:
             near = self.slack + 2 * self.measured.quantum * one.scale
             if one.name not in self.known or not abs(one.value - self.known[one.name]) <= near:
@@ -40,11 +47,48 @@ class Details(NamedTuple):
         if whole:
             yield from self._small(plan, whole, {one.name for one in enlarged})
             yield from self._circles(plan, whole, enlarged)
+            for name in dict.fromkeys(one.plan for one in enlarged):
+                yield from self._lines(name, [one for one in enlarged if one.plan == name], whole.keys())
+
+    def _lines(self, name: str, own: Sequence[MeasuredVector], sides: Collection[str]) -> Iterator[Wrong]:
+        """Hold that a detail follows the sides before and after it a little, and has no line beside these."""
+        for figure in self._figures(name):
+            drawn = DrawnLines(FigureStrokes(figure))
+            carried = [line for one in own for line in self._carriers(drawn, one)]
+            corners = {spot for one in own for spot in (one.start, one.end)} | {end for one in carried for end in one}
+            others = [self.known[one] for one in self._beside({one.name for one in own}, sides)]
+            stubs = [drawn.along(spot, way) for spot in corners for way in others if abs(way) > 0]
+            followed = np.any([drawn.none, *stubs], axis=0)
+            lanes = [drawn.along(start, end - start) for start, end in carried]
+            if others and not followed.any():
+                yield on("line", name)
+            yield from drawn.strays(name, np.asarray(np.any([followed, *lanes], axis=0)))
+
+    def _beside(self, own: Set[str], sides: Collection[str]) -> Collection[str]:
+        """Name the sides before and after those of a detail, by the equation of forces; without it all others."""
+        found = (WrittenEquations(one) for one in self._figures_named(f"equations-{self.label}"))
+        order = [self.names[one.letter] for told in found for one in told.forces if one.letter in self.names]
+        if not own <= set(order):
+            return [one for one in sides if one not in own]
+        due = set[str]()
+        for turned in (order, order[::-1]):
+            run = [*turned, *turned]
+            for k in (k for k, name in enumerate(turned) if name in own and run[k + 1] not in own):
+                last = next((j for j in range(k + 1, len(run)) if abs(self.known[run[j]]) > self.slack), k)
+                due |= {*run[k + 1 : last + 1]}
+        return due - own
+
+    def _carriers(self, drawn: DrawnLines, one: MeasuredVector) -> Iterator[tuple[complex, complex]]:
+        """Give the lines that carry the ends of a vector over to its lane: square to it, from its own place."""
+        way = 1j * (one.end - one.start)
+        for spot in (one.start, one.end) if way else ():
+            yield from ((line.start, line.end) for line in drawn.strokes.through(spot, way, FINE))
 
     def _small(self, plan: str, whole: Mapping[str, MeasuredVector], enlarged: set[str]) -> Iterator[Wrong]:
-        """Name the outer forces that are not to be seen, neither in a detail nor told of beside the scale."""
+        """Name the outer forces that are not to be seen, neither in a detail nor told of beside a scale."""
         scale = next(iter(whole.values())).scale
-        lines = (text.plain for group in self._figures(plan) for text in texts((group,)))
+        figures = [plan, *{one.plan for sheet, _ in self.sheets for one in sheet.vectors if self._details(one)}]
+        lines = (text.plain for name in figures for group in self._figures(name) for text in texts((group,)))
         told = {word.rstrip(",") for line in lines for word in line.split()}  # a letter may have a comma inside: R10,11
         for name, letter in self.letters.items():
             small = self.slack < abs(self.known[name]) < SEEN * scale - self.slack
@@ -76,8 +120,14 @@ class Details(NamedTuple):
             if not any(name in text.plain.split() for text in titles):
                 yield message("wrong.missing", name=name)
 
+    def _details(self, one: MeasuredVector) -> bool:
+        return one.plan.startswith(f"{DETAIL}{self.label}-")
+
     def _figures(self, plan: str) -> list[Group]:
         return [one for _, leaf in self.sheets for one in leaf.groups if one.name.rpartition("-")[0] == plan]
+
+    def _figures_named(self, name: str) -> list[Group]:
+        return [one for _, leaf in self.sheets for one in leaf.groups if one.name == name][:1]
 
 
 def _around(circle: Circle, ends: Sequence[complex]) -> bool:

@@ -112,14 +112,21 @@ class ForceNotes:
             said = word(language, "load against", name=letter, size=size, point=force.point)
         else:
             said = word(language, "load always", name=letter, size=size)
-        if force.other is not None or force.line is not None:  # between two points, or along a line that it names
-            return said
-        told = [said, *([word(language, "load resisting")] if force.resists else [])]
+        told = [said, *self._line(force), *([word(language, "load resisting")] if force.resists else [])]
         told += [] if force.during == ALWAYS else [word(language, force.during)]
         if any(force.overrun):
             shares = dict.fromkeys(self._number(share) for share in force.overrun)
             told.append(word(language, "overrun", share="; ".join(shares)))
         return ", ".join(told)
+
+    def _line(self, force: Force) -> Iterator[str]:
+        """Tell between which points a force acts, and along which line, if that is not said by the points."""
+        language, ends = self.floor.language, {force.point}
+        if force.other is not None:
+            ends.add(force.other.point)
+            yield word(language, "load between", start=force.point, end=force.other.point)
+        if force.line is not None and {*force.line} != ends:
+            yield word(language, "load along", line="".join(force.line))
 
     @property
     def hung(self) -> bool:

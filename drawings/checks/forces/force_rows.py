@@ -29,14 +29,12 @@ def row_names(comparison: ForceComparison, floor: Floor) -> dict[str, Finding]:
 
 def rows(leaves: Sequence[Leaf], comparison: ForceComparison, floor: Floor) -> Iterator[Wrong]:
     """Hold that the tables of one position have every row that is more than rounding, each with its unit."""
-    named, nothing = row_names(comparison, floor), dict(zip(("N", "N*m"), comparison.analysis.nothing, strict=True))
+    named, told = row_names(comparison, floor), comparison.analysis
+    nothing = dict(zip(("N", "N*m"), told.nothing_over, strict=True))
     heads = [row[0].plain for leaf in leaves for one in reading.value_tables(leaf) for row in reading.rows(one)]
     seen = dict(head.rsplit(", ", 1) for head in heads if ", " in head)
     for name, one in named.items():
         if name in seen and seen[name] != word(floor.language, one.unit):
             yield message("wrong.row_cell", text=seen[name], name=name)
-        elif (
-            name not in seen
-            and np.nanmax(np.abs(comparison.analysis.counted(one.analysis)), initial=0.0) > 2 * nothing[one.unit]
-        ):
+        elif name not in seen and np.any(np.abs(told.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed):
             yield message("wrong.row_missing", name=name)

@@ -8,10 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.checks.forces.drawn_lines import DrawnLines
 from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
 from drawings.checks.forces.scheme_forces import ASKEW, Floor
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.labelled import NEAREST, along
+from drawings.checks.standing import stands
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredPoint
 from plans.checks.force_bill import ActingCouple, ActingForce, ForceBill
@@ -22,7 +24,6 @@ from plans.model.mechanism import FRAME
 
 PLAN = "lever"
 POLE = "p"
-LEGS = 2  # of the stand of the pole
 SHORT = 0.5  # mm: a shorter line is not drawn
 FAR = 4 * 26.0  # mm: a force stands at its image, or further on along its line where others stand: four lengths at most
 
@@ -59,6 +60,16 @@ class LeverForces(NamedTuple):
             if k not in found and abs(force.value) > self.floor.force and abs(image) > least:
                 yield on("missing_on", PLAN, name=force.name)
         yield from (on("stranger_on", PLAN, name="→") for one in arrows if one not in found.values())
+        yield from self._strays(laid)
+
+    def _strays(self, laid: LaidScheme) -> Iterator[Wrong]:
+        """Hold that each line joins images, is of the stand of the pole, or goes with a force or an arm."""
+        drawn = DrawnLines(self.strokes)
+        spots = [laid.on(0j), *(one.at for one in self.points)]
+        ways = [*((one.tip, one.way) for one in laid.arrows), *drawn.arms()]
+        own = [drawn.along(*way) for way in ways]
+        own += [drawn.joining(spots), *(one.own for one in stands(drawn.segments, spots[0]))]
+        yield from drawn.strays(PLAN, np.asarray(np.any([drawn.none, *own], axis=0)))
 
     def _far(self, force: ActingForce, arrow: Arrow) -> float:
         """Give how far the letter of a force is from an arrow, mm."""
@@ -154,10 +165,8 @@ class LeverForces(NamedTuple):
             if abs(one.at - pole) > SHORT and not any(self.strokes.joins(one.at, spot, FINE) for spot in others):
                 yield on("line", PLAN)
         yield from (on("line_named", PLAN, name=name) for name in self._unjoined(laid))
-        radius = max((one.radius for one in self.strokes.circles if abs(one.centre - pole) <= FINE), default=0.0)
-        ends = [end for line in self.strokes.lines for end in (line.start, line.end)]
-        if sum(abs(abs(end - pole) - radius) <= FINE for end in ends) < LEGS:
-            yield on("missing_on", PLAN, name=POLE)
+        if not any(stands(DrawnLines(self.strokes).segments, pole)):
+            yield on("stand", PLAN, name=POLE)
 
     def _unjoined(self, laid: LaidScheme) -> Iterator[str]:
         """Name the vectors of the velocity plan that no line of the turned one is, between images that it has."""

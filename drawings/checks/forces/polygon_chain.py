@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+import numpy as np
+
+from drawings.checks.forces.drawn_lines import DrawnLines
 from drawings.checks.forces.laid_scheme import FINE
 from drawings.checks.graphs.figure_strokes import FigureStrokes
 from drawings.checks.wrong import Wrong, on
@@ -72,6 +75,15 @@ class PolygonChain:
             if not (self._meet(ends.start, corners) and self._meet(ends.end, corners)):
                 yield on("corner_of", self.plan, name=one.name)
         yield from self._directions()
+        yield from self._strays()
+
+    def _strays(self) -> Iterator[Wrong]:
+        """Hold that each thin line goes through a corner, or carries one over to the lane of its side."""
+        drawn = DrawnLines(self.strokes)
+        ends = [self._carried(one) for one in self.vectors]
+        corners = dict.fromkeys(spot for one in ends for spot in (*one.start, *one.end))
+        known = [drawn.along(spot, None, self._loose) for spot in corners]
+        yield from drawn.strays(self.plan, np.asarray(np.any([drawn.none, *known], axis=0)))
 
     @cached_property
     def _sides(self) -> dict[str, complex]:

@@ -61,20 +61,20 @@ class ForceTables(NamedTuple):
         told = balancing_quantity(self.statics.study.mechanism.drive)
         strokes = self.statics.over(self.comparison.motion.road.extremes)
         given = self.statics.given(found, self.comparison.motion.analysis, strokes)
-        largest = max(np.nanmax(one, initial=0.0) for name, one in allowed.items() if name.startswith(told.name))
-        yield Column(self._letter(told.name), given, np.full(len(given), largest + told.share * found.nothing[1]))
+        force, turned = found.nothing_over
+        yield Column(self._letter(told.name), given, allowed[told.name] + told.share * turned)
         for one in sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker)):
             index = indices(one.giver, one.taker)
             slack = next((slack for name, slack in allowed.items() if name == f"R_{index}"), np.zeros(len(one.force)))
-            yield Column(self._letter(f"{own}_{{{index}}}"), one.force, slack + found.nothing[0])
+            yield Column(self._letter(f"{own}_{{{index}}}"), one.force, slack + force)
             moment = allowed.get(f"M_{index}")
             if moment is None or one.moment is None:
                 continue
-            if np.nanmax(np.abs(found.counted(one.moment))) > 2 * found.nothing[1]:
-                yield Column(self._letter(f"M_{{{index}}}"), one.moment, moment + found.nothing[1])
+            if np.any(np.abs(found.counted(one.moment)) > 2 * turned):
+                yield Column(self._letter(f"M_{{{index}}}"), one.moment, moment + turned)
 
     def _balancing(self) -> Iterator[Column]:
-        told, none = balancing_quantity(self.statics.study.mechanism.drive), self.comparison.analysis.nothing[1]
+        told, none = balancing_quantity(self.statics.study.mechanism.drive), self.comparison.analysis.nothing_over[1]
         own = [one for one in self.comparison.of("forces") if one.name.partition(" ")[0] == told.name]
         for one in (own[:1] * 2 + own[1:]) if own else ():
             yield Column(self._letter(told.name), np.real(one.analysis), one.allowed + none)

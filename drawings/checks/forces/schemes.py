@@ -8,6 +8,7 @@ from typing import NamedTuple
 from drawings.checks.forces import scheme_drive
 from drawings.checks.forces.laid_scheme import laid_scheme, links_of
 from drawings.checks.forces.scheme_forces import Floor, SchemeForces
+from drawings.checks.forces.scheme_lines import SchemeLines
 from drawings.checks.forces.scheme_links import SchemeLinks
 from drawings.checks.wrong import Wrong
 from drawings.paper.strokes import Group, Leaf
@@ -32,5 +33,6 @@ class LoadingSchemes(NamedTuple):
         links = SchemeLinks(group.name, bill)
         laid = laid_scheme(group, mu, links.points)
         yield from links.faults(laid)
+        yield from SchemeLines(group.name, laid, bill).faults()
         yield from scheme_drive.faults(group.name, laid, bill)
         yield from SchemeForces(group.name, laid, bill, self.floor).faults()

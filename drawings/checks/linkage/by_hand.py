@@ -35,9 +35,9 @@ class Told(NamedTuple):
     tried: Errors
 
     def of(self, finding: Finding, position: int) -> float:
-        """Give what a cell must say; NaN: nothing."""
+        """Give what a cell must say; NaN: nothing, as where there is no value."""
         key = finding.name, position
-        if not self.ruled.get(key, math.nan) <= finding.largest:
+        if math.isnan(abs(finding.analysis[position])) or not self.ruled.get(key, math.nan) <= finding.largest:
             return math.nan
         return self.tried[key]
 

@@ -9,9 +9,11 @@ import numpy as np
 
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.laid_poses import Segments
+from drawings.checks.standing import hatching
 from drawings.checks.wrong import on
 from drawings.symbols.symbols import BLOCK, HATCH, TICK
 from plans.model.mechanism import FRAME, Slide
+from plans.model.motion import Complexes
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
@@ -79,12 +81,28 @@ def grounded(plan: LaidPlan, slide: Slide, drawn: Segments) -> bool:
     ends = np.array([(one - spot) * np.conj(way) for one in drawn]).reshape(2, -1)
     level, runs = ends.imag, ends[1] - ends[0]
     flat = (np.abs(runs.imag) <= plan.near) & (np.abs(ends.real).min(axis=0) <= HALF)
-    bases = level[0][flat & (np.abs(level[0]) <= BLOCK[1] / 2 + plan.near) & (np.abs(level[0]) > plan.near)]
-    for base in bases.tolist():
-        feet = np.abs(level[0] - base) <= plan.near
-        into = (level[1] - base) * np.sign(base)
-        if (
-            feet & (into > plan.near) & (into <= HATCH) & (np.abs(ends.real).max(axis=0) <= HALF + HATCH)
-        ).sum() >= HATCHES:
-            return True
-    return False
+    based = flat & (np.abs(level[0]) <= BLOCK[1] / 2 + plan.near) & (np.abs(level[0]) > plan.near)
+    hatched = _covered if _overlaid(plan, slide, spot) else _whole
+    return any(hatched(plan, ends, int(k)) for k in np.flatnonzero(based))
+
+
+def _overlaid(plan: LaidPlan, slide: Slide, spot: complex) -> bool:
+    """Tell whether the block of another slide may hide some of the ground."""
+    others = (plan.poses.block(one)[plan.position] for one in plan.laid.mechanism.slides if one is not slide)
+    return any(abs(other - spot) <= HALF + abs(complex(*BLOCK)) + HATCH for other in others)
+
+
+def _whole(plan: LaidPlan, ends: Complexes, base: int) -> bool:
+    """Tell whether a base is hatched from end to end, by lines as its length has room for; along it, from the block."""
+    start, end = (complex(one) for one in ends[:, base])
+    size = abs(start.imag) / (BLOCK[1] / 2)
+    return hatching(Segments(ends[0], ends[1]), start, end, 1j * start.imag, size) is not None
+
+
+def _covered(plan: LaidPlan, ends: Complexes, base: int) -> bool:
+    """Tell whether a base that another block hides some of is hatched."""
+    level = float(ends[0, base].imag)
+    feet = np.abs(ends.imag - level).min(axis=0) <= plan.near
+    into = np.abs(ends.imag - level).max(axis=0)
+    near = np.abs(ends.real).max(axis=0) <= HALF + HATCH
+    return int((feet & (into > plan.near) & (into <= HATCH) & near).sum()) >= HATCHES

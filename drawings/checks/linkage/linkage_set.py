@@ -13,7 +13,9 @@ from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.linkage.value_rows import TABLE, due_rows, named
 from drawings.checks.wrong import Wrong
 from drawings.figures.diagrams.frame import NAME as DIAGRAMS
+from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import texts
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.checks.hand.motion import MotionByHand
 from plans.diagrams.study import DiagramsStudy
@@ -30,11 +32,24 @@ def faults(leaves: Sequence[Leaf], study: Study) -> Iterator[Wrong]:
     planned = [k for k in linkage.form.sheet.plans if not linkage.lost[k]]
     due = [POSITIONS.plan, *(f"{order.plan}-{k}" for k in planned for order in ORDERS[1:])]
     yield from (message("wrong.missing", name=name) for name in due if name not in names)
+    yield from _no_plans(leaves, study)
     if reading.NOTES not in names:
         yield message("wrong.notes")
     if not linkage.lost.all():
         yield from _values(leaves, study)
     yield from _diagrams(leaves, study, names)
+
+
+def _no_plans(leaves: Sequence[Leaf], study: Study) -> Iterator[Wrong]:
+    """Hold the sentences that stand where the analysis has no motion for a plan: which plan, where, and why not."""
+    drafting = drafting_of(study.scene)
+    gone = {gap.position: gap.reason for gap in study.comparison("linkage").analysis.gaps}
+    for group in (one for leaf in leaves for one in leaf.groups):
+        plan, _, k = group.name.rpartition("-")
+        if plan in {order.plan for order in ORDERS[1:]} and k.isdigit() and int(k) in gone:
+            shown = drafting.word(f"{plan} plan")
+            due = drafting.word("no plan", plan=shown, position=int(k), reason=drafting.word(gone[int(k)]))
+            yield from (message("wrong.told", text=own.plain) for own in texts((group,)) if own.plain != due)
 
 
 def _values(leaves: Sequence[Leaf], study: Study) -> Iterator[Wrong]:

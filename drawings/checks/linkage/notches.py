@@ -5,15 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from drawings.checks.linkage.bars import holds
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.wrong import on
+from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Arc
 from plans.model.dyad import Dyad
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
 NOTCHES = "notches"  # the name of their group
+KEPT = 9.0  # mm of a notch on either side of its meeting, where symbols are as large as on A1
+SIDES = np.linspace(-1.0, 1.0, 9)  # of that, where it is looked for
 SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)  # of an arc: of one that a symbol cuts its middle is not its meeting
 
 
@@ -23,10 +28,21 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     known = [one for one in _laid(plan) if not math.isnan(one[2].real)]
     for name, centre, spot in known:
         hidden = 2 * abs(spot - centre) <= plan.symbol  # the symbol at its meeting covers all of its circle
-        if not hidden and not any(notched(arc, centre, spot, plan) for arc in arcs):
+        if not hidden and not (
+            any(notched(arc, centre, spot, plan) for arc in arcs) and _whole(arcs, centre, spot, plan)
+        ):
             yield on("notch", POSITIONS.plan, name=name)
     if known and not all(any(about(arc, centre, spot, plan) for _, centre, spot in known) for arc in arcs):
         yield on("notch", POSITIONS.plan, name=NOTCHES)
+
+
+def _whole(arcs: list[Arc], centre: complex, spot: complex, plan: LaidPlan) -> bool:
+    """Tell whether arcs go on as far on either side of their meeting, but for what symbols hide of them."""
+    own = [arc for arc in arcs if about(arc, centre, spot, plan)]
+    kept = KEPT * drafting_of(plan.laid.study.scene).hand.symbol - plan.near
+    turn = min(kept / abs(spot - centre), math.pi)
+    spots = centre + (spot - centre) * np.exp(1j * turn * SIDES)
+    return all(any(holds(arc, complex(one), plan.near) for arc in own) for one in spots[plan.clear(spots)])
 
 
 def _laid(plan: LaidPlan) -> Iterator[tuple[str, complex, complex]]:

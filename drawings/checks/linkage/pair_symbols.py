@@ -11,19 +11,19 @@ from drawings.checks.linkage.bars import SHOWN
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.laid_poses import Segments
 from drawings.checks.linkage.position_marks import named
+from drawings.checks.standing import ROUNDED, stands
 from drawings.checks.wrong import on
 from drawings.figures.linkage.masses import is_centre
 from drawings.paper.strokes import Circle, Fill, Polyline, Stroke
 from drawings.paper.walk import flat
-from drawings.symbols.symbols import BLOCK, DOUBLE, HINGE, SLOT, STAND, STONE
+from drawings.symbols.symbols import BLOCK, DOUBLE, HINGE, SLOT, STONE
 from plans.model.mechanism import FRAME, Slide
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
 PAIRS = "pairs"  # the name of the group of hinges and stands
 QUARTERS = 2  # of a mass centre that are filled
-HATCHES = 3  # lines of hatching that a stand has at the least
-WAYS = (-1j, 1 + 0j, -1 + 0j, 1j)  # where a stand may go
+CORNERS = 4  # of a block; a slot about a pin has more
 ALIKE = 0.02  # share by which the sides of a block may be off: its corners are rounded
 
 
@@ -40,8 +40,9 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
             alone = sum(abs(spot - other) <= DOUBLE[0] for other in places) == 1
             if not (_is_symbol(circles, fills, joined, is_centre(name)) if alone else circles):
                 yield on("symbol", POSITIONS.plan, name=name)
-            elif joined and name in mechanism.links[FRAME].points and not _stands(lines, spot, circles, joined):
-                yield on("stand", POSITIONS.plan, name=name)
+            elif joined and name in mechanism.links[FRAME].points:
+                yield from _on_stand(name, spot, circles, joined, lines)
+    yield from _beside_stands(plan, lines)
     for name, (link, own) in plan.laid.centres.items():
         spot = plan.laid.on(link, own)
         alone = sum(abs(spot - other) <= DOUBLE[0] for other in places) == 1
@@ -75,34 +76,20 @@ def _is_symbol(circles: list[Circle], fills: list[Fill], joined: int, centre: bo
     return len(fills) == QUARTERS and len(circles) == 1 if centre else len(full) == len(circles) == 1
 
 
-def _stands(lines: Segments, spot: complex, circles: list[Circle], joined: int) -> bool:
-    """Tell whether a hinge has its stand: two legs to a base, hatched on the far side."""
+def _on_stand(name: str, spot: complex, circles: list[Circle], joined: int, lines: Segments) -> Iterator[Message]:
+    """See that a fixed hinge has its stand, of the size of its own symbol."""
     size = max(one.radius for one in circles) / (HINGE if joined < 3 else DOUBLE[0])
-    height, half, more = (part * size for part in STAND)
-    for way in WAYS:
-        starts, ends = ((one - spot) * np.conj(way) for one in lines)  # along the way, and to its left
-        feet = [complex(height, side * half) for side in (1, -1)]
-        legs = all(_near(ends, foot) & (np.abs(starts) < height).any() for foot in feet)
-        corners = [complex(height, side * (half + more)) for side in (1, -1)]
-        base = (
-            (np.abs(starts - corners[0]) + np.abs(ends - corners[1]) <= ROUNDED)
-            | (np.abs(starts - corners[1]) + np.abs(ends - corners[0]) <= ROUNDED)
-        ).any()
-        hatch = (
-            (np.abs(starts.real - height) <= ROUNDED)
-            & (ends.real > height + ROUNDED)
-            & (np.abs(starts.imag) <= half + more + ROUNDED)
-        )
-        if legs and base and hatch.sum() >= HATCHES:
-            return True
-    return False
+    if not any(abs(one.size - size) <= ROUNDED for one in stands(lines, spot)):
+        yield on("stand", POSITIONS.plan, name=name)
 
 
-ROUNDED = 1e-2  # mm: the size of symbols is read off a circle
-
-
-def _near(spots: np.ndarray, spot: complex) -> bool:
-    return bool((np.abs(spots - spot) <= ROUNDED).any())
+def _beside_stands(plan: LaidPlan, lines: Segments) -> Iterator[Message]:
+    """See that among the symbols no line stands but those of stands."""
+    mechanism = plan.laid.mechanism
+    fixed = {complex(plan.poses.point(name)[plan.position]) for name in mechanism.links[FRAME].points}
+    own = [one.own for spot in fixed for one in stands(lines, spot)]
+    if len(lines.starts) and not np.any([np.zeros(len(lines.starts), dtype=bool), *own], axis=0).all():
+        yield on("line", POSITIONS.plan)
 
 
 def _blocks(plan: LaidPlan) -> Iterator[Message]:
@@ -123,7 +110,7 @@ def _is_block(plan: LaidPlan, slide: Slide, outline: Polyline) -> bool:
     high, wide = np.abs(own.real).max(), np.abs(own.imag).max()
     even = abs(own.sum()) / len(own) <= plan.near
     kinds = (BLOCK,) if slide.owner == FRAME else (STONE, (SLOT[0], 2 * SLOT[1]))
-    cornered = len(own) > len(WAYS) or bool((np.abs(np.abs(own.imag) - wide) <= ROUNDED).all())
+    cornered = len(own) > CORNERS or bool((np.abs(np.abs(own.imag) - wide) <= ROUNDED).all())
     return (
         even and cornered and any(abs(high / wide - along / across) <= ALIKE * high / wide for along, across in kinds)
     )

@@ -3,35 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from drawings.checks.forces.report_tables import ForceTables
-from drawings.checks.note.analysed_forces import AnalysedForces
-from drawings.checks.note.lines import held, part
-from drawings.checks.precise import precise
+from drawings.checks.note.arithmetic import miscounted
+from drawings.checks.note.force_lines import ForceLines
+from drawings.checks.note.lines import part
 from drawings.checks.verify_friction import report_of
-from drawings.note.force_equations import drafting_of_forces, drawn_scales, equations
-from plans.checks.compare import MOST_ALLOWED
+from drawings.checks.wrong import Wrong
 from plans.study import Study
-from plans.words.words import Message, message, word
+from plans.words.words import message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Wrong]:
     """Hold the equations of forces, with the scales of the sheets, and what is told of friction."""
     statics, comparison, language = study["forces"], study.comparison("forces"), study.scene.sheet.language
-    values = partial(AnalysedForces, statics=statics, comparison=comparison)
-    drafting = precise(drafting_of_forces(statics))
-    due = equations(statics, comparison, drawn_scales(leaves), values, drafting)
-    yield from held(part(text, word(language, "report.force_equations")), islice(due, 1, None), MOST_ALLOWED)
+    lines = part(text, word(language, "report.force_equations"))
+    yield from miscounted(lines)
+    yield from ForceLines(lines, statics, comparison, leaves).faults()
     yield from report_of(text, comparison, language)
 
 
-def report_faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
+def report_faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Wrong]:
     """Hold a whole report: the note, and the tables of forces over the positions."""
     yield from faults(text, study, leaves)
     yield from ForceTables(text, study["forces"], study.comparison("forces")).faults()

@@ -22,9 +22,9 @@ def label(finding: Finding, language: str, reactions: str) -> str:
 
 def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[TableRow]:
     """Give the rows of one position; what is zero over the whole turn has none."""
-    nothing = dict(zip(("N", "N*m"), comparison.construction.nothing, strict=True))
+    nothing = dict(zip(("N", "N*m"), comparison.construction.nothing_over, strict=True))
     return [
         row_by_hand(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")
-        if np.nanmax(np.abs(comparison.construction.counted(finding.construction)), initial=0.0) > nothing[finding.unit]
+        if np.any(np.abs(comparison.construction.counted(finding.construction)) > nothing[finding.unit])
     ]

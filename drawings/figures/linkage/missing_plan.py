@@ -15,6 +15,6 @@ def measure(why: str, name: str, drafting: Drafting) -> Picture:
     return picture(name, [0j], ("v", "m/s"), Margins(size, size, size), text_width(Text(0j, why, size)))
 
 
-def draw(why: str, spot: Spot, drafting: Drafting) -> StillFigure:
-    """Write the sentence in the middle of its spot."""
-    return StillFigure((Group((Text(spot.box.centre, why, drafting.hand.text, "middle", True),)),))
+def draw(why: str, name: str, spot: Spot, drafting: Drafting) -> StillFigure:
+    """Write the sentence in the middle of its spot, under the name of the plan."""
+    return StillFigure((Group((Text(spot.box.centre, why, drafting.hand.text, "middle", True),), name),))

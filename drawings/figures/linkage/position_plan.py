@@ -37,6 +37,7 @@ from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
+from plans.linkage.barrier import Barrier
 from plans.model.motion import CHANGE_POINT
 from plans.model.order import POSITIONS
 
@@ -129,18 +130,26 @@ def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
 
 
 def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
-    """Draw the crank circle; hatch it where the crank cannot go, and cross its gap positions and change points."""
+    """Draw the crank circle; hatch it where the crank cannot go, and cross its gap positions and change points.
+
+    Of an arc alone nothing is hatched or crossed past its ends: the figure has no room for that.
+    """
     pivot, radius, (low, high) = bones.pivot(place), bones.crank(place), bones.swept
     strokes: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)]
     for barrier in bones.study.met:
         count = max(int((barrier.end - barrier.start) * radius / HATCH), 1)
-        for k in range(count + 1):
-            ray = cmath.rect(1.0, barrier.start + (barrier.end - barrier.start) * k / count)
+        angles = (barrier.start + (barrier.end - barrier.start) * k / count for k in range(count + 1))
+        for ray in (cmath.rect(1.0, angle) for angle in angles if bones.sweeps(angle)):
             tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
             strokes.append(Line(pivot + radius * ray, tip, hand.drafted))
     crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
-    crossed += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE_POINT]
+    crossed += [cmath.rect(1.0, barrier.start) for barrier in _changes(bones)]
     return strokes + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
+
+
+def _changes(bones: Skeletons) -> list[Barrier]:
+    """Give the change points on the drawn part of the crank's circle."""
+    return [one for one in bones.study.met if one.kind == CHANGE_POINT and bones.sweeps(one.start)]
 
 
 def _positions(pairs: Pairs) -> Iterable[Stroke]:

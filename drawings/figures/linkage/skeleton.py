@@ -99,6 +99,11 @@ class Skeletons:
         low, high = self.study.span[0] - MORE, self.study.span[1] + MORE
         return (low, high) if high - low < 2 * math.pi else (0.0, 2 * math.pi)
 
+    def sweeps(self, angle: float) -> bool:
+        """Tell whether the drawn part of the crank's circle has an angle, rad."""
+        low, high = self.swept
+        return (angle - low) % (2 * math.pi) <= high - low
+
     def spot(self, name: str, position: int) -> complex:
         """Give a point's place; fixed points are known in every position, others are NaN at a gap."""
         fixed_points = self.mechanism.links[FRAME].points

@@ -32,9 +32,9 @@ def balancing_table(comparison: ForceComparison, told: BalancingQuantity, langua
     columns = [first.construction, first.analysis, *(_own(one) for one in others)]
     yield word(language, "report.what_balances")
     yield from header([word(language, "table.position"), *heads])
-    least = comparison.construction.nothing[1]
+    least = comparison.construction.nothing_over[1]
     for k in range(len(comparison.construction.phi)):
-        yield row([str(k), *(_cell(float(np.real(column[k])), least, language) for column in columns)])
+        yield row([str(k), *(_cell(float(np.real(column[k])), float(least[k]), language) for column in columns)])
     yield ""
 
 

@@ -69,7 +69,7 @@ def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator
     drive = statics.study.mechanism.drive
     told = balancing_quantity(drive)
     given = statics.given(found, statics.study.motion(2))
-    least = told.share * found.nothing[told.unit != "N" or drive.pushed]
+    least = told.share * found.nothing_over[told.unit != "N" or drive.pushed]
     largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
     if largest is not None:
         size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
@@ -167,7 +167,7 @@ def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) 
     letters = {"reaction": f"${formula.letter(f'{own}_{{ab}}')}$", "balancing": f"${formula.letter(told.name)}$"}
     yield f"\n{word(language, 'report.reactions', **letters, unit=lettering.word(language, told.unit))}\n"
     reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
-    force, moment = found.nothing
+    force, moment = found.nothing_over
     least = told.share * (force if statics.study.mechanism.drive.ram is not None else moment)
     columns = {letters["balancing"]: _sized(statics.given(found, statics.study.motion(2)), least)}
     for one in reactions:
@@ -175,7 +175,7 @@ def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) 
         letter = f"${formula.letter(f'{own}_{{{index}}}')}$"
         head = word(language, "report.reaction", letter=letter, point=f"${formula.line(one.point)}$")
         columns[head] = _sized(one.force, force)
-        if one.moment is not None and np.nanmax(np.abs(found.counted(one.moment)), initial=0.0) > moment:
+        if one.moment is not None and np.any(np.abs(found.counted(one.moment)) > moment):
             columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(one.moment, moment)
     yield from header([word(language, "table.position"), *columns])
     for k in range(len(found.phi)):

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.labelled import Label, labels_of
+from drawings.checks.labelled import Label, labels_of, off
 from drawings.checks.linkage.laid_plan import LaidPlan
+from drawings.checks.numbers.numbers_due import Course, DueNumbers, Seen, courses
 from drawings.checks.wrong import on
+from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Group, Text
+from drawings.paper.walk import texts
 from plans.linkage.study import EXTREMES
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Output
@@ -22,11 +25,11 @@ from plans.words.words import Message
 
 LINKS = "links"  # the group of the numbers of links, among the letters of the plan
 NUMBER = re.compile(r"(0|[1-9]\d*)('*)(?: \(.*°\))?")
+UNDER = 3.0  # mm from a place to a letter in the way: a leader begins less than two millimetres off, clear of letters
 FAR = 20.0  # mm from a place to its number: two rings of numbers outside the hatching of a barrier
 NEARER = 3.0  # mm by which another position's place may be nearer, where numbers crowd
 ROOMY = 12.0  # mm between positions on the crank's circle: none of their numbers crowds another
 MOST = 0.34  # share of the numbers that may stand nearer to another position's place where places crowd
-ENDS = 2  # numbers at the output at the least: those of its extremes
 
 
 class Numbered(NamedTuple):
@@ -34,13 +37,14 @@ class Numbered(NamedTuple):
 
     places: Complexes
     between: tuple[tuple[int, complex], ...] = ()
+    point: str = ""
 
 
 def faults(plan: LaidPlan) -> Iterator[Message]:
     """See that each number stands at a place of its position, and that none is missing where there is room."""
     crank, *tracks = _numbered(plan)
     labels = list(_labels(plan))
-    at_crank, at_tracks, strays = set[int](), 0, 0
+    read, strays = list[tuple[int, bool, int, Label]](), 0
     for text, label in labels:
         found = NUMBER.fullmatch(text)
         if found is None:
@@ -53,36 +57,46 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         crowded = own[best] > near + NEARER
         if not own[best] <= FAR or (crowded and apart >= ROOMY):
             yield on("position_number", POSITIONS.plan, name=text)
-        if not best:
-            at_crank.add(number)
-        at_tracks += best > 0
+        read.append((number, bool(found[2]), best, label))
         strays += crowded
     if strays > MOST * len(labels):
         yield on("position_number", POSITIONS.plan, name=str(strays))
-    steps = np.abs(np.diff(crank.places))
-    if steps.size and steps.min() >= ROOMY:
-        missing = set(range(len(crank.places))) - at_crank
-        yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in sorted(missing))
-    if _roomy(plan) and at_tracks < min(ENDS, max((_known(one) for one in tracks), default=0)):
-        yield on(
-            "position_number", POSITIONS.plan, name=plan.laid.study.output.point or str(plan.laid.study.output.link)
+    for one in _due(plan, crank, tracks, read):
+        lost = [k for k in one.missing(FAR, plan.near) if not _is_under(plan, complex(one.places[k]))]
+        yield from (on("position_number", POSITIONS.plan, name=str(k)) for k in lost)
+
+
+def _is_under(plan: LaidPlan, spot: complex) -> bool:
+    """Tell whether a letter stands so near to a place that not even a leader of a number can begin there."""
+    return any(off(spot, bounds(text)) <= UNDER for text in texts(plan.leaf.groups))
+
+
+def _due(
+    plan: LaidPlan, crank: Numbered, tracks: Sequence[Numbered], read: Sequence[tuple[int, bool, int, Label]]
+) -> Iterator[DueNumbers]:
+    """Give what must be numbered: the positions at the crank, and along each track that has numbers at all."""
+    seen = Seen.of([(number, between, label) for number, between, _, label in read])
+    own = [{number for number, between, best, _ in read if best == k and not between} for k in range(1 + len(tracks))]
+    yield DueNumbers(crank.places, plan.position, [0] * len(crank.places), crank.between, seen, own[0])
+    known = {one.point: (one, numbers) for one, numbers in zip(tracks, own[1:], strict=True)}
+    for course in courses(plan, _output_point(plan)):
+        track, numbers = known[course.point]
+        yield DueNumbers(track.places, plan.position, course.strokes(plan), _ends(plan, course), seen, numbers)
+
+
+def _ends(plan: LaidPlan, course: Course) -> tuple[tuple[int, complex], ...]:
+    """Give the extremes of a track, each with the position that comes before it."""
+    own = [] if course.extremes is None else [*course.extremes.phi]
+    motion = plan.road.freely(np.array(own)) if own else None
+    if motion is None:
+        return ()
+    return tuple(
+        zip(
+            (_before(plan, phi) for phi in own),
+            plan.poses._replace(motion=motion).point(course.point).tolist(),
+            strict=True,
         )
-
-
-def _known(one: Numbered) -> int:
-    """Count the positions in which a point has a place."""
-    return int(np.isfinite(one.places).sum())
-
-
-def _roomy(plan: LaidPlan) -> bool:
-    """Tell whether the output's extremes, or all its places where it has none, leave each other room for a number."""
-    point = _output_point(plan)
-    if point is None:
-        return False
-    spots = (plan.extremes or plan.poses).point(point)
-    spots = spots[np.isfinite(spots)]
-    off = np.abs(spots[:, None] - spots)[np.triu_indices(len(spots), 1)]
-    return bool(off.size and off.min() >= ROOMY)
+    )
 
 
 def _output_point(plan: LaidPlan) -> str | None:
@@ -146,7 +160,7 @@ def _numbered(plan: LaidPlan) -> Iterator[Numbered]:
     yield Numbered(ends, tuple(zip(before, (pivot + arm for arm in arms), strict=True)))
     for point in dict.fromkeys(points):
         beside = () if extremes is None else tuple(zip(before, extremes.point(point).tolist(), strict=True))
-        yield Numbered(plan.poses.point(point), beside)
+        yield Numbered(plan.poses.point(point), beside, point)
 
 
 def _before(plan: LaidPlan, phi: float) -> int:

@@ -1,0 +1,130 @@
+"""Assertions about a sheet that is handed in: they say in true units what is wrong, and where (утверждения)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+from drawings.acceptance.assignment import FAIR_HAND, Assignment, FilePath
+from drawings.acceptance.handed_sheet import HandedSheet, handed
+from drawings.acceptance.picture import MOST, Spot, picture
+from drawings.acceptance.read_plan import ReadVector
+from drawings.acceptance.reading import AcceptanceError, OnPaper
+from drawings.files.atomic_files import write
+from drawings.grading import verdict
+from drawings.grading.feedback import is_plain
+from drawings.grading.graded import Graded
+from drawings.grading.told import gathered, with_values, without_values
+from drawings.grading.verdict import Verdict
+from drawings.paper.limits import SHEET_BYTES
+from geometry.regular_file import regular_bytes
+from plans.words.words import Message, message
+
+# Findings of a file that was saved again, with nothing on it changed: a file is no sheet.
+RESAVED = ("seal", "set")
+TOLD = 30  # lines of what is wrong in one message
+
+
+def assert_close_to_analysis(
+    sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None, tolerance: str = FAIR_HAND
+) -> None:
+    """Fail if a vector is not what the analysis gives.
+
+    The tolerance is "2 %" of the plan's largest vector, "0.2 mm" by which a hand slips in each act, or "exact".
+    """
+    __tracebackhide__ = True
+    own = handed(sheet).of(scene)
+    graded = _scene(own).graded(own.path, tolerance)
+    wrong = [one for one in graded.wrong if one.kind not in verdict.OF_DRAWING]
+    _assert_none(own, graded, wrong, message("accept.off", sheet=own.path.name, tolerance=tolerance))
+
+
+def assert_well_drawn(sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None) -> None:
+    """Fail if a scale is not written, arrows do not meet, or letters are missing or swapped."""
+    __tracebackhide__ = True
+    own = handed(sheet).of(scene)
+    graded = _scene(own).graded(own.path, FAIR_HAND)
+    wrong = [one for one in graded.wrong if one.kind in verdict.OF_DRAWING]
+    _assert_none(own, graded, wrong, message("accept.ill_drawn", sheet=own.path.name))
+
+
+def assert_sheet_matches(sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None) -> None:
+    """Fail if anything on a sheet of ours is not as its scene gives it; a file that was only saved again passes."""
+    __tracebackhide__ = True
+    own = handed(sheet).of(scene)
+    held = _scene(own).held(own.path)
+    if not isinstance(held, OnPaper):
+        raise AssertionError(_rejected(own, held))
+    wrong = [one for one in held.checked.findings if one.kind not in RESAVED]
+    if wrong:
+        edits = [one.edit for one in wrong if one.edit is not None]
+        spots = [Spot(edit.told.worded(own.language), edit.at, edit.at) for edit in edits]
+        head = message("accept.other", sheet=own.path.name, scene=_scene(own).originals.path.name)
+        raise AssertionError(_told(own, head, [one.told.worded(own.language) for one in wrong], held.paper, spots))
+
+
+def _scene(own: HandedSheet) -> Assignment:
+    if own.scene is None:
+        raise AcceptanceError(message("accept.sceneless", sheet=own.path.name))
+    return own.scene
+
+
+def _rejected(own: HandedSheet, graded: Graded) -> str:
+    return message("accept.rejected", sheet=own.path.name, reason=graded.reason).worded(own.language)
+
+
+def _assert_none(own: HandedSheet, graded: Graded, wrong: Sequence[Verdict], head: Message) -> None:
+    """Fail if anything is wrong, or nothing can be said."""
+    __tracebackhide__ = True
+    if graded.reason is not None:
+        raise AssertionError(_rejected(own, graded))
+    if wrong:
+        lines = [line for one in gathered(wrong) for line in _lines(own, graded, one)]
+        say = partial(without_values, hints={}, language=own.language)
+        spots = [Spot(say(one), *one.at) for one in wrong if one.at is not None]
+        raise AssertionError(_told(own, head, lines, graded.paper, spots))
+
+
+def _lines(own: HandedSheet, graded: Graded, one: Verdict) -> Iterator[str]:
+    """Tell of a verdict, and what is drawn and what the analysis gives."""
+    hints = _scene(own).hints
+    yield (without_values if own.silent else with_values)(one, hints, own.language)
+    plan = next((plan for plan in graded.drawn if plan.asked.place == (one.plan, one.position)), None)
+    if own.silent or plan is None:
+        return
+    drawn = plan.value(one.letters)
+    true = next((asked.true for asked in plan.asked.vectors if asked.letters == one.letters), None)
+    if drawn is not None and true is not None and one.name:
+        parts = {"drawn": _value(one, drawn), "true": _value(one, true)}
+        yield f"  {message('accept.values', **parts).worded(own.language)}"
+
+
+def _value(one: Verdict, value: complex) -> Message:
+    """Word a vector by its size and direction; a point by its coordinates."""
+    if one.letters[0] == "":
+        return message("accept.point", x=f"{value.real:.4g}", y=f"{value.imag:.4g}", unit=one.unit)
+    read = ReadVector(one.name, value, one.unit)
+    return message("accept.vector", size=f"{read.size:.4g}", angle=f"{read.angle:.1f}", unit=one.unit)
+
+
+def _told(
+    own: HandedSheet, head: Message, lines: Sequence[str], paper: tuple[float, float], spots: Sequence[Spot]
+) -> str:
+    """Tell what is wrong, line by line, and where its picture lies, if pictures are drawn."""
+    left = len(lines) - TOLD
+    more = [message("checked.more", count=left).worded(own.language)] if left > 0 else []
+    drawn = [message("accept.picture", file=path).worded(own.language) for path in _pictured(own, paper, spots)]
+    return "\n  ".join([head.worded(own.language), *lines[:TOLD], *more, *drawn])
+
+
+def _pictured(own: HandedSheet, paper: tuple[float, float], spots: Sequence[Spot]) -> Iterator[str]:
+    """Draw the places of what is wrong into the report's folder."""
+    if own.report is None or not spots or not all(paper):
+        return
+    source = regular_bytes(own.path, SHEET_BYTES + 1)
+    if is_plain(source):
+        own.report.mkdir(parents=True, exist_ok=True)
+        file = own.report / f"{own.name or own.path.stem}.svg"
+        write(file, picture(source, paper, spots[:MOST]))
+        yield os.fspath(file)

@@ -1,0 +1,116 @@
+"""The filled corners of rigid links: each where two lines of a link meet, as deep as it must be, and no other (уголки).
+
+A corner is filled up to its hinge and a little beyond; a rod is filled on both sides where it leaves its block.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from drawings.checks.standing import ROUNDED
+from drawings.paper.strokes import Circle, Fill
+from drawings.symbols.symbols import GUSSET, LEG
+
+SHALLOW = 0.25  # of its depth: a corner so wide that less of it would be seen stays white
+SHARP = 3  # corners of a filling that has no circle about it
+EDGE = 0.02  # of that: what rounding may make one of a corner that is nearly so wide
+
+
+class Corner(NamedTuple):
+    """A corner on paper, the unit directions of its lines from it, whether it must be filled, or may be."""
+
+    at: complex
+    first: complex
+    second: complex
+    due: bool = True
+
+    @property
+    def half(self) -> float:
+        """Half its angle, rad."""
+        return abs(cmath.phase(self.second / self.first)) / 2
+
+
+class Corners(NamedTuple):
+    """The corners of the links of a figure, with what is filled in it, its hinges' circles, its factor of symbols."""
+
+    corners: Sequence[Corner]
+    fills: Sequence[Fill]
+    rings: Sequence[Circle]
+    size: float
+
+    def missing(self) -> bool:
+        """Tell whether a corner that must be filled is not."""
+        due = [one for one in self.corners if one.due and self._shown(one)]
+        return not all(any(self._fills(fill, one) for fill in self.fills) for one in due)
+
+    def stray(self) -> bool:
+        """Tell whether something is filled about a hinge that is no corner; a rod's own block may fill more of it."""
+        rounded = [fill for fill in self.fills if len(fill.points) > SHARP]
+        return not all(any(self._fills(fill, one) for one in self.corners) for fill in rounded)
+
+    def _radius(self, spot: complex) -> float:
+        """Give the radius of the circle about a corner."""
+        return max((one.radius for one in self.rings if abs(one.centre - spot) < one.radius), default=0.0)
+
+    def _reach(self, one: Corner) -> float:
+        """Give how far along its lines a corner is filled, mm."""
+        depth = self._radius(one.at) + GUSSET * self.size
+        return depth * min(1 / max(math.cos(one.half), 1 / (2 * LEG)), LEG)
+
+    def _shown(self, one: Corner) -> bool:
+        """Tell whether a corner is surely not too wide to be filled."""
+        beyond = self._reach(one) * math.cos(one.half) - self._radius(one.at)
+        return one.half > EDGE and beyond > (SHALLOW + EDGE) * GUSSET * self.size
+
+    def _fills(self, fill: Fill, one: Corner) -> bool:
+        """Tell whether a filling is of a corner: its outermost places lie on the corner's lines, as far as is due."""
+        reach = self._reach(one)
+        ends = one.at + one.first * reach, one.at + one.second * reach
+        outer = fill.points[-2:]
+        turned = (ends, ends[::-1])
+        return any(max(abs(a - b) for a, b in zip(outer, own, strict=True)) <= 2 * ROUNDED for own in turned)
+
+
+def around(corners: Sequence[complex]) -> Iterator[Corner]:
+    """Give the corners of a closed polygon."""
+    for before, at, after in zip((corners[-1], *corners[:-1]), corners, (*corners[1:], corners[0]), strict=True):
+        yield Corner(at, _unit(before - at), _unit(after - at))
+
+
+def between(at: complex, ends: Iterable[complex]) -> Iterator[Corner]:
+    """Give what may be corners at a place where lines of one link meet, by where those lead."""
+    ways = [_unit(one - at) for one in ends if abs(one - at) > ROUNDED]
+    yield from (Corner(at, one, other, False) for k, one in enumerate(ways) for other in ways[:k])
+
+
+def welded(start: complex, end: complex, block: Sequence[complex]) -> Iterator[Corner]:
+    """Give the corners of a rod with the sides of its block, where it leaves that."""
+    for one, other in pairwise((*block, block[0])):
+        side, run = other - one, end - start
+        across = (side.conjugate() * run).imag
+        if not across:
+            continue
+        along, share = (
+            ((start - one).conjugate() * run).imag / across,
+            ((start - one).conjugate() * side).imag / across,
+        )
+        if 0 < along < 1 and 0 < share < 1:
+            far, inside = max((start, end), key=lambda spot: _outside(spot, one, side, block)), min(along, 1 - along)
+            spot = start + share * run
+            yield from (
+                Corner(spot, _unit(far - spot), _unit(way), inside * abs(side) > ROUNDED) for way in (side, -side)
+            )
+
+
+def _outside(spot: complex, one: complex, side: complex, block: Sequence[complex]) -> float:
+    """Give how far a place is beyond a side, away from the middle of its block."""
+    inner = ((sum(block) / len(block) - one) / side).imag
+    return -((spot - one) / side).imag * math.copysign(1.0, inner)
+
+
+def _unit(run: complex) -> complex:
+    return run / abs(run)

@@ -1,0 +1,102 @@
+"""The record of a force sheet: polygons of groups, arms on schemes, the lever, each by analysis (силовой расчёт)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from drawings.figures.forces.lever_layout import PLAN as LEVER
+from drawings.figures.forces.lever_plan import balance, hanging
+from drawings.figures.forces.leverage import leverages
+from drawings.grading import verdict
+from drawings.grading.records import Found, Letters, Record, Slip
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.symbols.force_arrow import plain_name
+from geometry.board import Board, Mark
+from geometry.span import Span
+from plans.checks.force_expected import ExpectedForces
+from plans.checks.hand.forces import FIGURES
+from plans.forces.cut import Cut
+from plans.forces.force_template import ForcePlans
+from plans.study import Study
+
+FORCES = "forces"
+_FIGURES = tuple(FIGURES.values())
+
+
+def record_of(study: Study, leaf: Leaf) -> Record:
+    """Give the record of the vectors of one force sheet."""
+    statics, comparison, k = study["forces"], study.comparison("forces"), int(leaf.metadata["position"])
+    solved, linkage = comparison.motion.analysis, statics.study
+    loads = statics.loading(solved)
+    expected = ExpectedForces(linkage.mechanism, statics.machine, solved, loads, comparison.analysis, k)
+    drawn = statics.drafts([k]).plans
+    found: dict[Letters, Found] = {}
+    for cut in drawn.plan.cuts:
+        true = expected.polygon(linkage.groups, cut.group) | expected.parts(cut.group)
+        found |= {(f"forces-{cut.label}", k, "", name): one for name, one in _sides(drawn, cut, true)}
+        found |= {(f"scheme {cut.label}", k, "", one.name): one for one in _arms(drawn, cut)}
+    images = {linkage.drafts().velocities.point(name).name: expected.image(name) for name in solved.points}
+    found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, images, drafting_of(study.scene))}
+    scales = {
+        name.replace("scheme-", "scheme "): mu
+        for name, mu in leaf.metadata["scales"].items()
+        if name.startswith(_FIGURES)
+    }
+    boards = {name: FORCES for name in scales if name.startswith(FIGURES[FORCES])}
+    coarsest = {board: max(mu for name, mu in scales.items() if name in boards) for board in boards.values()}
+    return Record(found, {name: {k: mu} for name, mu in (scales | coarsest).items()}, boards)
+
+
+def _sides(drawn: ForcePlans, cut: Cut, true: Mapping[str, complex]) -> Iterator[tuple[str, Found]]:
+    """Give the forces of a cut's polygon, each between its corners, and the whole reactions across it."""
+    corners = {side.name: Span(side.start, side.end) for side in cut.sides}
+    sides = set(corners)
+    for support in cut.reactions:
+        if support.force.step.op == "join":
+            corners.setdefault(support.force.name, Span(*support.force.step.inputs))
+    marks = dict(_marks(drawn, cut))
+    for name, side in corners.items():
+        if name in marks and name in true:
+            yield name, Found(name, true[name], Span(drawn.plan.pole, marks[name]), side, name not in sides)
+
+
+def _marks(drawn: ForcePlans, cut: Cut) -> Iterator[tuple[str, Mark]]:
+    """Give the marks of the forces of a cut by their names."""
+    for load in cut.loads:
+        yield load.name, load.force
+    for support in cut.reactions:
+        yield from ((part.name, part) for part in support.parts)
+        yield support.force.name, support.force
+    if cut.group is None and drawn.plan.drive is not None:
+        yield drawn.plan.drive.name, drawn.plan.drive
+
+
+def _arms(drawn: ForcePlans, cut: Cut) -> Iterator[Found]:
+    """Give the arms on the scheme of a cut: from the point of moments square to the line of action."""
+    for arm in leverages(drawn.plan, cut, 0):
+        if arm.dimensioned:
+            yield _arm(f"scheme {cut.label}", arm.letter, (arm.pivot, arm.at), arm.direction)
+
+
+def _lever(drawn: ForcePlans, images: Mapping[str, complex], drafting: Drafting) -> Iterator[Found]:
+    """Give the images on the lever, and the arms of the forces there."""
+    if drawn.lever is None:
+        return
+    shown, board = hanging(drawn.plan, drawn.lever, 0), Board(LEVER)
+    pole = board.given(shown.pole, 0j)
+    for name, _, place in shown.images:
+        yield Found(name, images.get(name, place), Span(pole, board.given(name, place)))
+    for term in balance(shown, drafting):
+        if term.dimensioned:
+            yield _arm(LEVER, term.arm, (0j, term.at), term.direction)
+
+
+def _arm(plan: str, letter: str, ends: tuple[complex, complex], direction: complex) -> Found:
+    """Construct an arm as it is drawn: the line of action through the force's point, the perpendicular to its foot."""
+    board, name = Board(plan), plain_name(letter)
+    about, at = board.given("about", ends[0]), board.given("at", ends[1])
+    along = board.given("along", direction)
+    foot = board.meet(name, board.parallel("action", at, along), board.square("square", about, along))
+    slant = Slip(verdict.SLANT, ends[1] - ends[0])
+    return Found(name, complex(foot.point) - ends[0], Span(about, foot), slips=(slant,))

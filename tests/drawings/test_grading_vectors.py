@@ -1,0 +1,112 @@
+"""Grading of free vectors: polygons of forces, of rotors, of mechanisms and of banks; arms; the lever."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import PlanAsked
+from drawings.grading.graded import grade
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from geometry.board import Mark
+from geometry.replay import redraw
+from tests.drawings.students import Task, task
+from tests.drawings.vector_students import Laid, beside, laid, mark_of, sheet_of, turned, written
+from tests.rows import over
+
+HAND = Allowances()
+CASES = Path(__file__).parents[1] / "cases"
+MISTAKES = tomllib.loads((CASES / "student_vector_mistakes.toml").read_text("utf-8"))["mistake"]
+
+
+def made(own: Task, row: dict[str, Any]) -> bytes:
+    """Draw the sheet with a mistake of the table."""
+    name, position = row["plan"]
+    plans = beside(own, (name, position if position >= 0 else None))
+    plan = next(one for one in plans if one.plan == name)
+    how, vector = row["how"], row.get("vector", "")
+    now = laid(plans, moved(plans, row))
+    if how in ("alone times", "alone back", "alone turned", "slant"):
+        now[name, vector] = Laid(drawn_otherwise(plan, row, now[name, vector].value), now[name, vector].start)
+    if how == "plan times":
+        now |= {key: Laid(one.value * row["by"], one.start * row["by"]) for key, one in now.items() if key[0] == name}
+    if how == "plan turned":
+        own_ = {key: one for key, one in now.items() if key[0] == name}
+        now |= {key: Laid(turned(one.value, row["by"]), turned(one.start, row["by"])) for key, one in own_.items()}
+    if how == "mirrored":
+        own_ = {key: one for key, one in now.items() if key[0] == name}
+        now |= {key: Laid(one.value.conjugate(), one.start.conjugate()) for key, one in own_.items()}
+    return sheet_of(own, plans, now, lambda stroke: kept(stroke, plan, row))
+
+
+def drawn_otherwise(plan: PlanAsked, row: dict[str, Any], value: complex) -> complex:
+    """Draw one vector otherwise and nothing else."""
+    if row["how"] == "slant":
+        found = next(one.found for one in plan.vectors if one.name == row["vector"])
+        assert found is not None
+        return found.slips[0].value
+    by = row.get("by", 0)
+    return {"alone times": value * by, "alone back": -value, "alone turned": turned(value, by)}[row["how"]]
+
+
+def moved(plans: tuple[PlanAsked, ...], row: dict[str, Any]) -> dict[Mark, complex]:
+    """Give the vector that is drawn otherwise, from which all goes on."""
+    how, by = row["how"], row.get("by", 0)
+    one = {
+        "back": lambda value: -value,
+        "times": lambda value: by * value,
+        "turned": lambda value: turned(value, by),
+        "left out": lambda value: 0j,
+    }
+    if how in one:
+        mark = mark_of(plans, row["vector"])
+        return {mark: one[how](complex(np.ravel(mark.point)[0]))}
+    if how.startswith("moment"):  # a term of an equation of moments turned round, or forgotten
+        force = mark_of(plans, row["vector"])
+        term = next(one for one in force.step.inputs[2:] if row["of"] in (one.name, *(a.name for a in one.step.inputs)))
+        value = 0.0 if how == "moment left out" else -float(np.ravel(term.point)[0].real)
+        return {force: complex(np.ravel(redraw([force], {term: value})[force].point)[0])}
+    return {}
+
+
+def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
+    """Give a stroke as a mistake of drawing leaves it."""
+    names = row.get("vector", "").split(" ")
+    letters = {one.name: written(one.letter) for one in plan.vectors}
+    if isinstance(stroke, Group) and (stroke.data.get("plan"), stroke.data.get("name")) == (plan.plan, names[0]):
+        if row["how"] in ("missing", "left out"):
+            return None
+        if row["how"] == "swapped ends":
+            line, *_ = stroke.strokes
+            assert isinstance(line, Line)
+            return replace(stroke, strokes=(replace(line, start=line.end, end=line.start),))
+        if row["how"] == "end aside":
+            line, *heads = stroke.strokes
+            assert isinstance(line, Line)
+            return replace(stroke, strokes=(replace(line, end=line.end + complex(*row["by"])), *heads))
+    if isinstance(stroke, Text):
+        if row["how"] == "unscaled" and stroke.plain.startswith("μ"):
+            return None
+        if row["how"] == "unlettered" and stroke.plain == letters[names[0]]:
+            return None
+        if row["how"] == "letters swapped" and stroke.plain in (letters[names[0]], letters[names[1]]):
+            other = names[stroke.plain == letters[names[0]]]
+            return replace(stroke, content=next(one.letter for one in plan.vectors if one.name == other))
+    return stroke
+
+
+def said(own: Task, source: bytes) -> list[str]:
+    graded = grade(source, own.plans, HAND)
+    assert graded.reason is None, graded.reason.worded("en")
+    return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) or one.kind for one in graded.wrong)
+
+
+@over("row", MISTAKES)
+def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
+    own = task(row["scene"])
+    assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
