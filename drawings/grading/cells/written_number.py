@@ -74,7 +74,7 @@ def _bare(unit: str) -> str:
 
 
 def _times(own: str, due: str) -> float:
-    """Give by what a number is multiplied that is written with a unit; one that is not known is taken as the due one."""
+    """Give by what a number is multiplied that is written with a unit; an unknown one is taken as the due one."""
     if own in ("", due):
         return 1.0
     if due and own.endswith(due):
