@@ -37,6 +37,7 @@ class HandedSheet:
 
     def plan(self, name: str, position: int | None = None) -> ReadPlan:
         """Give a plan by its name and its position, which need not be said where there is but one."""
+        __tracebackhide__ = True
         changed = self.path.stat().st_mtime_ns if self.path.exists() else 0
         read = _read(self.path, changed, self.scene)
         if read.reason is not None:

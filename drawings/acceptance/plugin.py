@@ -84,7 +84,7 @@ def _handed(request: pytest.FixtureRequest, path: Path, scene: Assignment | None
 
     options = request.config.option
     report = options.plandraft_report and Path(options.plandraft_report)
-    name = re.sub(r"[^\w.-]+", "-", f"{request.path.stem}-{request.node.name}").strip("-")
+    name = re.sub(r"[^\w.-]+", "-", f"{request.path.stem}-{request.node.name}").strip("-").removesuffix(".svg")
     return HandedSheet(path, scene, report or None, name, options.plandraft_silent)
 
 

@@ -71,6 +71,7 @@ class ReadPlan:
 
     def vector(self, name: str) -> ReadVector:
         """Give a vector by its name ("v_B"), by the letters of its ends ("a b"), or from the pole to a letter ("b")."""
+        __tracebackhide__ = True
         start, end = self._letters(name)
         value = self.drawn.value((start, end))
         if value is None:
@@ -99,6 +100,7 @@ class ReadPlan:
 
 def chosen(plans: Sequence[DrawnPlan], name: str, position: int | None, language: str) -> ReadPlan:
     """Give the plan of a name in anybody's words: "velocity", "velocities", "план скоростей"."""
+    __tracebackhide__ = True
     own = [plan for plan in plans if _called(plan.asked.plan, name) and position in (None, plan.asked.position)]
     if len(own) == 1:
         return ReadPlan(own[0], language)

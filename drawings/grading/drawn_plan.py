@@ -11,6 +11,7 @@ from drawings.grading.asked import Asked, PlanAsked, ends_of, is_free
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
+from drawings.paper.limits import SEEN
 
 
 class Arrow(NamedTuple):
@@ -54,6 +55,10 @@ class DrawnPlan:
     def whole(self) -> bool:
         """Whether each vector that is asked for is on it."""
         return not self.lacking
+
+    def is_small(self, one: Asked) -> bool:
+        """Tell whether a vector is too short on paper to be found by its letter."""
+        return self.lettered and bool(one.letter) and abs(one.true) < 2 * SEEN * self.scale
 
     @property
     def fitted(self) -> float:

@@ -17,6 +17,7 @@ from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
+from drawings.grading.free_plan import free_plans
 from drawings.grading.judgement import Judge
 from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
@@ -63,7 +64,7 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: S
     figures = figures_drawn(seen, curves)
     if not drawn and not figures:
         return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
-    if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking]:
+    if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn}
     there = {plan.asked.place for plan in drawn}
@@ -96,11 +97,15 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
     whole = tuple(redrawn(plan, lines) for plan in marked)
     if any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
-    here = {plan.asked.sheet for plan in marked}  # a lever looks as the plan of another sheet does
+    here = {plan.asked.sheet for plan in marked}
     own = [figure_of(one) for one in figures(lines)]
     there = {plan.asked.place for plan in marked}
     left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
-    return (*whole, *lettered_plans(left, own, list(texts(seen.leaf.groups))))
+    words, labels = list(texts(seen.leaf.groups)), [one for own in labels_of(seen.leaf.groups).values() for one in own]
+    polygons = tuple(free_plans(left, lines, words, labels))
+    here |= {plan.asked.sheet for plan in polygons}  # a lever looks as the plan of another sheet does
+    others = [one for one in left if not here or one.sheet in here]
+    return (*whole, *polygons, *lettered_plans(others, own, words))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:

@@ -51,7 +51,7 @@ class Judge:
         blamed = set[str]()
         for one in self.drawn.asked.vectors:
             said = self._one(one)
-            if not said.good and said.kind not in (verdict.MISSING, verdict.DEAD):
+            if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
                 places = self._places(one)
                 if places & blamed:
                     said = said._replace(kind=verdict.FOLLOWS)
@@ -82,7 +82,7 @@ class Judge:
         if not math.isfinite(allowed):
             return self._said(verdict.DEAD, one)
         if value is None:
-            return self._said(verdict.MISSING, one)
+            return self._said(verdict.SMALL if self.drawn.is_small(one) else verdict.MISSING, one)
         off = abs(value - one.true)
         if self._near(one, value):
             return self._said(verdict.RIGHT, one, off)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.eye.alike import folded
@@ -85,19 +86,19 @@ def _candidates(
 ) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
     """Give what each figure may be, where no heading says otherwise: how many letters it lacks, and how ill it fits."""
     for k, figure in enumerate(figures):
-        position = _position(figure, texts)
+        position = position_named(figure.away, texts)
         for plan in asked:
             names = _named(plan, figure, texts)
             if len(names) < LEAST or POLES.get(plan.plan) not in names:
                 continue
             drawn = _drawn(plan, figure, names, texts)
             if position is None or position == plan.position:
-                yield (float(len(plan.letters) - len(names)), _misfit(drawn)), k, drawn
+                yield (float(len(plan.letters) - len(names)), misfit(drawn)), k, drawn
 
 
-def _position(figure: Figure, texts: Sequence[Text]) -> int | None:
+def position_named(away: Callable[[Text], float], texts: Sequence[Text]) -> int | None:
     """Give the position that the nearest heading names."""
-    own = [(figure.away(text), int(match[1])) for text in texts if (match := _POSITION.search(text.plain))]
+    own = [(away(text), int(match[1])) for text in texts if (match := _POSITION.search(text.plain))]
     near = [one for one in own if one[0] <= HEADING]
     return min(near)[1] if near else None
 
@@ -162,6 +163,7 @@ def _others(names: Mapping[str, complex], near: Mapping[tuple[str, complex], flo
         yield moved
 
 
+@lru_cache(maxsize=1024)
 def spelled(letter: str) -> str:
     """Write a letter as anybody may write it: without the marks of levels, as it looks.
 
@@ -185,19 +187,19 @@ def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts:
             arrows[one.letters] = Arrow(names[one.end], names[one.start])
     near = [(figure.away(text), mu) for text, mu in scales_written(texts, plan)]
     scale = min(near)[1] if near and min(near)[0] <= HEADING else None
-    turn = cmath.rect(1.0, -math.radians(_turn(plan, figure, texts)))
+    own = {spelled(letter) for letter in plan.letters}
+    turn = turn_of([text for text in texts if spelled(text.plain) in own], figure.away)
     bare = DrawnPlan(plan, arrows, 1.0, names, False)
     return DrawnPlan(plan, arrows, scale or bare.fitted, names, scale is not None, turn, lettered=True)
 
 
-def _turn(plan: PlanAsked, figure: Figure, texts: Sequence[Text]) -> float:
-    """Give by how much the page of a figure is turned, degrees: as the nearest of its letters stands."""
-    own = {spelled(letter) for letter in plan.letters}
-    near = [text for text in texts if spelled(text.plain) in own]
-    return min(near, key=figure.away).rotation if near else 0.0
+def turn_of(own: Sequence[Text], away: Callable[[Text], float]) -> complex:
+    """Give what lays a figure upright whose page is turned: as the nearest of its letters stands."""
+    turn = min(own, key=away).rotation if own else 0.0
+    return cmath.rect(1.0, -math.radians(turn))
 
 
-def _misfit(drawn: DrawnPlan) -> float:
+def misfit(drawn: DrawnPlan) -> float:
     """Give by what share the vectors of a plan are out, each of its own size."""
     pairs = [(one.true, value) for one in drawn.asked.vectors if (value := drawn.value(one.letters)) is not None]
     size = sum(abs(true) for true, _ in pairs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import sys
 import time
 import traceback
@@ -18,17 +19,22 @@ from drawings.paper.limits import SHEET_BYTES
 from geometry.regular_file import regular_bytes
 from plans.words.words import message
 
-# Wall seconds for one sheet: the largest honest ones take under two.
+# Seconds of work on one sheet: our own take under two, one of ten megabytes takes eight.
 SECONDS = 30.0
-# Bytes that a process may take beyond those of the one it came from: a sheet of ten megabytes needs half of them.
-MEMORY = 400 * 1024**2
+# Seconds that a process may be there at all: so busy a machine may be, or so long it may wait for nothing.
+PATIENCE = 4 * SECONDS
+# Bytes that a process may take beyond those of the one it came from, which has some fifty: of the sheets that may be
+# handed in the worst needs 61 megabytes, of ten megabytes full of lines.
+MEMORY = 96 * 1024**2
+# How a process ends that has worked too long; Windows knows no such end.
+SPENT = getattr(signal, "SIGXCPU", 0)
 _STATM = Path("/proc/self/statm")  # of Linux: how much memory a process has
 
 Answer = TypeVar("Answer")  # of one sheet, as it is asked for: graded, or checked
 
 
 class _Work(NamedTuple):
-    """A process that grades a sheet, until when it may."""
+    """A process that grades a sheet, until when it may be there."""
 
     path: Path
     process: Any
@@ -57,7 +63,7 @@ def _begun(path: Path, grading: Callable[[bytes], Answer]) -> dict[Connection, _
     process = how.Process(target=_work, args=(path, grading, theirs), daemon=True)
     process.start()
     theirs.close()
-    return {ours: _Work(path, process, time.monotonic() + SECONDS)}
+    return {ours: _Work(path, process, time.monotonic() + PATIENCE)}
 
 
 def _gather(running: dict[Connection, _Work], done: dict[Path, Answer | Graded]) -> None:
@@ -79,6 +85,8 @@ def _answer(end: Connection, work: _Work) -> Any:
         return end.recv()
     except (EOFError, OSError):
         work.process.join(1.0)
+        if work.process.exitcode == -SPENT:
+            return Graded(REJECTED, reason=message("grade.late"))
         return Graded(OURS, reason=message("grade.died", code=str(work.process.exitcode)))
 
 
@@ -111,4 +119,4 @@ def _limit() -> None:
         own = int(_STATM.read_text("ascii").split()[0]) * resource.getpagesize()
         resource.setrlimit(resource.RLIMIT_AS, (own + MEMORY, own + MEMORY))
     spent = int(time.process_time()) + int(SECONDS) + 1
-    resource.setrlimit(resource.RLIMIT_CPU, (spent, spent))
+    resource.setrlimit(resource.RLIMIT_CPU, (spent, spent + 1))  # the signal first, its end a second later

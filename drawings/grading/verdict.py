@@ -9,7 +9,7 @@ MISSING, REVERSED, WRONG = "missing", "reversed", "wrong"
 NORMAL, CORIOLIS = "normal", "coriolis"  # reversed parts, which have names of their own
 LONG, TURNED = "long", "turned"  # only the size, only the direction
 SIMILAR, BRANCH = "similar", "branch"
-DEAD = "dead"  # too near a dead centre: not graded
+DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
 INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
 MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
 # Of a plan as a whole.
@@ -28,9 +28,9 @@ GOOD: Final = (RIGHT, FOLLOWS)
 OF_CURVES: Final = (SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE)
 OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
-UNGRADED: Final = (DEAD, UNREAD)
+UNGRADED: Final = (DEAD, UNREAD, SMALL)
 KINDS: Final = (
-    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD,
+    RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
     *OF_CURVES,

@@ -73,11 +73,11 @@ class _Reader:
     def read(self, source: bytes) -> ReadSheet:
         self.ampersands = source.count(b"&")
         parser = self._parser()
-        deadline = time.monotonic() + limits.READING_SECONDS
+        deadline = time.process_time() + limits.READING_SECONDS  # of its own work: a busy machine refuses no sheet
         try:
             for place in range(0, len(source), _CHUNK):
                 parser.Parse(source[place : place + _CHUNK], False)
-                if time.monotonic() > deadline:
+                if time.process_time() > deadline:
                     raise OverLimit("seconds", limit=f"{limits.READING_SECONDS:g}")
             parser.Parse(b"", True)
         except expat.ExpatError as error:

@@ -46,7 +46,7 @@ METADATA_LENGTH = 2 * 1024**2
 # Illustrator declares about ten namespaces as entities, each under a hundred characters.
 ENTITIES = 64
 ENTITY_LENGTH = 200
-# Wall seconds for one sheet; the byte limit alone keeps honest files under one second.
+# Seconds of work on one sheet; the byte limit alone keeps honest files under one second.
 READING_SECONDS = 20.0
 
 # A writing that lasts longer than this (seconds) was killed, and its temporary file is an orphan.

@@ -39,6 +39,7 @@ class Analysis:
         self._turn: March | None = None
         self._whole: March | None = None
         self._homes: dict[float | None, Assembly | None] = {}  # by the first crank angle that the sketch may show
+        self._extremes: dict[Output, tuple[March | None, Extremes | None]] = {}
 
     def rates(self, phi: Floats) -> Rates:
         """Give the rates of the drive at crank angles rad."""
@@ -87,8 +88,12 @@ class Analysis:
         return self._homes[first]
 
     def extremes(self, output: Output) -> Extremes | None:
-        """Find the output's extreme positions on the way round."""
-        return extremes(self.shape, output, self.looks, self._turn)
+        """Find the output's extreme positions on the way round, once for each way."""
+        turn, found = self._extremes.get(output, (None, None))
+        if output not in self._extremes or turn is not self._turn:
+            found = extremes(self.shape, output, self.looks, self._turn)
+            self._extremes[output] = self._turn, found
+        return found
 
     @property
     def ends(self) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""Students at curves: a scene's own sheet with one figure drawn otherwise, and those that follow drawn on from there."""
+"""Students at curves: a scene's own sheet with one figure drawn otherwise, and those that follow drawn on."""
 
 from __future__ import annotations
 
@@ -71,10 +71,7 @@ def drawn(
 
 def _moves(asked: FigureAsked, values: Values) -> Values:
     """Give by how much each value moves on paper, mm."""
-    moved = np.nan_to_num(values - asked.true)
-    if asked.kind == ORDINATES or len(asked.scales) == 1:
-        return np.asarray(moved / asked.scale)
-    return np.asarray(moved)  # of a loop they are mm
+    return np.asarray(np.nan_to_num(values - asked.true) / asked.scale)
 
 
 def _kept(one: Stroke, keep: Keep) -> Stroke | None:
@@ -128,7 +125,7 @@ def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
     values, way = asked.true.copy(), asked.way if asked.kind == ORDINATES else 1 + 0j
     places = {one.name if one.position is None else one.called: one.place for one in asked.items}
     places |= {one.name: one.place for one in asked.items}
-    by, mm = row.get("by", 0), asked.scale if len(asked.scales) == 1 else 1.0
+    by, mm = row.get("by", 0), asked.scale
     at = [places[name] for name in row.get("at", ())]
     if row["how"] in ("missing", "unscaled"):
         return drawn(task, task.sheet(asked.sheet), {}, lambda one: _lost(one, asked, row))
@@ -147,11 +144,16 @@ def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
             values[at] += way * by * mm
         case "turned":
             values[at] *= cmath.rect(1, math.radians(by))
-        case "exchanged":
-            values[at] = values[at[::-1]]
+        case "one back":
+            values[at] = -values[at]
+        case "swapped lengths":
+            values[at] = values[at[::-1]].real + 1j * values[at].imag
         case "mistake":
-            found = [one.values for one in asked.mistakes if one.kind == row["kind"]]
-            values = max(found, key=lambda one: float(np.abs(one - asked.true).max())).copy()
+            found = [one for one in asked.mistakes if one.kind == row["kind"]]
+            one = max(found, key=lambda one: float(np.abs(one.values - asked.true).max()))
+            values = one.values + (0 if one.along is None else by * mm * one.along)
+        case "mirrored":
+            values = -values.conj()
         case how:
             raise ValueError(how)
     later = gone_on(task, asked.key, values) if row.get("on", True) else {asked.key: values}

@@ -121,7 +121,7 @@ def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Co
             assert max(panel.item.wide, panel.item.high) / max(keyed) < LEAST  # not to be read at the common one
 
 
-@pytest.mark.parametrize("page", rows(PAGES, 4), ids=lambda page: f"{page.name}-{page.orientation}-{page.standard}")
+@pytest.mark.parametrize("page", rows(PAGES, 8), ids=lambda page: f"{page.name}-{page.orientation}-{page.standard}")
 def test_what_belongs_together_is_not_mixed_with_what_does_not(page: Page) -> None:
     panels = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)]
     for one in compose(Contents(tuple(panels), (table(8),), SAID), page):
@@ -156,8 +156,8 @@ def test_a_figure_of_more_weight_is_drawn_larger() -> None:
     assert sizes[1] > sizes[0]
 
 
-@pytest.mark.parametrize("page", rows([Page("A1"), Page("A2"), Page("A3")], 2), ids=lambda page: page.name)
-@pytest.mark.parametrize("size", rows([(0.5, 0.3), (1.5, 0.4), (0.3, 0.9)], 2))
+@pytest.mark.parametrize("page", rows([Page("A1"), Page("A2"), Page("A3")], 3), ids=lambda page: page.name)
+@pytest.mark.parametrize("size", rows([(0.5, 0.3), (1.5, 0.4), (0.3, 0.9)], 3))
 def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too_large(
     page: Page, size: tuple[float, float]
 ) -> None:

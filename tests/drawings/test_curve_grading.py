@@ -1,4 +1,4 @@
-"""Grading of curves: a scene's own graphs are right, a mistake is found and named, what follows from it loses nothing."""
+"""Grading of curves: our own graphs are right, a mistake is found and named, what follows from it loses nothing."""
 
 from __future__ import annotations
 

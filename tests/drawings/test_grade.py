@@ -13,11 +13,11 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
+from drawings.grading import roll
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
-from drawings.grading.roll import grade_all
 from drawings.grading.told import row
 from tests.drawings.students import task
 from tests.drawings.test_grading import MISTAKES, made
@@ -67,15 +67,20 @@ def broken(source: bytes) -> Graded:
     if source == b"bug":
         raise KeyError("a bug")
     if source == b"memory":
-        bytearray(2**30)  # more than a process may take, and less than a machine has
+        bytearray(128 * 2**20)  # with what it shares with ours it would have more than 150 megabytes
+    while source == b"time":
+        pass
     return Graded(PASS)
 
 
-def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(tmp_path: Path) -> None:
-    paths = [tmp_path / name for name in ("bug", "memory", "good")]
+def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(roll, "SECONDS", 0.0)  # of work, rounded up to one
+    paths = [tmp_path / name for name in ("bug", "memory", "time", "good")]
     for path in paths:
         path.write_bytes(path.name.encode())
-    assert [one.outcome for _, one in grade_all(paths, broken)] == [OURS, REJECTED, PASS]
+    graded = [one for _, one in roll.grade_all(paths, broken)]
+    assert [one.outcome for one in graded] == [OURS, REJECTED, REJECTED, PASS]
+    assert [one.reason and one.reason.key for one in graded] == ["grade.bug", "grade.memory", "grade.late", None]
 
 
 def test_points_are_those_of_the_table(tmp_path: Path, folder: Path) -> None:

@@ -84,7 +84,7 @@ def test_a_class_is_graded_to_the_last_sheet(run: Run, class_: Path, pytester: p
         ]
     )
     assert [path.name for path in (pytester.path / "report").iterdir()] == [
-        "test_a_class_is_graded_to_the_last_sheet-test_values-bob.svg.svg"
+        "test_a_class_is_graded_to_the_last_sheet-test_values-bob.svg"
     ]
 
 

@@ -63,7 +63,7 @@ def faults(path: Path) -> list[Fault]:
     return [Fault(**{**one, "seen_by": tuple(one["seen_by"])}) for one in table["faults"]]
 
 
-MORE = 1  # faults of each table in files that nobody has touched, and at most as many of those in the others
+MORE = 1  # fault of each table in files that nobody has touched, and at most one of those in the others
 
 
 def everyday(table: Sequence[Fault]) -> list[Any]:

@@ -23,14 +23,14 @@ LENGTHS = ("R_0", "ρ_min")  # sizes that are drawn in a direction of the figure
 
 def wrong_marks(measured: Measured, leaf: Leaf, found: CamFound, drafting: Drafting) -> Iterator[Wrong]:
     """Hold the figure of a profile against what the analysis found of its cam at the numbered positions."""
-    points, normals = _points(found), _normals(found)
-    yield from _held(measured, measured.points, points)
-    yield from _held(measured, (one for one in measured.vectors if one.position is not None), normals)
+    places, vectors = points(found), normals(found)
+    yield from _held(measured, measured.points, places)
+    yield from _held(measured, (one for one in measured.vectors if one.position is not None), vectors)
     yield from _sizes(measured, found)
     yield from _phases(leaf, found, drafting)
 
 
-def _points(found: CamFound) -> Mapping[str, Complexes]:
+def points(found: CamFound) -> Mapping[str, Complexes]:
     """Give the points of the numbered positions by their letters, (N,) m."""
     cam, own = found.cam, found.contour
     back = np.ones(len(own.turned)) if cam.translates else np.exp(-1j * cam.sense * own.turned)
@@ -39,7 +39,7 @@ def _points(found: CamFound) -> Mapping[str, Complexes]:
     return {curve: own.pitch, "K": np.asarray(division), "O_1": np.asarray(found.sizes.pivot * back)}
 
 
-def _normals(found: CamFound) -> Mapping[str, Complexes]:
+def normals(found: CamFound) -> Mapping[str, Complexes]:
     """Give what leads from the roller's centre to the profile, (N,) m; a follower without a roller has none."""
     return {"Q": np.asarray(found.contour.profile - found.contour.pitch)} if found.roller > 0 else {}
 

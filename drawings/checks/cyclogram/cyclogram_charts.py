@@ -26,7 +26,7 @@ SHARE = 1e-9  # of a number, that the two roads may differ by
 
 def bars(measured: Measured, rows: Sequence[Row], begin: float = 0.0) -> Iterator[Wrong]:
     """Hold the line of every span of the bar chart, and every setting angle, against the rows of the analysis."""
-    true = dict(_true(rows, begin))
+    true = dict(true_bars(rows, begin))
     seen = {one.name: one for one in measured.vectors if one.plan == BARS}
     for name in true.keys() | seen.keys():
         if name not in true:
@@ -37,7 +37,7 @@ def bars(measured: Measured, rows: Sequence[Row], begin: float = 0.0) -> Iterato
             yield on("differs_on", BARS, name=name)
 
 
-def _true(rows: Sequence[Row], begin: float) -> Iterator[tuple[str, complex]]:
+def true_bars(rows: Sequence[Row], begin: float) -> Iterator[tuple[str, complex]]:
     """Give the lines that there must be, by their names: across rad, upwards shares of a row."""
     for k, row in enumerate(rows, 1):
         own = [one for span in row.spans for one in parts(span, begin)]

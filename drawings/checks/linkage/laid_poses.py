@@ -16,6 +16,8 @@ from plans.model.motion import Complexes, Floats, Motion
 
 Flags: TypeAlias = npt.NDArray[np.bool_]
 
+BLOCK = 64  # spots that are looked at together: those beside one another have few pieces about them
+
 
 class Segments(NamedTuple):
     """Straight pieces on paper, mm: their starts and ends, (n,) each; NaN at gaps."""
@@ -44,11 +46,26 @@ class Segments(NamedTuple):
             shares = np.nan_to_num((off * runs.conj()).real / np.abs(runs) ** 2)
         return np.asarray(np.abs(off - np.clip(shares, 0.0, 1.0) * runs))
 
-    def nearest(self, spots: Complexes) -> Floats:
-        """Give how far spots (m,) are from the nearest piece, mm; infinity where there is none."""
-        if not len(self.starts) or not len(spots):
-            return np.full(len(spots), np.inf)
-        return np.asarray(np.nan_to_num(self.apart(spots), nan=np.inf).min(axis=1))
+    def nearest(self, spots: Complexes, within: float = np.inf) -> Floats:
+        """Give how far spots (m,) are from the nearest piece, mm; infinity where none is within so much."""
+        found = np.full(len(spots), np.inf)
+        rows = np.argsort(spots.real)
+        for block in np.split(rows, range(BLOCK, len(rows), BLOCK)):
+            near = self._about(spots[block], within)
+            if len(near.starts):
+                off = np.nan_to_num(near.apart(spots[block]), nan=np.inf).min(axis=1)
+                found[block] = np.where(off <= within, off, np.inf)
+        return found
+
+    def _about(self, spots: Complexes, within: float) -> Segments:
+        """Give the pieces that reach into the box around spots; those at gaps do not."""
+        there = np.ones(len(self.starts), dtype=bool)
+        for starts, ends, own in (
+            (self.starts.real, self.ends.real, spots.real), (self.starts.imag, self.ends.imag, spots.imag),
+        ):  # fmt: skip
+            low, high = np.nanmin(own, initial=np.inf) - within, np.nanmax(own, initial=-np.inf) + within
+            there &= (np.minimum(starts, ends) <= high) & (np.maximum(starts, ends) >= low)
+        return Segments(self.starts[there], self.ends[there])
 
     def holds(self, other: Segments, near: float) -> Flags:
         """Tell of each of other pieces (m,) whether it lies along one of these."""

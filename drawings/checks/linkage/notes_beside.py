@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from typing import TypeAlias
 
 from drawings.checks import reading
 from drawings.checks.diagrams import diagram_told, verify_diagrams
@@ -17,30 +18,34 @@ from plans.linkage.study import LinkageStudy
 from plans.study import Study
 from plans.words.words import said
 
+Due: TypeAlias = tuple[list[str], Collection[int]]  # a sentence by its words, and how many digits its numbers may have
+
 
 def faults(leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Give what is left of the notes, written and described, once each sentence that is due has been taken out."""
+    due = _due(leaf, study)
     for words in (reading.notes(leaf), read(leaf.description.replace("\n", " "))):
-        left = _left(words.replace("\N{NO-BREAK SPACE}", " ").split(), leaf, study) if words else ""
+        left = _left(words.replace("\N{NO-BREAK SPACE}", " ").split(), due, study) if words else ""
         if left:
             yield within("note_beside", NOTES, text=left)
 
 
-def _left(words: list[str], leaf: Leaf, study: Study) -> str:
+def _due(leaf: Leaf, study: Study) -> list[Due]:
+    told = linkage_notes.sentences(study["linkage"], study.comparison("linkage"))
+    graphs = verify_diagrams.notes(study) if "diagrams" in leaf.metadata else ()
+    return [*((one, linkage_notes.DIGITS) for one in told), *((one, diagram_told.NOTE_DIGITS) for one in graphs)]
+
+
+def _left(words: list[str], due: list[Due], study: Study) -> str:
     """Take each sentence out once; what is not said at all is told elsewhere."""
-    linkage: LinkageStudy = study["linkage"]
-    comparison, drafting = study.comparison("linkage"), drafting_of(study.scene)
-    due: list[tuple[list[str], Collection[int]]] = [
-        (one, linkage_notes.DIGITS) for one in linkage_notes.sentences(linkage, comparison)
-    ]
-    due += [(one, diagram_told.NOTE_DIGITS) for one in verify_diagrams.notes(study) if "diagrams" in leaf.metadata]
     for one, digits in due:
         k = linkage_notes.begun(words, one, digits)
         if k is None:
             return ""
         words = [*words[:k], *words[k + len(one) :]]
+    drafting = drafting_of(study.scene)
     rest = own_scales.cut(accord.cut(" ".join(words), drafting.language), drafting)
-    for advice in _advice(linkage, comparison):
+    for advice in _advice(study["linkage"], study.comparison("linkage")):
         rest = rest.replace(read(advice), "", 1)
     return " ".join(rest.split())
 

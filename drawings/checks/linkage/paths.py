@@ -41,7 +41,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         spots = np.concatenate([rows[0], *(_drawn(plan, name, row)[::EVERY] for row in rows[1:])])
         spots = spots[plan.clear(spots)]
         if spots.size and np.ptp(spots.real) + np.ptp(spots.imag) > STILL:
-            off = np.fmin(drawn.nearest(spots), _off_arcs(arcs, spots, within))
+            off = np.fmin(drawn.nearest(spots, within), _off_arcs(arcs, spots, within))
             if (np.fmin(off, _off_links(plan, spots)) > within).any():
                 yield on("trajectory", POSITIONS.plan, name=name)
             due = rows[0][_ticked(plan)]
@@ -110,4 +110,5 @@ def _all_known(plan: LaidPlan, drawn: Segments, arcs: list[Arc], within: float) 
     bent = (float(np.nanmax(np.abs(np.diff(row, 2)), initial=0.0)) for row in rows)
     ends = [spot for arc in arcs for spot in (arc.at(0.0), arc.at(0.5), arc.at(1.0))]
     spots = np.array([*{*ends, *drawn.starts.tolist(), *drawn.ends.tolist()}])
-    return bool((known.nearest(spots) <= within + max(bent, default=0.0) / SAG).all())
+    within += max(bent, default=0.0) / SAG
+    return bool((known.nearest(spots, within) <= within).all())

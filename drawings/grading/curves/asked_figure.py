@@ -23,7 +23,8 @@ Course: TypeAlias = Callable[[Mapping[str, Values]], Values]
 
 # Of a slip of a mm: how far an ordinate is out, both of whose ends are pricked (standard deviation, mm).
 PRICKED = float(EVEN * np.sqrt(2))
-ORDINATES, POINTS, BEARINGS = "ordinates", "points", "bearings"
+ORDINATES, POINTS, BEARINGS, LENGTHS = "ordinates", "points", "bearings", "lengths"
+CHAIN = "chain"  # vectors each of which begins where the one before it in its row ends
 
 
 class Item(NamedTuple):
@@ -36,10 +37,20 @@ class Item(NamedTuple):
 
 
 class Mistake(NamedTuple):
-    """A mistake that has a name, and what the figure is with it."""
+    """A mistake that has a name, and what the figure is with it; each value may go on by one size, `along`."""
 
     kind: str
     values: Values
+    along: Values | None = None
+
+    def fitted(self, drawn: Values) -> Mistake:
+        """Give the mistake by the size that a drawn figure has it by."""
+        there = ~np.isnan(drawn)
+        if self.along is None or not there.any():
+            return self
+        apart, ways = (drawn - self.values)[there], self.along[there]
+        size = float((apart * ways.conj()).real.sum() / (np.abs(ways) ** 2).sum())
+        return Mistake(self.kind, self.values + size * self.along)
 
 
 class Paper(NamedTuple):
@@ -73,13 +84,14 @@ class FigureAsked:
     course: Course | None = None
     linear: bool = False  # whether it is out by the factor that all before it are out by
     mistakes: tuple[Mistake, ...] = ()
+    on_paper: bool = False  # whether its values are mm of paper, and its scales what these stand for
     stepped: bool = False  # whether each value is laid off from the one before it
     why: Message | None = None
 
     @property
     def scale(self) -> float:
-        """The scale of the values, true units a mm."""
-        return tuple(self.scales.values())[-1]
+        """The scale of the values, true units a mm; of those that are mm of paper 1."""
+        return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
 
     @property
     def places(self) -> npt.NDArray[np.intp]:
@@ -91,6 +103,8 @@ class FigureAsked:
         apart = drawn - due
         if self.kind == ORDINATES:
             return np.asarray(np.abs((apart / self.way).real))
+        if self.kind == LENGTHS:
+            return np.asarray(np.abs(np.abs(drawn) - np.abs(due)))
         if self.kind == BEARINGS:
             long = np.maximum(np.abs(due), np.finfo(float).tiny)
             ahead = (drawn * due.conj()).real > 0

@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.checks.graphs.scale_line import written_scales
 from drawings.eye.sheet import SeenSheet
-from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Paper, Values
+from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Values
 from drawings.grading.drawn_plan import Arrow
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
@@ -54,7 +54,24 @@ def from_marks(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
         values[place] = mark.value
     if asked.kind == ORDINATES and asked.paper is not None:
         return _on_axis(asked, seen, values, arrows, scale, written)
-    return DrawnFigure(asked, _scaled(asked, values, scale), arrows, written)
+    values = _scaled(asked, values, scale)
+    beside = frozenset(_beside(asked, seen, values, arrows)) if asked.kind == CHAIN else frozenset[int]()
+    return DrawnFigure(asked, values, arrows, written, aside=beside)
+
+
+def _beside(asked: FigureAsked, seen: SeenSheet, values: Values, arrows: Mapping[int, Arrow]) -> Iterator[int]:
+    """Give the bars that begin neither at their places nor where the bar before them in their row ends."""
+    if asked.paper is None:
+        return
+    by, moved = seen.measured.moved, _moved(asked, asked.paper, seen, arrows)
+    rows = {one.place: one.name.partition(".")[0] for one in asked.items}
+    off = {place: (_back(arrow.start, by) - moved - asked.paper.feet[place]).real for place, arrow in arrows.items()}
+    for place, aside in off.items():
+        due = [0.0]
+        if place - 1 in off and rows[place - 1] == rows[place]:
+            due.append(off[place - 1] + (values[place - 1] - asked.true[place - 1]).real / asked.scale)
+        if min(abs(aside - one) for one in due) > PLACED:
+            yield place
 
 
 def _written(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:

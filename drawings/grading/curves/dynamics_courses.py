@@ -10,10 +10,10 @@ import numpy as np
 from drawings.checks.dynamics.dynamics_expected import INERTIA, MOMENTS, SURPLUS, WORKS, Expected
 from drawings.checks.dynamics.dynamics_loop import LOOP
 from drawings.grading.curves.asked_figure import Sizes, Values
+from drawings.grading.curves.strip_means import moved_means
 from plans.model.dynamics import TURN, Flywheel
 
 BEARING, CUT = "bearings of the loop", "cuts of the loop"
-ALIKE = 0.05  # by how much the factors at both edges of a strip may differ that are taken for one: a fair hand's do
 
 
 class Turned(NamedTuple):
@@ -29,21 +29,9 @@ class Turned(NamedTuple):
 
     def works(self, own: Mapping[str, Values]) -> Values:
         """Add up the areas of the strips under a graph of moments, whose means are out as their edges are."""
-        return 1j * np.concatenate(([0.0], np.cumsum(self._means(own[MOMENTS].imag) * np.diff(self.turned))))
-
-    def _means(self, moments: Sizes) -> Sizes:
-        """Give the mean moments of the strips: by the factor that both edges are out by, or by how far both are out."""
-        means, after = -self.expected.cycle.means, self.expected.graphs[MOMENTS]
-        before, jumps = self.expected.before[1:], self.expected.before[1:] != after[1:]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            first = moments[:-1] / after[:-1]
-            last = np.where(jumps, first, moments[1:] / before)
-            right = np.where(jumps, before * first, moments[1:])
-            one = np.abs(first - last) <= ALIKE
-            moved = (moments[:-1] - after[:-1] + right - before) / 2
-        moved = np.where(np.isfinite(moved), moved, moments[:-1] - after[:-1])
-        factor = np.where(one, first, 0.0) / 2 + np.where(one, last, 0.0) / 2
-        return np.where(one, means * factor, means + moved)
+        after, before = self.expected.graphs[MOMENTS], self.expected.before
+        means = moved_means(own[MOMENTS].imag, after, before, -self.expected.cycle.means)
+        return np.asarray(1j * np.concatenate(([0.0], np.cumsum(means * np.diff(self.turned)))))
 
     def surplus(self, own: Mapping[str, Values]) -> Values:
         """Take the works of the loads from those of the drive, which gives as much over the turn."""

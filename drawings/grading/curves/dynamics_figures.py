@@ -151,6 +151,7 @@ class _Sheet:
             true=true,
             slack=np.abs(true - turn.loop(Turned(self.exact, turn.scales).true)),
             error=np.full(len(true), 2 * PRICKED),  # in x and in y, each measured off a graph
+            on_paper=True,
             behind=(SURPLUS, INERTIA),
             course=turn.loop,
             mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
@@ -168,7 +169,10 @@ class _Sheet:
         yield self._aside(BEARING, "mm", 1.0, TANGENTS, true, PRICKED, mistakes=(Mistake(verdict.EXCHANGED, swapped),))
         cuts = np.array([1j * cut for cut in wheel.cuts])
         off = np.array([1j * cut for cut in self.exact.wheel.cuts]) if self.exact.wheel else cuts
-        ruled = PRICKED * np.hypot(1.0, np.abs(slopes))
+        # A ruler is laid to a point, and leans as its angle is drawn: on the axis it is out by as much as it is far.
+        touches = np.array([touch.varying for touch in wheel.touches]) / turn.scales[0]
+        leaning = touches * np.abs(slopes) ** 2 / np.abs(bearings)
+        ruled = PRICKED * np.sqrt(1.0 + np.abs(slopes) ** 2 + leaning**2)
         yield self._aside(CUT, "J", turn.scales[1], SEGMENTS, cuts, ruled, off, (LOOP, BEARING), turn.cuts)
 
     def _aside(

@@ -41,8 +41,9 @@ class FigureJudge:
         self.own.values[key] = told.whole_values
         if told.mistake is not None:
             self.own.wholes[key] = told.mistake.values
-        if told.factor is not None:
-            self.own.factors[key] = told.factor
+        factor = told.factor or self._factor(drawn.asked)
+        if factor != 1.0 and (told.factor is not None or told.fits(factor * drawn.asked.true)):
+            self.own.factors[key] = factor
         if not told.good:
             self.own.right.discard(key)
 
@@ -51,8 +52,8 @@ class FigureJudge:
 
     def _going_on(self, asked: FigureAsked) -> list[Values]:
         """Give what a figure is if it is drawn on from those before it as they are, or as their mistakes say."""
-        if asked.course is None:
-            return []
+        if asked.course is None or not set(asked.behind) <= self.own.values.keys():
+            return []  # what it goes on from is on another sheet
         found = [asked.course(self.own.values)]
         if any(name in self.own.wholes for name in asked.behind):
             found.append(
@@ -60,10 +61,13 @@ class FigureJudge:
                     {**self.own.values, **{k: self.own.wholes[k] for k in asked.behind if k in self.own.wholes}}
                 )
             )
-        factors = [self.own.factors.get(name, 1.0) for name in asked.behind]
-        if asked.linear and factors and factors[0] != 1.0 and len(set(factors)) == 1:
-            found.append(factors[0] * asked.true)
-        return found
+        factor = self._factor(asked)
+        return [*found, factor * asked.true] if factor != 1.0 else found
+
+    def _factor(self, asked: FigureAsked) -> float:
+        """Give the one factor that all figures before it are out by, where it is out as they are."""
+        factors = {self.own.factors.get(name, 1.0) for name in asked.behind} if asked.linear else set()
+        return factors.pop() if len(factors) == 1 else 1.0
 
 
 class _Told:
@@ -77,6 +81,10 @@ class _Told:
         for values in going_on:
             self.follows |= self._fits(values)
         self.mistake, self.factor = self._whole()
+
+    def fits(self, due: Values) -> bool:
+        """Tell whether all values are as they are due."""
+        return bool(self._fits(due)[self.drawn.there].all())
 
     def _fits(self, due: Values) -> Truths:
         """Tell which values are as they are due; one that is not there is none."""
@@ -105,13 +113,13 @@ class _Told:
 
     @property
     def whole_values(self) -> Values:
-        """The values at all places: as what they all are drawn by, or between those that are marked out as these are."""
+        """The values at all places: by what they all fit, or between those that are marked out as these are."""
         true, there = self.asked.true, self.drawn.there
         if not there.any():
             return true
         named = () if self.mistake is None else (self.mistake.values,)
-        for due in (true, *self.going_on, *named):
-            if self._fits(due)[there].all():
+        for due in (*self.going_on, true, *named):
+            if self.fits(due):
                 return np.asarray(np.where(there, self.drawn.values, due))
         # What is too short to be drawn is not marked: it is where it should be.
         known = there | (np.abs(true) <= SHORT * self.asked.scale)
@@ -125,7 +133,7 @@ class _Told:
         left = self.drawn.there & ~self.near & ~self.follows
         if left.sum() < 1:
             return None, None
-        for one in self.asked.mistakes:
+        for one in (mistake.fitted(self.drawn.values) for mistake in self.asked.mistakes):
             told = self.drawn.there & (self.asked.off(one.values, self.asked.true) > 2 * self.allowed)
             if told.any() and (self._fits(one.values) | ~told).all() and (left & told).any():
                 return one, None

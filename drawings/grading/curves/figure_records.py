@@ -13,7 +13,12 @@ from plans.techniques import named, technique_of
 
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
 FIGURES: Final[Mapping[str, str]] = MappingProxyType(
-    {"dynamics": "drawings.grading.curves.dynamics_figures:figures_of"}
+    {
+        "dynamics": "drawings.grading.curves.dynamics_figures:figures_of",
+        "linkage": "drawings.grading.curves.diagram_figures:figures_of",
+        "cyclogram": "drawings.grading.curves.cyclogram_figures:figures_of",
+        "cam": "drawings.grading.curves.cam_figures:figures_of",
+    }
 )
 
 

@@ -22,7 +22,20 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
         drawn = from_marks(one, seen)
         if drawn is not None:
             own.setdefault(one.sheet, []).append(drawn)
-    return {sheet: tuple(found) for sheet, found in own.items()}
+    kept: dict[str, tuple[DrawnFigure, ...]] = {}
+    for sheet in sorted(own, key=lambda name: _likeness(own[name]), reverse=True):
+        plans = {one.asked.plan for found in kept.values() for one in found}
+        if plans.isdisjoint(one.asked.plan for one in own[sheet]):
+            kept[sheet] = tuple(own[sheet])
+    return kept
+
+
+def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
+    """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
+    apart = [
+        np.nanmean(one.asked.off(one.values, one.asked.true)) / (np.abs(one.asked.true).max() or 1.0) for one in found
+    ]
+    return sum(len(one.arrows) for one in found), -float(np.mean(apart))
 
 
 def figure_verdicts(

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.graphs.scale_line import written_scales
-from drawings.grading.curves.asked_figure import Item, Paper, Sizes
+from drawings.grading.curves.asked_figure import Item, Paper, Sizes, Values
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.paper.strokes import Leaf, Line
@@ -42,9 +42,12 @@ class OwnSheet(NamedTuple):
         found = (letter for letter, own in self.scales(plan).items() if abs(own - mu) <= WRITTEN * mu)
         return next(found, "")
 
-    def paper(self, plan: str, abscissas: Sizes) -> Paper | None:
-        """Give where a graph lies, whose places are at some abscissas; None where two ordinates do not tell it."""
-        own = self.vectors(plan)
+    def paper(self, plan: str, abscissas: Sizes, places: Mapping[int, int] | None = None) -> Paper | None:
+        """Give where a graph lies, whose places are at some abscissas; None where two ordinates do not tell it.
+
+        The places of its marks are their positions, or what `places` says of these.
+        """
+        own = {k if places is None else places[k]: one for k, one in self.vectors(plan).items()}
         if len(own) < 2:
             return None
         (first, one), (last, other) = min(own.items()), max(own.items())
@@ -52,6 +55,13 @@ class OwnSheet(NamedTuple):
         feet = one.start + step * (abscissas - abscissas[first])
         axis = self._axis(plan, np.asarray(feet, dtype=np.complex128))
         return None if axis is None else Paper(axis, np.asarray(feet, dtype=np.complex128))
+
+    def ruled(self, plan: str, feet: Values) -> Paper | None:
+        """Give where bars lie that begin at some places: the longest line of their figure is their axis."""
+        group = group_named(self.leaf.groups, plan)
+        lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
+        longest = max(lines, key=lambda one: abs(one.end - one.start), default=None)
+        return None if longest is None else Paper((longest.start, longest.end), feet)
 
     def _axis(
         self, plan: str, feet: np.ndarray[tuple[int, ...], np.dtype[np.complex128]]

@@ -50,18 +50,19 @@ def _guided(cam: Cam) -> Sizes:
         return Sizes(given.base, given.offset)
     if given.base is not None and cam.unlimited:
         return Sizes(given.base, 0.0)
-    sides = tuple(_sides(cam))
+    sides = tuple(sides_of(cam))
     if given.offset is not None:
         level = max((one.most - one.sign * given.offset) / one.tangent for one in sides)
         return Sizes(math.hypot(level, given.offset), given.offset)
-    offset, level = _least(sides)
+    offset, level = least(sides)
     base = math.hypot(offset, level)
     if given.base is None and base < LEAST_BASE * cam.way:
         raise vanishing(cam, limits_of(cam))
     return Sizes(base, offset) if given.base is None else Sizes(given.base, offset * given.base / base)
 
 
-def _sides(cam: Cam) -> Iterator[Side]:
+def sides_of(cam: Cam) -> Iterator[Side]:
+    """Give the limiting lines of a follower that translates."""
     limits = limits_of(cam)
     assert limits.rise is not None  # the book's at least
     yield _side(cam, RISE, limits.rise, 1)
@@ -80,7 +81,7 @@ def _side(cam: Cam, kind: str, angle: float, sign: int) -> Side:
     return Side(sign, t, found.value)
 
 
-def _least(sides: tuple[Side, ...]) -> tuple[float, float]:
+def least(sides: tuple[Side, ...]) -> tuple[float, float]:
     """Give e and S0 of the least R0: where two lines meet, or square to one of them."""
     rise, *others = sides
     corners = [_meeting(rise, other) for other in others]

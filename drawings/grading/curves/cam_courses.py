@@ -1,0 +1,178 @@
+"""How the figures of a cam go on from each other: S'' to S' to S, sizes, pressure angles, the profile (кулачок)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_law_rows import ExpectedRow, expected_rows, means
+from drawings.checks.cam.known_diagram import KnownDiagram
+from drawings.grading.curves.asked_figure import Sizes, Values
+from drawings.grading.curves.cam_rulers import ruled
+from drawings.grading.curves.strip_means import moved_means
+from plans.analytic.cam.contour import contour
+from plans.analytic.cam.laws import travel
+from plans.analytic.cam.sizes import sizes
+from plans.model.cam import RETURN, RISE, Cam
+from plans.model.cam_motion import Contour
+from plans.model.cam_motion import Sizes as MainSizes
+
+ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
+DIAGRAM, PRESSURE, POINTS = "sizes", "pressure", "profile points"
+
+
+@dataclass(frozen=True)
+class CamCourses:
+    """One cam by analysis, and how its figures follow from one another."""
+
+    expected: Expected
+
+    @cached_property
+    def rows(self) -> Mapping[str, ExpectedRow]:
+        """The diagrams of the law by their names."""
+        return {one.key: one for one in expected_rows(self.expected)}
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.expected.cam
+
+    @property
+    def turned(self) -> Sizes:
+        """The turns of the numbered positions, rad."""
+        return self.expected.contour.turned
+
+    @cached_property
+    def numbered(self) -> np.ndarray[tuple[int, ...], np.dtype[np.intp]]:
+        """Which edge of the strips each numbered position is."""
+        return np.asarray(np.abs(self.expected.edges[:, None] - self.turned).argmin(axis=0))
+
+    @cached_property
+    def diagram(self) -> KnownDiagram:
+        """The diagram of the sizes."""
+        return KnownDiagram(self.expected, 1.0)
+
+    def velocity(self, own: Mapping[str, Values]) -> Values:
+        """Add up the areas under the analogue of acceleration."""
+        return self._added(own, ACCELERATION, VELOCITY)
+
+    def travel(self, own: Mapping[str, Values]) -> Values:
+        """Add up the areas under the analogue of velocity."""
+        return self._added(own, VELOCITY, TRAVEL)
+
+    def _added(self, own: Mapping[str, Values], name: str, sum_: str) -> Values:
+        row, true = self.rows[name], means(self.expected, name)
+        moved = moved_means(own[name].imag, row.after, row.before, true) - true
+        areas = np.concatenate(([0.0], np.cumsum(moved * np.diff(self.expected.edges))))
+        return np.asarray(1j * (self.rows[sum_].after + areas))
+
+    @cached_property
+    def ends(self) -> Values:
+        """The places of the diagram: D at the numbered positions, O, the end of R0, the end of L."""
+        known = self.diagram
+        aside = np.array([-known.zero, self.base(known.zero, self.expected.sizes.base), known.zero])
+        return np.concatenate((known.ends(self.expected.contour), aside))
+
+    def base(self, zero: complex, size: float) -> complex:
+        """Give R0 as a vector of the diagram whose A or O1 is seen from O so."""
+        if not self.cam.flat:
+            return zero if not self.cam.rocks else self.diagram.lowest + zero - self.diagram.zero
+        lever = complex(self.expected.contour.lever[0])
+        return lever * self.diagram.back * size if self.cam.rocks else 1j * size
+
+    def sizes_points(self, own: Mapping[str, Values]) -> Values:
+        """Lay D off by S and S', of a flat face by S and S''; O is where the rulers to them meet."""
+        found, count = self.ends.copy(), len(self.turned)
+        velocity, way = (own[name].imag[self.numbered] for name in (VELOCITY, TRAVEL))
+        true = [self.rows[name].after[self.numbered] for name in (VELOCITY, TRAVEL)]
+        if self.cam.rocks and not self.cam.flat:
+            turn = np.exp(1j * self.cam.rising * (way - true[1]))
+            sense = self.cam.follower.sense
+            found[:count] *= turn * (1 - sense * velocity) / (1 - sense * true[0])
+        elif self.cam.flat:
+            found[:count] = own[ACCELERATION].imag[self.numbered] + 1j * way
+        else:
+            found[:count] += -self.cam.sense * (velocity - true[0]) + 1j * (way - true[1])
+            zero = ruled(self.cam, self.expected.sizes, (velocity, way), (true[0], true[1]))
+            found[count], found[count + 1] = -zero, self.base(zero, abs(zero))
+        return found
+
+    def sizes_of(self, points: Values) -> MainSizes:
+        """Give the main sizes from where O stands on a diagram."""
+        zero, own = -points[len(self.turned)], self.expected.sizes
+        if self.cam.rocks:
+            return own._replace(pivot=zero, centre=abs(zero))
+        if self.cam.flat:
+            return own._replace(base=zero.imag)
+        return own._replace(base=abs(zero), offset=self.cam.sense * zero.real)
+
+    def pressure(self, own: Mapping[str, Values]) -> Values:
+        """Give the pressure angles by the diagram of the sizes, degrees: where OD shows."""
+        points, count = own[DIAGRAM], len(self.turned)
+        lever = points[:count] - points[count]
+        true = self.ends[:count] - self.ends[count]
+        turn = self.cam.sense * np.degrees(np.angle(lever / true))
+        extremes = list(self.expected.found.pressure.values())
+        at = [int(np.abs(self.turned - one.turned).argmin()) for one in extremes]
+        return np.asarray(1j * (self.angles + np.concatenate((turn, turn[at]))))
+
+    @cached_property
+    def angles(self) -> Sizes:
+        """The pressure angles at the numbered positions and the largest ones, degrees."""
+        found = self.expected.found.pressure.values()
+        return np.degrees(np.concatenate((self.expected.contour.pressure, [one.value for one in found])))
+
+    def profile(self, own: Mapping[str, Values]) -> Values:
+        """Give the points of the profile, or of the roller's centre, by the sizes of the diagram and by S."""
+        way = own[TRAVEL].imag[self.numbered] - self.rows[TRAVEL].after[self.numbered]
+        found = self.inverted(self.sizes_of(own[DIAGRAM])).pitch
+        return np.asarray(found + (0 if self.cam.rocks else self.expected.ways(np.asarray(1j * way), self.turned)))
+
+    def inverted(self, own: MainSizes, cam: Cam | None = None) -> Contour:
+        """Give the profile at the numbered positions, of other sizes or another law."""
+        return contour(cam or self.cam, own, self.expected.found.roller, self.turned)
+
+    def turned_with(self, points: Values) -> Values:
+        """Give places in the cam if the follower is turned with it, and not against it."""
+        sense = self.cam.sense
+        if self.cam.translates:
+            return np.asarray(points - 2 * sense * self.turned)
+        return np.asarray(points * np.exp(2j * sense * self.turned))
+
+    @property
+    def other_side(self) -> MainSizes | None:
+        """The sizes with the offset to the other side; None where there is none, or none is to be seen."""
+        own = self.expected.sizes
+        return None if self.cam.rocks or self.cam.flat or not own.offset else own._replace(offset=-own.offset)
+
+    @property
+    def swapped(self) -> Cam | None:
+        """The cam with rise and return in each other's place; None where it has not one of each."""
+        kinds = [one.kind for one in self.cam.phases]
+        if kinds.count(RISE) != 1 or kinds.count(RETURN) != 1 or self.cam.translates:
+            return None
+        rise, back = (self.cam.phases[kinds.index(kind)] for kind in (RISE, RETURN))
+        other = {RISE: (back.angle, back.law), RETURN: (rise.angle, rise.law)}
+        phases, start = [], 0.0
+        for one in self.cam.phases:
+            angle, law = other.get(one.kind, (one.angle, one.law))
+            phases.append(one._replace(angle=angle, law=law, start=start, stop=start + angle))
+            start += angle
+        return replace(self.cam, phases=tuple(phases), angles=())
+
+    @property
+    def limits_swapped(self) -> MainSizes | None:
+        """The sizes with the limits of rise and return in each other's place; None where that says nothing."""
+        own = self.cam.limits
+        if self.cam.rocks or self.cam.flat or own.rise is None or own.back is None or own.rise == own.back:
+            return None
+        return sizes(replace(self.cam, limits=own._replace(rise=own.back, back=own.rise)))
+
+    def law(self, cam: Cam, name: str) -> Sizes:
+        """Give a diagram of the law of another cam at the edges of the strips."""
+        found = travel(cam, self.expected.edges)
+        return {ACCELERATION: found.bend, VELOCITY: found.slope, TRAVEL: found.s}[name]

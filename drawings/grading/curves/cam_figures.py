@@ -1,0 +1,280 @@
+"""The record of the sheets of cams: the law, sizes, pressure angles, the profile by points (графики кулачка)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from drawings.checks.cam.blank.tabled_cam import PLAN as RADII
+from drawings.checks.cam.blank.tabled_cam import tabled
+from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_laws import named as law_named
+from drawings.checks.cam.profile_marks import normals, points
+from drawings.checks.cyclogram.due_rows import cam_rows
+from drawings.figures.cam.pressure_graph import NAME as ANGLES
+from drawings.figures.cam.profile_view import NAME as PROFILE
+from drawings.figures.cam.size_view import NAME as SIZES
+from drawings.grading import verdict
+from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
+from drawings.grading.curves.asked_figure import POINTS as PLACES
+from drawings.grading.curves.cam_courses import ACCELERATION, DIAGRAM, POINTS, PRESSURE, TRAVEL, VELOCITY, CamCourses
+from drawings.grading.curves.chords_by_hand import chords_by_hand
+from drawings.grading.curves.cyclogram_figures import bars
+from drawings.grading.curves.figure_judge import SHORT
+from drawings.grading.curves.own_sheet import OwnSheet, items
+from drawings.measure.measured import MeasuredPoint, MeasuredVector
+from plans.cyclogram.rows import EVERY
+from plans.study import Study
+
+ABOVE = {VELOCITY: ACCELERATION, TRAVEL: VELOCITY}
+
+
+def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+    """Give the figures of a sheet of a cam (row of the table of records)."""
+    cams = {one.cam.name: one for one in study.comparison("cam").analysis.cams}
+    name = own.leaf.metadata.get("cam")
+    if name == EVERY:
+        yield from bars(own, cam_rows([one.cam for one in cams.values()]), 0.0)
+    if name in cams:
+        sheet = _Sheet(own, CamCourses(Expected(cams[name], study["cam"].drawings[name])))
+        yield from sheet.laws()
+        yield from sheet.sizes()
+        yield from sheet.pressure()
+        yield from sheet.profile()
+        yield from sheet.radii()
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """A sheet of one cam with what the analysis says of it."""
+
+    own: OwnSheet
+    cam: CamCourses
+
+    @property
+    def expected(self) -> Expected:
+        return self.cam.expected
+
+    @property
+    def _drawn(self) -> bool:
+        """Whether the sizes are found by a diagram: the face of a rocker has none."""
+        return not (self.expected.cam.flat and self.expected.cam.rocks)
+
+    def laws(self) -> Iterator[FigureAsked]:
+        """Give the diagrams of the law, each integrated from the one before."""
+        exact = {
+            ACCELERATION: self.expected.after.bend,
+            VELOCITY: self.expected.after.slope,
+            TRAVEL: self.expected.after.s,
+        }
+        courses = {VELOCITY: self.cam.velocity, TRAVEL: self.cam.travel}
+        for key, row in self.cam.rows.items():
+            plan = law_named(self.expected.cam, key)
+            marks = self.own.vectors(plan)
+            if marks:
+                mu = next(iter(marks.values())).scale
+                chorded = key in ABOVE
+                yield FigureAsked(
+                    key=key, plan=plan, sheet=self.own.name, unit=next(iter(marks.values())).unit,
+                    scales={self.own.letter(plan, mu): mu}, items=items(marks), true=np.asarray(1j * row.after),
+                    slack=np.abs(row.after - exact[key]), error=self._error(key), kind=ORDINATES,
+                    paper=self.own.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
+                    course=courses.get(key), linear=chorded, stepped=chorded, mistakes=tuple(self._phases(key)),
+                )  # fmt: skip
+
+    def _phases(self, key: str) -> Iterator[Mistake]:
+        other = self.cam.swapped
+        if other is not None:
+            yield Mistake(verdict.PHASES, np.asarray(1j * self.cam.law(other, key)))
+
+    def _error(self, key: str) -> Sizes:
+        """Give how far a diagram is out that is drawn by chords, mm a mm of slip."""
+        edges, plain = self.expected.edges, np.full(len(self.expected.edges), PRICKED)
+        above = law_named(self.expected.cam, ABOVE.get(key, ""))
+        paper, marks = self.own.paper(above, edges), self.own.vectors(above)
+        if key not in ABOVE or paper is None or not marks:
+            return plain
+        wide, high = np.abs(np.diff(paper.feet)), next(iter(marks.values())).scale
+        mu = next(iter(self.own.vectors(law_named(self.expected.cam, key)).values())).scale
+        angle = float((edges[-1] - edges[0]) / wide.sum())
+        return chords_by_hand(wide, self.cam_means(ABOVE[key]) / high, mu / (high * angle))
+
+    def cam_means(self, key: str) -> Sizes:
+        """Give the mean ordinates of the strips of a diagram."""
+        row = self.cam.rows[key]
+        return np.asarray((row.after[:-1] + row.before[1:]) / 2)
+
+    def _figure(
+        self,
+        key: str,
+        plan: str,
+        names: Mapping[tuple[str, int | None], int],
+        true: Values,
+        kind: str = PLACES,
+        **how: Any,
+    ) -> Iterator[FigureAsked]:
+        """Give the points or vectors of a plan that the sheet marks, by their names and places."""
+        marks = {(one.name, one.position): one for one in self.own.marks(plan)}
+        own = [Item(*name, place, _called(marks[name])) for name, place in names.items() if name in marks]
+        if own:
+            first = marks[own[0].name, own[0].position]
+            letter = self.own.letter(plan, first.scale)
+            scales = {letter: first.scale}
+            asked = FigureAsked(
+                key,
+                plan,
+                self.own.name,
+                first.unit,
+                scales,
+                tuple(own),
+                true,
+                np.zeros(len(true)),
+                np.full(len(true), PRICKED),
+                kind,
+            )
+            yield replace(asked, **how)
+
+    @cached_property
+    def _ends(self) -> dict[tuple[str, int | None], int]:
+        count = len(self.cam.turned)
+        return {
+            **{("D", k): k for k in range(count)},
+            ("O", None): count,
+            ("R_0", None): count + 1,
+            ("L", None): count + 2,
+        }
+
+    def sizes(self) -> Iterator[FigureAsked]:
+        """Give the diagram of the main sizes."""
+        behind = (VELOCITY, TRAVEL) if not self.expected.cam.flat else (ACCELERATION, TRAVEL)
+        laid = bool(self.own.vectors(law_named(self.expected.cam, TRAVEL)))
+        yield from self._figure(
+            DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
+            course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
+            slack=self._sized(), mistakes=tuple(self._wrong_sizes()),
+        )  # fmt: skip
+
+    def _laid_by_hand(self, plan: str, *laws: str) -> Sizes:
+        """Give how far points are out that are laid off as they are measured on diagrams of the law, mm.
+
+        To the profile the sizes are carried over too.
+        """
+        mu, carried = self.own.marks(plan)[0].scale if self.own.marks(plan) else 1.0, self.own.marks(SIZES)
+        length = (self.expected.cam.follower.length or 1.0) if self.expected.cam.rocks else 1.0
+        slips = [1.0, *(length * slip / mu for key in laws for slip in self._read_by_hand(key))]
+        slips += [np.sqrt(2) * carried[0].scale / mu] if plan != SIZES and carried else []
+        return np.full(len(self.cam.ends), PRICKED * float(np.sqrt(np.square(slips).sum())))
+
+    def _read_by_hand(self, key: str) -> Iterator[float]:
+        """Give how far a value is out that is read off a diagram of the law, true units a mm of slip in pricking.
+
+        Where not all its places are marked, it may be read off a chord between two that are.
+        """
+        marks, values = self.own.vectors(law_named(self.expected.cam, key)), self.cam.rows[key].after
+        if marks:
+            mu, error = next(iter(marks.values())).scale, self._error(key)
+            bare = set(np.flatnonzero(np.abs(values) > SHORT * mu).tolist()) - marks.keys()
+            yield mu * float(np.hypot(1.0, np.sqrt(np.diff(error**2).max()) / PRICKED if bare else 0.0))
+
+    def _sized(self) -> Sizes:
+        """Give by how much D is out that is laid off by the chords of the law."""
+        off = [
+            self.cam.rows[key].after - exact
+            for key, exact in zip((VELOCITY, TRAVEL), (self.expected.after.slope, self.expected.after.s), strict=True)
+        ]
+        size = np.hypot(*(row[self.cam.numbered] for row in off))
+        length = self.expected.cam.follower.length if self.expected.cam.rocks else 1.0
+        return np.concatenate((size * (length or 1.0), np.zeros(3)))
+
+    def _wrong_sizes(self) -> Iterator[Mistake]:
+        """Give the diagram with rulers at each other's limits, and with the offset to the other side."""
+        for kind, own in ((verdict.EXCHANGED, self.cam.limits_swapped), (verdict.SIDE, self.cam.other_side)):
+            if own is not None:
+                values, count = self.cam.ends.copy(), len(self.cam.turned)
+                zero = complex(self.expected.cam.sense * own.offset, np.sqrt(own.base**2 - own.offset**2))
+                values[count], values[count + 1] = -zero, self.cam.base(zero, own.base)
+                yield Mistake(kind, values)
+
+    def pressure(self) -> Iterator[FigureAsked]:
+        """Give the graph of the pressure angle."""
+        count, found = len(self.cam.turned), self.expected.found.pressure
+        names: dict[tuple[str, int | None], int] = {(str(k), k): k for k in range(count)}
+        names |= {(kind, None): count + k for k, kind in enumerate(found)}
+        paper = self.own.paper(ANGLES, self.cam.turned) if len(self.own.vectors(ANGLES)) > 1 else None
+        if paper is not None:
+            stations = np.concatenate((self.cam.turned, [one.turned for one in found.values()]))
+            paper = self.own.paper(ANGLES, stations)
+        sized = bool(self.own.marks(SIZES)) and self._drawn
+        yield from self._figure(
+            PRESSURE, ANGLES, names, np.asarray(1j * self.cam.angles), ORDINATES, paper=paper,
+            behind=(DIAGRAM,) if sized else (), course=self.cam.pressure if sized else None,
+            error=self._angles_by_hand(),
+        )  # fmt: skip
+
+    def _angles_by_hand(self) -> Sizes:
+        """Give how far angles are out that are measured off the diagram of the sizes, mm of their graph."""
+        seen, count = self.own.marks(SIZES), len(self.cam.turned)
+        angles = self.own.vectors(ANGLES)
+        if not seen or not angles:
+            return np.full(len(self.cam.angles), PRICKED)
+        rays = np.abs(self.cam.ends[:count] - self.cam.ends[count]) / seen[0].scale
+        moved = np.degrees(2 * PRICKED / np.maximum(rays, 1.0)) / next(iter(angles.values())).scale
+        turned = [one.turned for one in self.expected.found.pressure.values()]
+        at = [int(np.abs(self.cam.turned - one).argmin()) for one in turned]
+        return np.asarray(np.hypot(PRICKED, np.concatenate((moved, moved[at]))))
+
+    def profile(self) -> Iterator[FigureAsked]:
+        """Give the profile by inversion: its points, sizes, the follower's places, the roller's normals."""
+        found, count = self.expected.found, len(self.cam.turned)
+        own, sized = points(found), bool(self.own.marks(SIZES)) and self._drawn
+        curve = "P" if "P" in own else "Q"
+        yield from self._figure(
+            POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
+            behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
+            error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
+        )  # fmt: skip
+        turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
+        for name, mistakes in (("K", ()), ("O_1", (turned,))):
+            places: dict[tuple[str, int | None], int] = {(name, k): k for k in range(count)}
+            yield from self._figure(f"profile {name}", PROFILE, places, own[name], mistakes=mistakes)
+        yield from self._figure(
+            "profile normals", PROFILE, {("Q", k): k for k in range(count)} if curve == "P" else {},
+            normals(found).get("Q", own[curve]), error=np.full(count, 2 * PRICKED),
+        )  # fmt: skip
+        sizes, sharpest = found.sizes, found.sharpest
+        lengths = np.array([sizes.base, abs(sharpest.value) if sharpest else 0.0], dtype=np.complex128)
+        yield from self._figure("profile lengths", PROFILE, {("R_0", None): 0, ("ρ_min", None): 1}, lengths, LENGTHS)
+        vectors = np.array([found.cam.sense * sizes.offset, sizes.pivot], dtype=np.complex128)
+        yield from self._figure("profile vectors", PROFILE, {("e", None): 0, ("L", None): 1}, vectors)
+
+    def radii(self) -> Iterator[FigureAsked]:
+        """Give the radii of the finished profile, of a cam that translates its ordinates."""
+        exact = tabled(self.expected.found)
+        told = np.array([complex(exact.told[k]) for k, _ in exact.rays()])
+        true = np.asarray(1j * told.imag if exact.cam.translates else told)
+        yield from self._figure(RADII, RADII, {("r", k): k for k in range(len(told))}, true)
+
+    def _inverted(self) -> Iterator[Mistake]:
+        """Give the profile inverted the wrong way, mirrored, of another side, other phases or another least radius."""
+        true = self.expected.contour.pitch
+        yield Mistake(verdict.BACKWARDS, self.cam.turned_with(true))
+        yield Mistake(verdict.MIRRORED, -true.conj())
+        side, other = self.cam.other_side, self.cam.swapped
+        if side is not None:
+            yield Mistake(verdict.SIDE, self.cam.inverted(side).pitch)
+        if other is not None:
+            yield Mistake(verdict.PHASES, self.cam.inverted(self.expected.sizes, other).pitch)
+        if not self.expected.cam.rocks:
+            ways = self.expected.ways(1j, self.cam.turned)
+            yield Mistake(verdict.BASE, true, np.broadcast_to(ways, true.shape))
+
+
+def _called(mark: MeasuredVector | MeasuredPoint) -> str:
+    """Give what a mark is called: a number by the letter of its quantity."""
+    if mark.position is None:
+        return mark.name
+    return f"{mark.quantity}_{mark.name}" if mark.name.isdigit() else f"{mark.name}_{mark.position}"

@@ -1,0 +1,130 @@
+"""Polygons without marks: arrows near one another, each told by the letter beside it (многоугольники по буквам)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from drawings.checks.labelled import Label, along, off
+from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.drawing_faults import scales_written
+from drawings.grading.drawn_plan import Arrow, DrawnPlan
+from drawings.grading.lettered_plan import FAR, HEADING, LEAST, misfit, position_named, spelled, turn_of
+from drawings.grading.pairing import paired
+from drawings.grading.segments import Segment
+from drawings.lettering.extent import bounds
+from drawings.paper.strokes import Box, Text
+
+UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow; how far out one is drawn otherwise
+ASIDE = 6.0  # mm: arrows that run along one another are drawn beside each other, no further apart
+
+
+class Cluster(NamedTuple):
+    """Arrows that hang together or lie side by side, and how far texts are from them."""
+
+    arrows: Sequence[Segment]
+
+    def away(self, text: Text) -> float:
+        """Give how far a text is from the nearest arrow, mm."""
+        return min(_distance(bounds(text), one) for one in self.arrows)
+
+
+def free_plans(
+    asked: Sequence[PlanAsked], lines: Sequence[Segment], texts: Sequence[Text], labels: Sequence[Label]
+) -> Iterator[DrawnPlan]:
+    """Find polygons: each cluster of arrows is the one plan whose letters stand beside them."""
+    wanted = [plan for plan in asked if any(one.corners for one in plan.vectors)]
+    if not wanted:
+        return
+    clusters = [Cluster(own) for own in _clusters([one for one in lines if one.headed])]
+    found = sorted(_candidates(wanted, clusters, texts, labels), key=lambda one: one[0])
+    taken, placed = set[int](), set[object]()
+    for _, k, plan in found:
+        if k not in taken and plan.asked.place not in placed:
+            taken.add(k)
+            placed.add(plan.asked.place)
+            yield plan
+
+
+def _clusters(own: Sequence[Segment]) -> list[list[Segment]]:
+    """Put together arrows that are near each other."""
+    spots = {id(one): along(one.start, one.end) for one in own}
+    found: list[list[Segment]] = []
+    for one in own:
+        touched = [group for group in found if any(_near(one, other, spots) for other in group)]
+        found = [group for group in found if group not in touched]
+        found.append([one, *(part for group in touched for part in group)])
+    return found
+
+
+def _near(one: Segment, other: Segment, spots: Mapping[int, Sequence[complex]]) -> bool:
+    pairs = (one, other), (other, one)
+    return any(_from(spot, there) <= ASIDE for here, there in pairs for spot in spots[id(here)])
+
+
+def _candidates(
+    asked: Sequence[PlanAsked], clusters: Sequence[Cluster], texts: Sequence[Text], labels: Sequence[Label]
+) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
+    """Give what each cluster may be: how many vectors it lacks, and how ill it fits."""
+    for k, cluster in enumerate(clusters):
+        position = position_named(cluster.away, texts)
+        for plan in asked:
+            if position is not None and position != plan.position:
+                continue
+            drawn = _drawn(plan, cluster, texts, labels)
+            if len(drawn.arrows) >= max(LEAST, len(plan.vectors) / 2):  # a scheme has some of the letters too
+                yield (float(len(drawn.lacking)), misfit(drawn)), k, drawn
+
+
+def _drawn(plan: PlanAsked, cluster: Cluster, texts: Sequence[Text], labels: Sequence[Label]) -> DrawnPlan:
+    names = {spelled(one.letter): one for one in plan.vectors if one.corners}
+    near = [(cluster.away(text), mu) for text, mu in scales_written(texts, plan)]
+    scale = min(near)[1] if near and min(near)[0] <= HEADING else None
+    turn = turn_of([text for text in texts if spelled(text.plain) in names], cluster.away)
+    arrows = _named(names, cluster, labels, (scale or 0.0) * turn)
+    bare = DrawnPlan(plan, arrows, 1.0, {}, False)
+    return DrawnPlan(plan, arrows, scale or bare.fitted, {}, scale is not None, turn, lettered=True)
+
+
+def _named(
+    names: Mapping[str, Asked], cluster: Cluster, labels: Sequence[Label], scale: complex
+) -> dict[tuple[str, str], Arrow]:
+    """Give the arrows by the letters beside them: all letters together as close to their arrows as they can be.
+
+    Where letters are as near to one arrow as to another, the one that is drawn rightly has it: nobody is marked down
+    for a letter that can be read in two ways.
+    """
+    own = {name: [label.place for label in labels if spelled(label.text.plain) == name] for name in names}
+    read = [name for name, boxes in own.items() if boxes]
+    rows = [
+        [_cost(names[name], own[name], one, scale) for one in cluster.arrows] + [FAR + UNSURE] * len(read)
+        for name in read
+    ]
+    found = {}
+    for name, row, k in zip(read, rows, paired(rows), strict=True):
+        if k < len(cluster.arrows) and row[k] < FAR + UNSURE:
+            found[names[name].letters] = Arrow(cluster.arrows[k].start, cluster.arrows[k].end)
+    return found
+
+
+def _cost(asked: Asked, boxes: Sequence[Box], arrow: Segment, scale: complex) -> float:
+    """Give how far the letter of a vector is from an arrow, mm, and more where the arrow is drawn otherwise."""
+    away = min(_distance(box, arrow) for box in boxes)
+    off = abs((arrow.end - arrow.start) * scale - asked.true)
+    return away + (UNSURE if scale and off > SHARE * abs(asked.true) else 0.0) if away <= FAR else FAR + UNSURE
+
+
+def _distance(box: Box, arrow: Segment) -> float:
+    """Give how far a box is from an arrow, mm."""
+    left, low, right, high = box
+    corners = (complex(x, y) for x in (left, right) for y in (low, high))
+    ends = min(off(spot, box) for spot in along(arrow.start, arrow.end))
+    return min(ends, *(_from(corner, arrow) for corner in corners), _from(complex(left + right, low + high) / 2, arrow))
+
+
+def _from(spot: complex, arrow: Segment) -> float:
+    """Give how far a place is from an arrow, mm."""
+    vector = arrow.end - arrow.start
+    share = ((spot - arrow.start) * vector.conjugate()).real / abs(vector) ** 2 if vector else 0.0
+    return abs(spot - arrow.start - vector * min(max(share, 0.0), 1.0)) if math.isfinite(share) else math.inf

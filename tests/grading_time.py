@@ -1,0 +1,58 @@
+"""How long a class takes: `python -m tests.grading_time --sheets 300`.
+
+So many whole sheets of a scene, every second one without the data of its plans and every tenth no sheet, are graded as
+`plandraft grade` does it; told are the wall time, the time of work a sheet, and the memory of the largest process.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections import Counter
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import plans_asked
+from drawings.grading.graded import grade
+from drawings.grading.roll import grade_all
+from drawings.original.originals import Originals
+from tests.drawings.test_grading import bare
+from tests.gallery import GALLERY
+
+
+def class_of(own: Originals, count: int, folder: Path) -> list[Path]:
+    """Write what a class hands in."""
+    sheets = [own.drawn(sheet) for sheet in own.sheets]
+    kinds = [b"<html/>", *(one for sheet in sheets for one in (sheet, bare(sheet)))]
+    paths = [folder / f"{number}.svg" for number in range(count)]
+    for number, path in enumerate(paths):
+        path.write_bytes(kinds[0] if number % 10 == 9 else kinds[1 + number % (len(kinds) - 1)])
+    return paths
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Grade a class and tell what it takes."""
+    import resource  # only Unix has it
+
+    parser = argparse.ArgumentParser(prog="python -m tests.grading_time", description=__doc__)
+    parser.add_argument("--sheets", type=int, default=300)
+    parser.add_argument("--scene", default="shaper", help="of the gallery")
+    wanted = parser.parse_args(arguments)
+    own = Originals(GALLERY / f"{wanted.scene}.toml")
+    plans = plans_asked(own)
+    with TemporaryDirectory() as folder:
+        paths = class_of(own, wanted.sheets, Path(folder))
+        began, ends = time.monotonic(), Counter[str]()
+        for _, graded in grade_all(paths, partial(grade, plans=plans, by=Allowances())):
+            ends[graded.outcome] += 1
+        spent, work = time.monotonic() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"{wanted.sheets} sheets: {dict(sorted(ends.items()))}")
+    print(f"{spent:.1f} s; {(work.ru_utime + work.ru_stime) / wanted.sheets:.2f} s of work a sheet")
+    print(f"largest process: {work.ru_maxrss / 1024:.0f} MB, what it shares with its parent included")
+
+
+if __name__ == "__main__":
+    main()
