@@ -81,9 +81,9 @@ def _graded(
         return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
-    sheets = {plan.asked.sheet for plan in drawn}
+    sheets = {plan.asked.sheet for plan in drawn} | figures.keys()
     there = {plan.asked.place for plan in drawn}
-    told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
+    told = any(not plan.asked.lettered for plan in drawn) or bool(figures)  # what is found by marks alone
     due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
     marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
