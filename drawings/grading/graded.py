@@ -78,7 +78,7 @@ def _graded(
     figures = figures_drawn(seen, curves)
     cells = tables_drawn(seen, tables)
     if not drawn and not figures and not filled(cells):
-        return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
+        return Graded(REJECTED, reason=message("grade.formless" if curves and not plans else "grade.nothing"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn} | figures.keys()
