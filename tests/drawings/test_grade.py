@@ -20,6 +20,7 @@ from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
+from drawings.grading.records import RECORDS
 from drawings.grading.told import row
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
