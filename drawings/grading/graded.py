@@ -80,7 +80,7 @@ def _graded(
     cells = tables_drawn(seen, tables)
     others = {plan.sheet for plan in plans} | {curve.sheet for curve in curves}
     if not drawn and not figures and not answered(cells, others):
-        return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
+        return Graded(REJECTED, reason=message("grade.formless" if curves and not plans else "grade.nothing"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn} | figures.keys() | alone(cells, seen)
