@@ -42,6 +42,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    scene: str = ""  # the checksum of the scene that it says it is of
     drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
@@ -79,6 +80,8 @@ def _graded(
     cells = tables_drawn(seen, tables)
     if not drawn and not figures and not filled(cells):
         return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
+    if doubled := [letters for plan in drawn for letters in plan.doubled]:
+        return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn}
@@ -93,7 +96,8 @@ def _graded(
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
-    graded = Graded(PASS, tuple(said), paper=paper, drawn=tuple(plan.bare for plan in drawn))
+    scene = str(seen.leaf.metadata.get("scene", ""))
+    graded = Graded(PASS, tuple(said), paper=paper, scene=scene, drawn=tuple(plan.bare for plan in drawn))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
 
 
