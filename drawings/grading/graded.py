@@ -43,6 +43,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    scene: str = ""  # the checksum of the scene that it says it is of
     drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
@@ -81,6 +82,8 @@ def _graded(
     others = {plan.sheet for plan in plans} | {curve.sheet for curve in curves}
     if not drawn and not figures and not answered(cells, others):
         return Graded(REJECTED, reason=message("grade.formless" if curves and not plans else "grade.nothing"))
+    if doubled := [letters for plan in drawn for letters in plan.doubled]:
+        return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
     sheets = {plan.asked.sheet for plan in drawn} | figures.keys() | alone(cells, seen)
@@ -96,7 +99,8 @@ def _graded(
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
-    graded = Graded(PASS, tuple(said), paper=paper, drawn=tuple(plan.bare for plan in drawn))
+    scene = str(seen.leaf.metadata.get("scene", ""))
+    graded = Graded(PASS, tuple(said), paper=paper, scene=scene, drawn=tuple(plan.bare for plan in drawn))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
 
 
