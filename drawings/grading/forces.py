@@ -20,8 +20,7 @@ from plans.forces.cut import Cut
 from plans.forces.force_template import ForcePlans
 from plans.study import Study
 
-FORCES = "forces"
-_FIGURES = tuple(FIGURES.values())
+FORCES, SCHEME = "forces", FIGURES["positions"]
 
 
 def record_of(study: Study, leaf: Leaf) -> Record:
@@ -38,14 +37,20 @@ def record_of(study: Study, leaf: Leaf) -> Record:
         found |= {(f"scheme {cut.label}", k, "", one.name): one for one in _arms(drawn, cut)}
     images = {linkage.drafts().velocities.point(name).name: expected.image(name) for name in solved.points}
     found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, images, drafting_of(study.scene))}
-    scales = {
-        name.replace("scheme-", "scheme "): mu
-        for name, mu in leaf.metadata["scales"].items()
-        if name.startswith(_FIGURES)
-    }
-    boards = {name: FORCES for name in scales if name.startswith(FIGURES[FORCES])}
-    coarsest = {board: max(mu for name, mu in scales.items() if name in boards) for board in boards.values()}
-    return Record(found, {name: {k: mu} for name, mu in (scales | coarsest).items()}, boards)
+    scales, boards = _scales(leaf)
+    return Record(found, {name: {k: mu} for name, mu in scales.items()}, boards)
+
+
+def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
+    """Give the scales of a sheet's plans and, the coarsest, of the boards; and on which board a polygon is drawn."""
+    scales: dict[str, float] = {}
+    boards: dict[str, str] = {}
+    for name, mu in leaf.metadata["scales"].items():
+        for board, figure in FIGURES.items():
+            if name.startswith(figure):
+                scales |= {name.replace(SCHEME, "scheme "): mu, board: max(mu, scales.get(board, 0.0))}
+                boards |= {name: board} if board == FORCES else {}
+    return scales, boards
 
 
 def _sides(drawn: ForcePlans, cut: Cut, true: Mapping[str, complex]) -> Iterator[tuple[str, Found]]:

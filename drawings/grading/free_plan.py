@@ -34,7 +34,8 @@ def free_plans(
     asked: Sequence[PlanAsked], lines: Sequence[Segment], texts: Sequence[Text], labels: Sequence[Label]
 ) -> Iterator[DrawnPlan]:
     """Find polygons: each cluster of arrows is the one plan whose letters stand beside them."""
-    wanted = [plan for plan in asked if any(one.corners for one in plan.vectors)]
+    sides = ((plan, tuple(one for one in plan.vectors if one.corners)) for plan in asked)
+    wanted = [plan._replace(vectors=own) for plan, own in sides if own]  # points are found by data alone
     if not wanted:
         return
     clusters = [Cluster(own) for own in _clusters([one for one in lines if one.headed])]

@@ -13,6 +13,8 @@ from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
+from drawings.grading.cells.asked_table import TableAsked
+from drawings.grading.cells.graded_tables import alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
@@ -48,12 +50,24 @@ class Graded(NamedTuple):
         return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, *verdict.UNGRADED))
 
 
-def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked] = ()) -> Graded:
+def grade(
+    source: bytes,
+    plans: Sequence[PlanAsked],
+    by: Allowances,
+    curves: Sequence[FigureAsked] = (),
+    tables: Sequence[TableAsked] = (),
+) -> Graded:
     """Grade one sheet; what cannot be read is rejected with the reason."""
-    return _graded(source, plans, by, curves)._replace(digest=sha256(source).hexdigest())
+    return _graded(source, plans, by, curves, tables)._replace(digest=sha256(source).hexdigest())
 
 
-def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked]) -> Graded:
+def _graded(
+    source: bytes,
+    plans: Sequence[PlanAsked],
+    by: Allowances,
+    curves: Sequence[FigureAsked],
+    tables: Sequence[TableAsked],
+) -> Graded:
     onlooker = Onlooker()
     try:
         seen = see(source, onlooker)
@@ -62,18 +76,21 @@ def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: S
         return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
     drawn = plans_drawn(seen, onlooker, plans)
     figures = figures_drawn(seen, curves)
-    if not drawn and not figures:
+    cells = tables_drawn(seen, tables)
+    others = {plan.sheet for plan in plans} | {curve.sheet for curve in curves}
+    if not drawn and not figures and not answered(cells, others):
         return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
-    sheets = {plan.asked.sheet for plan in drawn}
+    sheets = {plan.asked.sheet for plan in drawn} | figures.keys() | alone(cells, seen)
     there = {plan.asked.place for plan in drawn}
-    told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
+    told = any(not plan.asked.lettered for plan in drawn) or bool(figures)  # what is found by marks alone
     due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
     marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
     told_of = figure_verdicts(figures, curves, sheets, marked, partial(allowed_of, by=by, coarse=seen.measured.quantum))
-    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
+    of_cells = table_verdicts(cells, tables, sheets | {*figures}, drawn, by, seen)
+    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of, *of_cells)
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height

@@ -47,5 +47,11 @@ class Record(NamedTuple):
 
 # By technique: of a study and a leaf to the record of that sheet.
 RECORDS: Final[Mapping[str, str]] = MappingProxyType(
-    {"linkage": "drawings.grading.linkage:record_of", "forces": "drawings.grading.forces:record_of"}
+    {
+        "linkage": "drawings.grading.linkage:record_of",
+        "forces": "drawings.grading.forces:record_of",
+        "balance": "drawings.grading.balance:record_of",
+        "bank": "drawings.grading.bank:record_of",
+        "rotor": "drawings.grading.rotor:record_of",
+    }
 )

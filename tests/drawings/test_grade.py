@@ -111,5 +111,5 @@ def test_a_row_holds_no_formula(folder: Path) -> None:
 
 
 def test_a_technique_that_is_not_graded_is_told(folder: Path, capsys: Capture) -> None:
-    assert cli.main(["grade", str(GALLERY / "four-masses.toml"), str(folder / "ann.svg")]) == 5
+    assert cli.main(["grade", str(GALLERY / "feed-cam.toml"), str(folder / "ann.svg")]) == 5
     assert "not graded yet" in capsys.readouterr().err
