@@ -42,7 +42,7 @@ Kinds: TypeAlias = Callable[[str], Kind]  # of a vector by its name
 
 # The lines of a plan of positions by the groups that they are in.
 LAYERS: Mapping[str, Kind] = {
-    "all-positions": Kind((FINE,)),
+    "all-positions": Kind((THIN, FINE)),  # a cross where there is no position is thin
     "extremes": Kind((THIN,), TWO_DOTS),
     "guides": Kind((FINE,), DASH_DOT),
     "notches": Kind((FINE,)),
