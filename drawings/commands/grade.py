@@ -19,7 +19,7 @@ from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
-from drawings.grading.hints import hints
+from drawings.grading.hints import curve_hints, hints
 from drawings.grading.marking import Marking, MarkingError, read_marking
 from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
@@ -52,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
         tell(word(language, "grade.self"))
         return CODES[OURS]
     graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by, curves=curves, tables=tables)))
-    steps = {name: own for plan in plans for name, own in hints(plan)}
+    steps = dict(curve_hints(curves)) | {name: own for plan in plans for name, own in hints(plan)}
     _print(options, graded, steps, marking, language)
     if options.output:
         _write(options.output, graded, steps, language)

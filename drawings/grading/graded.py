@@ -14,7 +14,7 @@ from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.cells.graded_tables import filled, table_verdicts, tables_drawn
+from drawings.grading.cells.graded_tables import alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
@@ -77,13 +77,14 @@ def _graded(
     drawn = plans_drawn(seen, onlooker, plans)
     figures = figures_drawn(seen, curves)
     cells = tables_drawn(seen, tables)
-    if not drawn and not figures and not filled(cells):
+    others = {plan.sheet for plan in plans} | {curve.sheet for curve in curves}
+    if not drawn and not figures and not answered(cells, others):
         return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
     if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
-    sheets = {plan.asked.sheet for plan in drawn}
+    sheets = {plan.asked.sheet for plan in drawn} | figures.keys() | alone(cells, seen)
     there = {plan.asked.place for plan in drawn}
-    told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
+    told = any(not plan.asked.lettered for plan in drawn) or bool(figures)  # what is found by marks alone
     due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
     lost = (plan for plan in due if plan.place not in there)
     marked = {plan.asked.sheet for plan in drawn if not plan.lettered}

@@ -9,7 +9,9 @@ from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
 
 from drawings.eye.alike import folded
+from drawings.form.blank_file import SEAL
 from drawings.form.task import table_of
+from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.cells.ruling import ruling
@@ -18,7 +20,7 @@ from drawings.measure.transform import STAY
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Group, Leaf, Stroke
 from drawings.pens.svg import svg
-from tests.gallery import GALLERY
+from tests.drawings.students import drawn, task
 
 SIZE = 4.9  # of an editor's letters, user units
 
@@ -39,7 +41,7 @@ class TableTask(NamedTuple):
 @cache
 def table_task(scene: str) -> TableTask:
     """Set a scene of the gallery."""
-    originals = Originals(GALLERY / f"{scene}.toml")
+    originals = task(scene).originals
     return TableTask(originals, tables_asked(originals))
 
 
@@ -78,7 +80,7 @@ def written(leaf: Leaf, table: TableAsked, texts: Mapping[Key, str]) -> bytes:
     gone = {id(text) for key in texts for text in cells[key].texts}
     source = svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
     own = (_text(leaf, cells[key], text) for key, text in texts.items() if text)
-    return source.replace(b"</svg>", "".join(own).encode() + b"</svg>")
+    return source.partition(SEAL)[0] + "".join(own).encode() + b"</svg>"
 
 
 def _without(group: Group, gone: set[int]) -> Group:
@@ -103,3 +105,11 @@ def _place(name: str) -> tuple[str, str, int | None]:
     """Read where a text is written: "vB | by plan | 9"."""
     row, column, *position = name.split(" | ")
     return row, column, int(position[0]) if position else None
+
+
+def both(
+    sheet: Original, plan: PlanAsked, places: Mapping[str, complex], table: TableAsked, texts: Mapping[Key, str]
+) -> bytes:
+    """Draw a sheet with the letters of one plan elsewhere, and with texts in some cells of its tables."""
+    page, tables = drawn(sheet, plan, places).partition(SEAL)[0], written(tables_of(sheet), table, texts)
+    return page + tables[tables.index(b"<g ") :]

@@ -30,9 +30,22 @@ def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     return [(asked[k], cells) for k, cells in sorted(found.items())]
 
 
-def filled(found: Drawn) -> bool:
-    """Tell whether anything is written in the tables of a sheet."""
-    return any(cells[key].texts for one, cells in found for key in one.cells if key in cells)
+def answered(found: Drawn, others: Collection[str]) -> bool:
+    """Tell whether the tables of a sheet can be graded: written in, or such that nothing else stands on their sheets.
+
+    `others` are the sheets that more is asked for on: where all of it is lost it is not marked down.
+    """
+    return any(_filled(one, cells) or not set(one.sheets) & set(others) for one, cells in found)
+
+
+def alone(found: Drawn, seen: SeenSheet) -> set[str]:
+    """Give the sheets of tables that are written in on the only sheet of its kind, of which all is due then."""
+    own = (one for one, cells in found if _filled(one, cells) and seen.measured.metadata.get("of") == 1)
+    return {name for one in own for name in one.sheets}
+
+
+def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
+    return any(cells[key].texts for key in asked.cells if key in cells)
 
 
 def _fit(table: SeenTable, asked: TableAsked, seen: SeenSheet) -> tuple[int, bool, int]:
