@@ -80,7 +80,8 @@ class PlanAsked(NamedTuple):
     @property
     def lettered(self) -> bool:
         """Whether it can be found by its letters: a plan of points, or of arms on a scheme, by data alone."""
-        return any(one.start or one.corners for one in self.vectors)
+        free = all(one.letter for one in self.vectors) and any(one.corners for one in self.vectors)
+        return free or any(one.start for one in self.vectors)
 
 
 def plans_asked(originals: Originals, kinds: Mapping[str, str] = RECORDS) -> tuple[PlanAsked, ...]:

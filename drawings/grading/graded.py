@@ -20,13 +20,13 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
-from drawings.grading.free_plan import free_plans
 from drawings.grading.judgement import Judge
 from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
 from drawings.grading.own_places import left_out, own_places, scales_of
-from drawings.grading.scheme_arrows import arrow_verdicts, once
+from drawings.grading.polygons.free_plan import free_plans
+from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused

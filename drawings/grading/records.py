@@ -50,10 +50,10 @@ class Record(NamedTuple):
 # By technique: of a study and a leaf to the record of that sheet.
 RECORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
-        "linkage": "drawings.grading.linkage:record_of",
-        "forces": "drawings.grading.forces:record_of",
-        "balance": "drawings.grading.balance:record_of",
-        "bank": "drawings.grading.bank:record_of",
-        "rotor": "drawings.grading.rotor:record_of",
+        "linkage": "drawings.grading.techniques.linkage:record_of",
+        "forces": "drawings.grading.techniques.forces:record_of",
+        "balance": "drawings.grading.techniques.balance:record_of",
+        "bank": "drawings.grading.techniques.bank:record_of",
+        "rotor": "drawings.grading.techniques.rotor:record_of",
     }
 )

@@ -173,7 +173,7 @@ def test_all_polygons_without_data_are_told_by_their_letters(scene: str) -> None
 def told_by_letters(scene: str) -> None:
     own = task(scene)
     for sheet in own.originals.sheets:
-        if any(plan.sheet == sheet.name and any(one.corners for one in plan.vectors) for plan in own.plans):
+        if any(plan.sheet == sheet.name and plan.lettered for plan in own.plans):
             graded = grade(bare(own.originals.drawn(sheet)), own.plans, HAND)
             assert (graded.reason, graded.wrong) == (None, ())
             assert len(graded.verdicts) > 3

@@ -9,8 +9,8 @@ from drawings.figures.forces.lever_layout import PLAN as LEVER
 from drawings.figures.forces.lever_plan import balance, hanging
 from drawings.figures.forces.leverage import leverages
 from drawings.grading import verdict
+from drawings.grading.polygons.scheme_arrows import senses_of
 from drawings.grading.records import Found, Letters, Record, Slip
-from drawings.grading.scheme_arrows import senses_of
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
