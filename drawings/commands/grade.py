@@ -19,7 +19,7 @@ from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
-from drawings.grading.hints import hints
+from drawings.grading.hints import curve_hints, hints
 from drawings.grading.marking import Marking, MarkingError, read_marking
 from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
@@ -52,11 +52,12 @@ def run(options: argparse.Namespace) -> int:
         tell(word(language, "grade.self"))
         return CODES[OURS]
     graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by, curves=curves, tables=tables)))
-    steps = {name: own for plan in plans for name, own in hints(plan)}
+    steps = dict(curve_hints(curves)) | {name: own for plan in plans for name, own in hints(plan)}
     _print(options, graded, steps, marking, language)
     if options.output:
         _write(options.output, graded, steps, language)
     _tell_twins(graded, language)
+    _tell_strangers(graded, originals.digest, language)
     return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
 
 
@@ -111,3 +112,9 @@ def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     for digest in (digest for digest, count in times.items() if count > 1):
         names = tuple(plain_name(path) for path, one in graded if one.digest == digest)
         tell(word(language, "grade.twins", names=names))
+
+
+def _tell_strangers(graded: Sequence[tuple[Path, Graded]], own: str, language: str) -> None:
+    """Say which sheets were drawn of another scene, by their own data: a variant of somebody else's."""
+    if names := tuple(plain_name(path) for path, one in graded if one.scene not in ("", own)):
+        tell(word(language, "grade.strangers", names=names))

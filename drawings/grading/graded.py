@@ -26,6 +26,7 @@ from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
 from drawings.grading.own_places import left_out, own_places, scales_of
+from drawings.grading.scheme_arrows import arrow_verdicts, once
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
@@ -43,6 +44,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    scene: str = ""  # the checksum of the scene that it says it is of
     drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
@@ -96,23 +98,26 @@ def _graded(source: bytes, task: _Task) -> Graded:
     found = _Found(plans_drawn(seen, onlooker, task.plans), figures_drawn(seen, task.curves), tables)
     others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
     if not found.plans and not found.figures and not answered(tables, others):
-        return Graded(REJECTED, reason=message("grade.nothing" if task.plans else "grade.formless"))
+        return Graded(REJECTED, reason=message("grade.formless" if task.curves and not task.plans else "grade.nothing"))
+    if doubled := [letters for plan in found.plans for letters in plan.doubled]:
+        return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
     if found.unread:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(found.unread)))
     said = tuple(_verdicts(seen, found, task))
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
-    graded = Graded(PASS, said, paper=paper, drawn=tuple(plan.bare for plan in found.plans))
+    scene = str(seen.leaf.metadata.get("scene", ""))
+    graded = Graded(PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
 
 
 def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
     """Judge all that is found on a sheet; what its sheet of the task asks for beside is missing."""
-    yield from _judged(seen, found.plans, task.by)
-    sheets = {plan.asked.sheet for plan in found.plans} | alone(found.tables, seen)
+    yield from once(tuple(_judged(seen, found.plans, task.by)))
+    sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, seen)
     there = {plan.asked.place for plan in found.plans}
-    told = any(not plan.asked.lettered for plan in found.plans)  # what is found by marks alone
+    told = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
     for plan in task.plans:
         if plan.sheet in sheets and (told or plan.lettered) and plan.place not in there:
             yield from _missing(plan)
@@ -120,7 +125,7 @@ def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
     allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed)
     own = [one for figures in found.figures.values() for one in figures]
-    shown = Shown(found.plans, own, sheets | {*found.figures})
+    shown = Shown(found.plans, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)
 
 
@@ -157,4 +162,5 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
+        yield from arrow_verdicts(seen, plan, by)
         yield from drawing_faults(seen.leaf, labels, plan)

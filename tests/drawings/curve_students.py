@@ -16,7 +16,7 @@ from drawings.grading.curves.figure_records import figures_asked
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
-from tests.gallery import GALLERY
+from tests.drawings.students import task
 
 Keep = Callable[[Stroke], Stroke | None]
 
@@ -37,7 +37,7 @@ class CurveTask(NamedTuple):
 @cache
 def curve_task(scene: str) -> CurveTask:
     """Set a scene of the gallery."""
-    originals = Originals(GALLERY / f"{scene}.toml")
+    originals = task(scene).originals
     return CurveTask(originals, figures_asked(originals))
 
 
