@@ -19,6 +19,7 @@ from drawings.grading.cells.seen_table import Key, SeenCell, tables_seen
 from drawings.measure.transform import STAY
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from tests.drawings.students import drawn, task
 
@@ -74,12 +75,12 @@ def key_of(table: TableAsked, row: str, column: str, position: int | None = None
     )  # fmt: skip
 
 
-def written(leaf: Leaf, table: TableAsked, texts: Mapping[Key, str]) -> bytes:
+def written(leaf: Leaf, table: TableAsked, new: Mapping[Key, str]) -> bytes:
     """Draw a sheet in whose cells texts of an editor stand instead of ours; an empty one leaves a cell empty."""
     cells = cells_of(leaf, table)
-    gone = {id(text) for key in texts for text in cells[key].texts}
+    gone = {id(text) for key in new for text in cells[key].texts}
     source = svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
-    own = (_text(leaf, cells[key], text) for key, text in texts.items() if text)
+    own = (_text(leaf, cells[key], text) for key, text in new.items() if text)
     return source.partition(SEAL)[0] + "".join(own).encode() + b"</svg>"
 
 
@@ -97,8 +98,14 @@ def _text(leaf: Leaf, cell: SeenCell, text: str) -> str:
 def made(task: TableTask, row: Mapping[str, Any]) -> bytes:
     """Draw a sheet with a mistake of the list of rows."""
     table = task.table(row["table"])
-    texts = {key_of(table, *_place(name)): text for name, text in row["writes"].items()}
-    return written(tables_of(task.sheet(table)), table, texts)
+    leaf = tables_of(task.sheet(table))
+    if "without" in row:
+        cells = (cell for key, cell in cells_of(leaf, table).items() if key[0].startswith(row["without"]))
+        gone = {id(text) for cell in cells for text in cell.texts}
+        gone |= {id(text) for text in texts(leaf.groups) if folded(text.plain).startswith(row["without"])}
+        return svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
+    own = {key_of(table, *_place(name)): text for name, text in row["writes"].items()}
+    return written(leaf, table, own)
 
 
 def _place(name: str) -> tuple[str, str, int | None]:
@@ -108,8 +115,8 @@ def _place(name: str) -> tuple[str, str, int | None]:
 
 
 def both(
-    sheet: Original, plan: PlanAsked, places: Mapping[str, complex], table: TableAsked, texts: Mapping[Key, str]
+    sheet: Original, plan: PlanAsked, places: Mapping[str, complex], table: TableAsked, new: Mapping[Key, str]
 ) -> bytes:
     """Draw a sheet with the letters of one plan elsewhere, and with texts in some cells of its tables."""
-    page, tables = drawn(sheet, plan, places).partition(SEAL)[0], written(tables_of(sheet), table, texts)
+    page, tables = drawn(sheet, plan, places).partition(SEAL)[0], written(tables_of(sheet), table, new)
     return page + tables[tables.index(b"<g ") :]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections import Counter
 from dataclasses import replace
@@ -12,9 +13,11 @@ import pytest
 
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
+from drawings.grading.marking import points_of, read_marking
 from drawings.pens.svg import svg
-from tests.drawings.cell_students import TableTask, both, key_of, made, table_task, tables_of, written
+from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
 from tests.drawings.test_grading import laid
 from tests.rows import over
@@ -38,8 +41,18 @@ def test_our_own_tables_are_right(by: Allowances) -> None:
     assert len(graded.verdicts) == 2 * 2 * 22 + 12 * 4
 
 
-@over("row", MISTAKES)
+@over("row", [one for one in MISTAKES if one["scene"] == "shaper"])
 def test_a_mistake_in_a_table_is_named(row: dict[str, Any]) -> None:
+    named(row)
+
+
+@pytest.mark.rest
+@over("row", [one for one in MISTAKES if one["scene"] != "shaper"])
+def test_a_mistake_in_a_table_of_another_technique_is_named(row: dict[str, Any]) -> None:
+    named(row)
+
+
+def named(row: dict[str, Any]) -> None:
     own = table_task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
@@ -95,3 +108,39 @@ def test_a_number_read_off_a_wrong_plan_follows() -> None:
     assert (kinds["v_B (by plan)"], kinds["ω_4 (by plan)"]) == ("follows", "follows")
     alone = grade(written(tables_of(sheet), table, texts), (), HAND, (), own.tables)
     assert sorted(one.name for one in alone.wrong) == ["v_B (by plan)", "ω_4 (by plan)"]
+
+
+def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path) -> None:
+    own, marks = table_task("shaper"), tmp_path / "marks.toml"
+    marks.write_text('[points]\ndefault = 1\nv_B = 5\ntable = 0.25\n"table v_B" = 2\n[keeps]\nsign = 0.5\n', "utf-8")
+    table = own.table("values")
+    wrong = {key_of(table, "vB", "by plan", 2): "", key_of(table, "ω4", "by plan", 2): "1.6"}
+    graded = grade(written(tables_of(own.originals.sheets[0]), table, wrong), (), HAND, (), own.tables)
+    won, most = points_of(graded.verdicts, read_marking(marks))
+    assert (most, most - won) == (0.25 * (21 * 4 + 12 * 4) + 2 * 4, 2 + 0.125)
+
+
+def test_feedback_marks_the_cell_and_tells_no_value() -> None:
+    own = table_task("shaper")
+    source = made(own, next(one for one in MISTAKES if one["says"] == ["ω_4 (by plan) sign"]))
+    graded = grade(source, (), HAND, (), own.tables)
+    text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
+    notes = " ".join(re.findall(r"<text[^>]*>([^<]*)</text>", text))
+    assert "the sign is wrong" in " ".join(notes.split())
+    assert not re.search(r"\d[.,]\d", notes)
+    assert text.count('id="wrong-') == 1
+
+
+def test_what_an_editor_draws_in_a_cell_is_not_marked_down() -> None:
+    """A number written by hand or turned into a path is told to the teacher, and neither right nor wrong."""
+    own = table_task("shaper")
+    table, leaf = own.table("values"), tables_of(own.originals.sheets[0])
+    key = key_of(table, "vB", "by plan", 2)
+    box = cells_of(leaf, table)[key].box
+    path = (
+        f'<path d="M{box.left + 2} {leaf.height - box.low - 4}l3 -1l1 3" fill="none" stroke="#000" stroke-width="0.3"/>'
+    )
+    source = written(leaf, table, {key: ""}).replace(b"</svg>", path.encode() + b"</svg>")
+    graded = grade(source, (), HAND, (), own.tables)
+    assert [(one.name, one.kind) for one in graded.verdicts if not one.good] == [("v_B (by plan)", "illegible")]
+    assert graded.outcome == PASS

@@ -77,7 +77,15 @@ def table_verdicts(
     for one, cells in found:
         readings = Readings(shown.plans, shown.figures, one.language)
         yield from CellJudge(one, cells, seen.measured.moved, by, seen.measured.quantum, readings).verdicts()
+        for cell in (cell for key, cell in one.cells.items() if key not in cells and _is_whole(one, seen)):
+            yield Verdict(one.name, cell.position, cell.name, verdict.MISSING, unit=cell.unit)
     there = {one.sought for one, _ in found}
     for one in asked:
         if one.sought not in there and set(one.sheets) & shown.sheets:
             yield Verdict(one.name, None, "", verdict.UNTABLED)
+
+
+def _is_whole(asked: TableAsked, seen: SeenSheet) -> bool:
+    """Tell whether all of a table stands on a sheet that is ours: a form has the rows that tell nothing."""
+    data = seen.measured.metadata
+    return len(asked.sheets) == 1 and data.get("of") == 1 and "form" not in data

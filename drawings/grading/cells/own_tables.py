@@ -114,7 +114,8 @@ class _Own:
         """Give what a cell is called beside its position, and its place among those of its quantity."""
         label, position, head = key
         if not self.across:
-            return f"{quantity} ({self.heads[head].plain})", "" if position is None else str(position)
+            column = self.heads[head].plain
+            return f"{quantity} ({column})", column if position is None else str(position)
         row = self.labels[label].plain
         return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
 
