@@ -13,7 +13,7 @@ import pytest
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import PASS, grade
-from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
 from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
@@ -83,10 +83,26 @@ def moved(plans: tuple[PlanAsked, ...], row: dict[str, Any]) -> dict[Mark, compl
     return {}
 
 
+def shown_back(arrow: Group) -> Group:
+    """Turn an arrow that is not to scale the other way about where it begins."""
+    line, *heads = arrow.strokes
+    assert isinstance(line, Line)
+    again = [
+        one._replace(points=tuple(2 * line.start - at for at in one.points)) for one in heads if isinstance(one, Fill)
+    ]
+    return replace(arrow, strokes=(replace(line, end=2 * line.start - line.end), *again))
+
+
+def _is_arrow(group: Group, name: str) -> bool:
+    return (group.data.get("kind"), group.data.get("name")) == ("force", name)
+
+
 def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
     """Give a stroke as a mistake of drawing leaves it."""
     names = row.get("vector", "").split(" ")
     letters = {one.name: written(one.letter) for one in plan.vectors}
+    if isinstance(stroke, Group) and row.get("arrow") and _is_arrow(stroke, names[0]):
+        return shown_back(stroke)
     if isinstance(stroke, Group) and (stroke.data.get("plan"), stroke.data.get("name")) == (plan.plan, names[0]):
         if row["how"] in ("missing", "left out"):
             return None
