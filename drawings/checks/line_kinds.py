@@ -21,7 +21,6 @@ FULL, DASHED, DASH_DOT, TWO_DOTS = 0, 2, 4, 6  # kinds of lines by the parts tha
 LEAST = {DASHED: 2.0, DASH_DOT: 5.0, TWO_DOTS: 5.0}  # mm: the shortest dash of GOST 2.303
 VECTOR, FORCE, COUPLE = "vector", "force", "couple"  # kinds of marks
 PLANS = tuple(order.plan for order in ORDERS[1:])
-MASS = "s"  # the image of a mass centre is lettered by it and the number of its link
 
 
 class Kind(NamedTuple):
@@ -42,7 +41,7 @@ Kinds: TypeAlias = Callable[[str], Kind]  # of a vector by its name
 
 # The lines of a plan of positions by the groups that they are in.
 LAYERS: Mapping[str, Kind] = {
-    "all-positions": Kind((FINE,)),
+    "all-positions": Kind((THIN, FINE)),  # a cross where there is no position is thin
     "extremes": Kind((THIN,), TWO_DOTS),
     "guides": Kind((FINE,), DASH_DOT),
     "notches": Kind((FINE,)),
@@ -86,11 +85,8 @@ def _vectors(figure: Group, kind: Kinds) -> Iterator[tuple[Stroke, Kind]]:
 
 
 def _of_plan(name: str) -> Kind:
-    """A vector from the pole is a result; one to a mass centre, or between two images, is thinner."""
-    start, _, end = name.partition(" ")
-    if start not in POLES.values():
-        return Kind((MEDIUM, THIN))
-    return Kind((MAIN, MEDIUM)) if end.startswith(MASS) else Kind((MAIN,))
+    """A vector from the pole is a result, one to a mass centre thinner; one between two images is never so thick."""
+    return Kind((MAIN, MEDIUM)) if name.partition(" ")[0] in POLES.values() else Kind((MEDIUM, THIN))
 
 
 def _of_polygon(name: str) -> Kind:

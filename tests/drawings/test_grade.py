@@ -115,6 +115,11 @@ def test_a_row_holds_no_formula(folder: Path) -> None:
     assert text.getvalue().startswith("'=cmd()\N{REPLACEMENT CHARACTER}.svg,mistakes,")
 
 
-def test_every_technique_that_has_sheets_is_graded() -> None:
-    assert {technique_of(sheet) for sheet in SHEETS} <= {*RECORDS, *FIGURES}
-    assert ungraded(task("fan").originals, {}) == ("rotor",)
+def test_every_technique_is_graded_and_one_that_is_not_would_be_told() -> None:
+    assert {technique_of(kind) for kind in SHEETS} <= {*RECORDS, *FIGURES}
+    assert ungraded(task("slider-crank").originals, {}) == ("kinematics", "forces")
+
+
+def test_a_sheet_of_another_task_is_rejected(folder: Path, capsys: Capture) -> None:
+    assert cli.main(["grade", str(GALLERY / "feed-cam.toml"), str(folder / "ann.svg")]) == 5
+    assert "plandraft form" in capsys.readouterr().out

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
+from typing import NamedTuple
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
@@ -13,10 +14,19 @@ from drawings.grading.cells.own_reading import Readings
 from drawings.grading.cells.ruling import ruling
 from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, tables_seen
 from drawings.grading.cells.written_number import number
+from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.verdict import Verdict
 
 Drawn = Sequence[tuple[TableAsked, Mapping[Key, SeenCell]]]
+
+
+class Shown(NamedTuple):
+    """What else is on the sheet, and which sheets of the task that is."""
+
+    plans: Sequence[DrawnPlan]
+    figures: Sequence[DrawnFigure]
+    sheets: Set[str]
 
 
 def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
@@ -61,14 +71,13 @@ def _says(seen: SeenCell, asked: CellAsked) -> bool:
 
 
 def table_verdicts(
-    found: Drawn, asked: Sequence[TableAsked], sheets: Collection[str], plans: Sequence[DrawnPlan],
-    by: Allowances, seen: SeenSheet,
-) -> Iterator[Verdict]:  # fmt: skip
+    found: Drawn, asked: Sequence[TableAsked], shown: Shown, by: Allowances, seen: SeenSheet
+) -> Iterator[Verdict]:
     """Judge the tables of a sheet; one of a sheet of the task that is not on it is told and not graded."""
     for one, cells in found:
-        readings = Readings(plans, one.language)
+        readings = Readings(shown.plans, shown.figures, one.language)
         yield from CellJudge(one, cells, seen.measured.moved, by, seen.measured.quantum, readings).verdicts()
     there = {one.sought for one, _ in found}
     for one in asked:
-        if one.sought not in there and set(one.sheets) & set(sheets):
+        if one.sought not in there and set(one.sheets) & shown.sheets:
             yield Verdict(one.name, None, "", verdict.UNTABLED)

@@ -17,6 +17,7 @@ from drawings.lettering.words import word
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, texts
+from plans.words.words import term
 
 READ_OFF = ("kinematics", "dynamics")  # kinds of sheets on which what has no error by hand is read off graphs
 POSITIONS = ("output", "positions")  # tables whose rows are positions
@@ -140,7 +141,7 @@ class _Own:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
         if sheet.kind in READ_OFF:
             for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda one: one.scale):
-                yield folded(Text(0j, word(self.originals.language, mark.unit)).plain), mark.scale
+                yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
 
 
 def _bare(plain: str) -> str:
