@@ -21,12 +21,16 @@ EDGE = 0.02  # of that: what rounding may make one of a corner that is nearly so
 
 
 class Corner(NamedTuple):
-    """A corner on paper, the unit directions of its lines from it, whether it must be filled, or may be."""
+    """A corner on paper, the unit directions of its lines from it, whether it must be filled, or may be.
+
+    One about a point is filled beyond the circle of that point; the side of a block has none, whatever stands there.
+    """
 
     at: complex
     first: complex
     second: complex
     due: bool = True
+    ringed: bool = True
 
     @property
     def half(self) -> float:
@@ -52,18 +56,19 @@ class Corners(NamedTuple):
         rounded = [fill for fill in self.fills if len(fill.points) > SHARP]
         return not all(any(self._fills(fill, one) for one in self.corners) for fill in rounded)
 
-    def _radius(self, spot: complex) -> float:
+    def _radius(self, one: Corner) -> float:
         """Give the radius of the circle about a corner."""
-        return max((one.radius for one in self.rings if abs(one.centre - spot) < one.radius), default=0.0)
+        about = (ring.radius for ring in self.rings if one.ringed and abs(ring.centre - one.at) < ring.radius)
+        return max(about, default=0.0)
 
     def _reach(self, one: Corner) -> float:
         """Give how far along its lines a corner is filled, mm."""
-        depth = self._radius(one.at) + GUSSET * self.size
+        depth = self._radius(one) + GUSSET * self.size
         return depth * min(1 / max(math.cos(one.half), 1 / (2 * LEG)), LEG)
 
     def _shown(self, one: Corner) -> bool:
         """Tell whether a corner is surely not too wide to be filled."""
-        beyond = self._reach(one) * math.cos(one.half) - self._radius(one.at)
+        beyond = self._reach(one) * math.cos(one.half) - self._radius(one)
         return one.half > EDGE and beyond > (SHALLOW + EDGE) * GUSSET * self.size
 
     def _fills(self, fill: Fill, one: Corner) -> bool:
@@ -101,9 +106,8 @@ def welded(start: complex, end: complex, block: Sequence[complex]) -> Iterator[C
         if 0 < along < 1 and 0 < share < 1:
             far, inside = max((start, end), key=lambda spot: _outside(spot, one, side, block)), min(along, 1 - along)
             spot = start + share * run
-            yield from (
-                Corner(spot, _unit(far - spot), _unit(way), inside * abs(side) > ROUNDED) for way in (side, -side)
-            )
+            due = inside * abs(side) > ROUNDED
+            yield from (Corner(spot, _unit(far - spot), _unit(way), due, False) for way in (side, -side))
 
 
 def _outside(spot: complex, one: complex, side: complex, block: Sequence[complex]) -> float:

@@ -57,6 +57,7 @@ def run(options: argparse.Namespace) -> int:
     if options.output:
         _write(options.output, graded, steps, language)
     _tell_twins(graded, language)
+    _tell_strangers(graded, originals.digest, language)
     return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
 
 
@@ -111,3 +112,9 @@ def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     for digest in (digest for digest, count in times.items() if count > 1):
         names = tuple(plain_name(path) for path, one in graded if one.digest == digest)
         tell(word(language, "grade.twins", names=names))
+
+
+def _tell_strangers(graded: Sequence[tuple[Path, Graded]], own: str, language: str) -> None:
+    """Say which sheets were drawn of another scene, by their own data: a variant of somebody else's."""
+    if names := tuple(plain_name(path) for path, one in graded if one.scene not in ("", own)):
+        tell(word(language, "grade.strangers", names=names))

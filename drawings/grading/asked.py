@@ -65,6 +65,7 @@ class PlanAsked(NamedTuple):
     scales: Mapping[str, float]
     board: str = ""
     symbol: str = ""
+    senses: Mapping[str, complex] = MappingProxyType({})  # of arrows that are not to scale
 
     @property
     def place(self) -> Place:
@@ -79,7 +80,8 @@ class PlanAsked(NamedTuple):
     @property
     def lettered(self) -> bool:
         """Whether it can be found by its letters: a plan of points, or of arms on a scheme, by data alone."""
-        return any(one.start or one.corners for one in self.vectors)
+        free = all(one.letter for one in self.vectors) and any(one.corners for one in self.vectors)
+        return free or any(one.start for one in self.vectors)
 
 
 def plans_asked(originals: Originals, kinds: Mapping[str, str] = RECORDS) -> tuple[PlanAsked, ...]:
@@ -117,7 +119,9 @@ def _of_sheet(originals: Originals, sheet: Original, kinds: Mapping[str, str]) -
             unit, symbol, scale = measures[place]
             board = record.boards.get(place[0], place[0])
             behind = {name: own[place[1]] for name, own in record.plans.items() if place[1] in own}
-            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)
+            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)._replace(
+                senses=record.senses.get(place[0], {})
+            )
 
 
 def _titles(sheet: Original) -> dict[tuple[str, int | None, str], str]:

@@ -11,7 +11,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.polygon_faults import letters, open_sides
+from drawings.grading.polygons.polygon_faults import letters, open_sides
 from drawings.grading.verdict import Verdict
 from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Group, Leaf, Text

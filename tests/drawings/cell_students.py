@@ -9,7 +9,9 @@ from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
 
 from drawings.eye.alike import folded
+from drawings.form.blank_file import SEAL
 from drawings.form.task import table_of
+from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.cells.ruling import ruling
@@ -17,8 +19,9 @@ from drawings.grading.cells.seen_table import Key, SeenCell, tables_seen
 from drawings.measure.transform import STAY
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.paper.walk import texts
 from drawings.pens.svg import svg
-from tests.gallery import GALLERY
+from tests.drawings.students import drawn, task
 
 SIZE = 4.9  # of an editor's letters, user units
 
@@ -39,7 +42,7 @@ class TableTask(NamedTuple):
 @cache
 def table_task(scene: str) -> TableTask:
     """Set a scene of the gallery."""
-    originals = Originals(GALLERY / f"{scene}.toml")
+    originals = task(scene).originals
     return TableTask(originals, tables_asked(originals))
 
 
@@ -72,13 +75,13 @@ def key_of(table: TableAsked, row: str, column: str, position: int | None = None
     )  # fmt: skip
 
 
-def written(leaf: Leaf, table: TableAsked, texts: Mapping[Key, str]) -> bytes:
+def written(leaf: Leaf, table: TableAsked, new: Mapping[Key, str]) -> bytes:
     """Draw a sheet in whose cells texts of an editor stand instead of ours; an empty one leaves a cell empty."""
     cells = cells_of(leaf, table)
-    gone = {id(text) for key in texts for text in cells[key].texts}
+    gone = {id(text) for key in new for text in cells[key].texts}
     source = svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
-    own = (_text(leaf, cells[key], text) for key, text in texts.items() if text)
-    return source.replace(b"</svg>", "".join(own).encode() + b"</svg>")
+    own = (_text(leaf, cells[key], text) for key, text in new.items() if text)
+    return source.partition(SEAL)[0] + "".join(own).encode() + b"</svg>"
 
 
 def _without(group: Group, gone: set[int]) -> Group:
@@ -95,11 +98,25 @@ def _text(leaf: Leaf, cell: SeenCell, text: str) -> str:
 def made(task: TableTask, row: Mapping[str, Any]) -> bytes:
     """Draw a sheet with a mistake of the list of rows."""
     table = task.table(row["table"])
-    texts = {key_of(table, *_place(name)): text for name, text in row["writes"].items()}
-    return written(tables_of(task.sheet(table)), table, texts)
+    leaf = tables_of(task.sheet(table))
+    if "without" in row:
+        cells = (cell for key, cell in cells_of(leaf, table).items() if key[0].startswith(row["without"]))
+        gone = {id(text) for cell in cells for text in cell.texts}
+        gone |= {id(text) for text in texts(leaf.groups) if folded(text.plain).startswith(row["without"])}
+        return svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
+    own = {key_of(table, *_place(name)): text for name, text in row["writes"].items()}
+    return written(leaf, table, own)
 
 
 def _place(name: str) -> tuple[str, str, int | None]:
     """Read where a text is written: "vB | by plan | 9"."""
     row, column, *position = name.split(" | ")
     return row, column, int(position[0]) if position else None
+
+
+def both(
+    sheet: Original, plan: PlanAsked, places: Mapping[str, complex], table: TableAsked, new: Mapping[Key, str]
+) -> bytes:
+    """Draw a sheet with the letters of one plan elsewhere, and with texts in some cells of its tables."""
+    page, tables = drawn(sheet, plan, places).partition(SEAL)[0], written(tables_of(sheet), table, new)
+    return page + tables[tables.index(b"<g ") :]

@@ -106,7 +106,7 @@ class _Lines:
 
     def _symbols(self) -> Iterator[Message]:
         """Hold the symbols of pairs, the ties, the numbers of moving links, the arrows of the crank."""
-        yield from pair_symbols.faults(self.plan)
+        yield from pair_symbols.symbols(self.plan)
         yield from drive_arrows.faults(self.plan)
         hidden = {name for name, link, at in position_marks.centres(self.plan.laid) if not self._is_off(link, at)}
         hidden.add(str(FRAME))  # it bears no number here

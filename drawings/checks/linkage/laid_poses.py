@@ -63,8 +63,8 @@ class Segments(NamedTuple):
         for starts, ends, own in (
             (self.starts.real, self.ends.real, spots.real), (self.starts.imag, self.ends.imag, spots.imag),
         ):  # fmt: skip
-            low, high = np.nanmin(own, initial=np.inf) - within, np.nanmax(own, initial=-np.inf) + within
-            there &= (np.minimum(starts, ends) <= high) & (np.maximum(starts, ends) >= low)
+            low, high = float(np.fmin.reduce(own, initial=np.inf)), float(np.fmax.reduce(own, initial=-np.inf))
+            there &= (np.minimum(starts, ends) <= high + within) & (np.maximum(starts, ends) >= low - within)
         return Segments(self.starts[there], self.ends[there])
 
     def holds(self, other: Segments, near: float) -> Flags:

@@ -28,6 +28,12 @@ ALIKE = 0.02  # share by which the sides of a block may be off: its corners are 
 
 
 def faults(plan: LaidPlan) -> Iterator[Message]:
+    """See that all symbols are there, and that no line stands among them."""
+    yield from symbols(plan)
+    yield from _beside_stands(plan, plan.lines(PAIRS))
+
+
+def symbols(plan: LaidPlan) -> Iterator[Message]:
     """See that each pair of the shown position has its symbol at its place, and each mass centre its own."""
     drawn = [one for group in named(plan.leaf, PAIRS) for one in flat((group,))]
     mechanism, k = plan.laid.mechanism, plan.position
@@ -42,7 +48,6 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
                 yield on("symbol", POSITIONS.plan, name=name)
             elif joined and name in mechanism.links[FRAME].points:
                 yield from _on_stand(name, spot, circles, joined, lines)
-    yield from _beside_stands(plan, lines)
     for name, (link, own) in plan.laid.centres.items():
         spot = plan.laid.on(link, own)
         alone = sum(abs(spot - other) <= DOUBLE[0] for other in places) == 1

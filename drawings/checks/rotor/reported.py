@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
@@ -46,6 +46,13 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     yield from _held(quality[len(graded) :], drawn, OF_RESIDUALS)
     yield from _held(part(text, word(drafting.language, "report.bearings")), [*own.reactions()])
     yield from chapters.faults(text, drafting.language, ["rotor", "counterweights", "left_out", "rotor_left_out"])
+
+
+def headline(study: Study) -> Callable[[str], bool] | None:
+    """Give what tells whether a line says the counterweights of a rotor; nothing where rounding decides."""
+    own = RotorSentences(study["rotor"].rotor, study.comparison("rotor").analysis, drafting_of(study.scene))
+    due = "; ".join(map(_plain, own.counterweights()))
+    return (lambda line: tells(line, due, IN_REPORT)) if own.settled else None
 
 
 class Residuals:
@@ -92,6 +99,11 @@ def _drawn(leaves: Sequence[Leaf]) -> Iterator[tuple[str, complex]]:
 def _held(seen: Sequence[str], due: Sequence[str], digits: int = IN_REPORT) -> Iterator[Wrong]:
     """Hold lines one for one."""
     for line, true in zip_longest(seen, due, fillvalue=""):
-        plain = " ".join(true.replace("{", "").replace("}", "").split())
+        plain = _plain(true)
         if not tells(" ".join(line.removeprefix("- ").split()), plain, digits):
             yield message("wrong.told", text=line) if line else within("missing_from", NOTES, name=plain)
+
+
+def _plain(note: str) -> str:
+    """Write a note without the braces of its indices."""
+    return " ".join(note.replace("{", "").replace("}", "").split())

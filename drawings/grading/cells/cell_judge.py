@@ -17,6 +17,7 @@ from drawings.grading.verdict import Verdict
 from drawings.measure.transform import Affine
 
 DEGREE, TURN = 180 / math.pi, 30 / math.pi
+FULL = 360.0  # degrees
 POWERS = (1, 2, 3, 4, 6)  # of ten, that a number may be out by
 # Of which units a quantity may be told in degrees, and of which in turns a minute, in both languages.
 ANGLES = ("rad", "рад", "°", "rad/s", "рад/с", "rad/s²", "рад/с²")
@@ -66,7 +67,7 @@ class CellJudge:
         written = number(seen.texts, cell.unit)
         if written is None:
             return self._said(key, verdict.WRONG)
-        off = min(abs(written.value - true) for true in cell.true)
+        off = min(_apart(written.value, true, cell.unit) for true in cell.true)
         if off <= self._allowed(cell, written):
             return self._said(key, verdict.RIGHT, off)
         if self.readings.agrees(cell, written, self.by, self.rough):
@@ -107,6 +108,11 @@ class CellJudge:
         ends = self.moved(complex(box.left, box.low)), self.moved(complex(box.right, box.low))
         allowed = None if off is None else cell.allowed(self.by, self.rough)
         return Verdict(self.asked.name, cell.position, cell.name, kind, off, allowed, cell.unit, ends, of=of)
+
+
+def _apart(value: float, true: float, unit: str) -> float:
+    """Give how far a value is from the true one; a whole turn is nothing."""
+    return abs(math.remainder(value - true, FULL)) if unit == "°" else abs(value - true)
 
 
 def _factors(unit: str) -> Iterator[tuple[str, float, str]]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
+from typing import NamedTuple
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
@@ -13,10 +14,19 @@ from drawings.grading.cells.own_reading import Readings
 from drawings.grading.cells.ruling import ruling
 from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, tables_seen
 from drawings.grading.cells.written_number import number
+from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.verdict import Verdict
 
 Drawn = Sequence[tuple[TableAsked, Mapping[Key, SeenCell]]]
+
+
+class Shown(NamedTuple):
+    """What else is on the sheet, and which sheets of the task that is."""
+
+    plans: Sequence[DrawnPlan]
+    figures: Sequence[DrawnFigure]
+    sheets: Set[str]
 
 
 def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
@@ -30,9 +40,22 @@ def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     return [(asked[k], cells) for k, cells in sorted(found.items())]
 
 
-def filled(found: Drawn) -> bool:
-    """Tell whether anything is written in the tables of a sheet."""
-    return any(cells[key].texts for one, cells in found for key in one.cells if key in cells)
+def answered(found: Drawn, others: Collection[str]) -> bool:
+    """Tell whether the tables of a sheet can be graded: written in, or such that nothing else stands on their sheets.
+
+    `others` are the sheets that more is asked for on: where all of it is lost it is not marked down.
+    """
+    return any(_filled(one, cells) or not set(one.sheets) & set(others) for one, cells in found)
+
+
+def alone(found: Drawn, seen: SeenSheet) -> set[str]:
+    """Give the sheets of tables that are written in on the only sheet of its kind, of which all is due then."""
+    own = (one for one, cells in found if _filled(one, cells) and seen.measured.metadata.get("of") == 1)
+    return {name for one in own for name in one.sheets}
+
+
+def _filled(asked: TableAsked, cells: Mapping[Key, SeenCell]) -> bool:
+    return any(cells[key].texts for key in asked.cells if key in cells)
 
 
 def _fit(table: SeenTable, asked: TableAsked, seen: SeenSheet) -> tuple[int, bool, int]:
@@ -48,14 +71,21 @@ def _says(seen: SeenCell, asked: CellAsked) -> bool:
 
 
 def table_verdicts(
-    found: Drawn, asked: Sequence[TableAsked], sheets: Collection[str], plans: Sequence[DrawnPlan],
-    by: Allowances, seen: SeenSheet,
-) -> Iterator[Verdict]:  # fmt: skip
+    found: Drawn, asked: Sequence[TableAsked], shown: Shown, by: Allowances, seen: SeenSheet
+) -> Iterator[Verdict]:
     """Judge the tables of a sheet; one of a sheet of the task that is not on it is told and not graded."""
     for one, cells in found:
-        readings = Readings(plans, one.language)
+        readings = Readings(shown.plans, shown.figures, one.language)
         yield from CellJudge(one, cells, seen.measured.moved, by, seen.measured.quantum, readings).verdicts()
+        for cell in (cell for key, cell in one.cells.items() if key not in cells and _is_whole(one, seen)):
+            yield Verdict(one.name, cell.position, cell.name, verdict.MISSING, unit=cell.unit)
     there = {one.sought for one, _ in found}
     for one in asked:
-        if one.sought not in there and set(one.sheets) & set(sheets):
+        if one.sought not in there and set(one.sheets) & shown.sheets:
             yield Verdict(one.name, None, "", verdict.UNTABLED)
+
+
+def _is_whole(asked: TableAsked, seen: SeenSheet) -> bool:
+    """Tell whether all of a table stands on a sheet that is ours: a form has the rows that tell nothing."""
+    data = seen.measured.metadata
+    return len(asked.sheets) == 1 and data.get("of") == 1 and "form" not in data

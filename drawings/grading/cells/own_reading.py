@@ -11,6 +11,8 @@ from drawings.eye.alike import folded
 from drawings.grading.allowance import Allowances
 from drawings.grading.cells.asked_table import CellAsked
 from drawings.grading.cells.written_number import Written
+from drawings.grading.curves.asked_figure import ORDINATES
+from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.own_places import own_places
 from drawings.lettering.words import letter
@@ -19,18 +21,21 @@ from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import redraw
 from geometry.span import Reading
+from plans.words.words import term
 
 
 @dataclass(frozen=True)
 class Readings:
-    """The plans that a student has drawn, and the language that the letters of his tables are in."""
+    """The plans and graphs that a student has drawn, and the language that the letters of his tables are in."""
 
     drawn: Sequence[DrawnPlan]
+    figures: Sequence[DrawnFigure]
     language: str
 
     def agrees(self, cell: CellAsked, written: Written, by: Allowances, rough: float) -> bool:
         """Tell whether a number is what the student's own plans show."""
-        for size, scale in self._sizes(cell):
+        ordinates = self._ordinates(cell, cell.allowed(by, rough))
+        for size, scale in (*self._sizes(cell), *ordinates):
             if abs(written.value - size) <= cell.pricked(by, rough, scale) + written.rounding:
                 return True
         rate = None if cell.reading is None else self._rate(cell.reading, cell.position)
@@ -43,6 +48,17 @@ class Readings:
                 value = plan.value(one.letters)
                 if value is not None and _seen(one.name, self.language) in cell.read:
                     yield abs(value), plan.scale
+
+    def _ordinates(self, cell: CellAsked, near: float) -> Iterator[tuple[float, float]]:
+        """Give the ordinates of graphs that show the quantity of a cell, and their scales."""
+        for figure in self.figures:
+            asked = figure.asked
+            if asked.kind != ORDINATES or folded(_written(asked.unit, self.language)) != folded(cell.unit):
+                continue
+            for one in asked.items:
+                true, value = ((values[one.place] / asked.way).real for values in (asked.true, figure.values))
+                if one.position == cell.position and abs(true - cell.true[0]) <= near and not np.isnan(value):
+                    yield float(value), asked.scale
 
     def _rate(self, reading: Reading, position: int | None) -> float | None:
         """Give a rate as it is read off the student's own plans."""
@@ -58,6 +74,10 @@ def _seen(name: str, language: str) -> str:
     """Give the name of a vector as a table has it and as it is seen."""
     symbol, _, index = name.partition("_")
     return folded(Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain)
+
+
+def _written(unit: str, language: str) -> str:
+    return Text(0j, term(language, "unit", unit)).plain
 
 
 def _point(mark: Mark) -> complex | None:

@@ -17,6 +17,7 @@ from drawings.lettering.words import word
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, texts
+from plans.words.words import term
 
 READ_OFF = ("kinematics", "dynamics")  # kinds of sheets on which what has no error by hand is read off graphs
 POSITIONS = ("output", "positions")  # tables whose rows are positions
@@ -113,7 +114,8 @@ class _Own:
         """Give what a cell is called beside its position, and its place among those of its quantity."""
         label, position, head = key
         if not self.across:
-            return f"{quantity} ({self.heads[head].plain})", "" if position is None else str(position)
+            column = self.heads[head].plain
+            return f"{quantity} ({column})", column if position is None else str(position)
         row = self.labels[label].plain
         return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
 
@@ -140,7 +142,7 @@ class _Own:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
         if sheet.kind in READ_OFF:
             for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda one: one.scale):
-                yield folded(Text(0j, word(self.originals.language, mark.unit)).plain), mark.scale
+                yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
 
 
 def _bare(plain: str) -> str:

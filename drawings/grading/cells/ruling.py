@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from bisect import bisect
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from types import MappingProxyType
 from typing import NamedTuple
 
 from drawings.lettering.extent import bounds
 from drawings.measure.transform import Affine
-from drawings.paper.strokes import Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Leaf, Line, Polyline, Run, Stroke, Text
 from drawings.paper.walk import flat
 
 LEVEL = 0.2  # mm: a line that is out by more is no line of a table, and two that are nearer are one
 SHORT = 2.0  # mm: no cell is smaller
+EITHER = MappingProxyType({"0": "0", "6": "9", "8": "8", "9": "6"})  # digits that are read on their heads too
 
 
 class Box(NamedTuple):
@@ -85,10 +90,18 @@ def ruling(leaf: Leaf, moved: Affine) -> Ruling:
             uprights.append(Rule(middle.real, *sorted((start.imag, end.imag))))
     ruled = {id(one) for one, _ in lines}
     spots = [((_middle(one) - moved.t) / moved.p, one) for one in own if id(one) not in ruled]
-    texts = tuple((spot, one) for spot, one in spots if isinstance(one, Text))
+    texts = tuple((spot, _upright(one, moved)) for spot, one in spots if isinstance(one, Text))
     return Ruling(
         tuple(levels), tuple(uprights), texts, tuple(spot for spot, one in spots if not isinstance(one, Text))
     )
+
+
+def _upright(text: Text, moved: Affine) -> Text:
+    """Give a text as it is read on a sheet laid upright: what stands on its head there was read the wrong way round."""
+    off = math.radians(text.rotation) - cmath.phase(moved.p)
+    if math.cos(off) > 0 or not set(text.plain) <= set(EITHER):
+        return text
+    return replace(text, content=(Run("".join(EITHER[sign] for sign in reversed(text.plain))),))
 
 
 def _ends(one: Stroke) -> tuple[complex, complex] | None:

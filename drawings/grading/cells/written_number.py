@@ -59,6 +59,8 @@ def number(texts: Sequence[Text], unit: str = "") -> Written | None:
     digits = found["digits"].replace(",", ".")
     times *= math.pow(10.0, int(found["power"] or found["exponent"] or 0))
     value = float(f"{found['sign']}{digits}") * times
+    if not math.isfinite(value):
+        return None
     sure = len(digits.replace(".", "").lstrip("0")) >= SURE
     half = 0.5 * math.pow(10.0, -len(digits.partition(".")[2])) * times
     return Written(value, half if sure else 0.0)
