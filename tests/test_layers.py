@@ -221,8 +221,9 @@ ROOMS = (
     ("drawings.note", "drawings.figures.workings"),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.original",),
+    ("drawings.form",),
     ("drawings.grading",),
-    ("drawings.bench", "drawings.gallery", "drawings.form", "drawings.acceptance"),
+    ("drawings.bench", "drawings.gallery", "drawings.acceptance"),
     ("drawings.commands",),
 )
 ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}

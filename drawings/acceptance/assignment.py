@@ -10,6 +10,8 @@ from typing import TypeAlias
 from drawings.acceptance.reading import AcceptanceError, OnPaper, alone, held
 from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import PlanAsked, plans_asked
+from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.graded import PASS, Graded, grade
 from drawings.grading.hints import hints
 from drawings.grading.own_sheets import grade_own
@@ -40,6 +42,11 @@ class Assignment:
         return plans_asked(self.originals)
 
     @cached_property
+    def curves(self) -> tuple[FigureAsked, ...]:
+        """The curves that the sheets ask for."""
+        return figures_asked(self.originals)
+
+    @cached_property
     def hints(self) -> Hints:
         """The steps by which each quantity is found, by its name."""
         return {name: own for plan in self.plans for name, own in hints(plan)}
@@ -50,7 +57,7 @@ class Assignment:
         if by is None:
             raise AcceptanceError(message("accept.tolerance", tolerance=tolerance))
         self._try_own(by)
-        return alone(path, partial(grade, plans=self.plans, by=Allowances(by)))
+        return alone(path, partial(grade, plans=self.plans, by=Allowances(by), curves=self.curves))
 
     def held(self, path: Path) -> OnPaper | Graded:
         """Hold a sheet against the one that the scene gives; one that cannot be read is rejected."""
@@ -59,11 +66,12 @@ class Assignment:
 
     def _try_own(self, by: Allowance) -> None:
         """Grade the scene's own sheets first: nobody is answered by what they do not pass."""
-        if not self.plans:
+        if not self.plans and not self.curves:
             raise AcceptanceError(message("accept.ungraded", scene=self.originals.path.name))
-        if by not in self._sound and grade_own(self.originals, self.plans, Allowances(by)).outcome != PASS:
-            raise AcceptanceError(message("grade.self"))
-        self._sound.add(by)
+        if by not in self._sound:
+            if grade_own(self.originals, self.plans, Allowances(by), self.curves).outcome != PASS:
+                raise AcceptanceError(message("grade.self"))
+            self._sound.add(by)
 
 
 def assignment(scene: Assignment | FilePath) -> Assignment:

@@ -7,8 +7,9 @@ from functools import cache
 from pathlib import Path
 
 from drawings.acceptance.assignment import FAIR_HAND, Assignment, FilePath, assignment
-from drawings.acceptance.read_plan import NotDrawnError, ReadPlan, chosen
+from drawings.acceptance.read_plan import NotDrawnError, ReadPlan, chosen, named
 from drawings.acceptance.reading import alone, by_its_marks
+from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.graded import Graded
 from plans.words.words import ENGLISH, message
 
@@ -38,12 +39,20 @@ class HandedSheet:
     def plan(self, name: str, position: int | None = None) -> ReadPlan:
         """Give a plan by its name and its position, which need not be said where there is but one."""
         __tracebackhide__ = True
+        found = self._read(self.scene)
+        if self.scene is not None and not named(found, name, position):
+            found = (*found, *self._read(None))  # what is measured and not graded
+        return chosen(found, name, position, self.language)
+
+    def _read(self, scene: Assignment | None) -> tuple[DrawnPlan, ...]:
+        """Give the plans that are found on the sheet."""
+        __tracebackhide__ = True
         changed = self.path.stat().st_mtime_ns if self.path.exists() else 0
-        read = _read(self.path, changed, self.scene)
+        read = _read(self.path, changed, scene)
         if read.reason is not None:
             told = message("accept.rejected", sheet=self.path.name, reason=read.reason)
             raise NotDrawnError(told.worded(self.language))
-        return chosen(read.drawn, name, position, self.language)
+        return read.drawn
 
 
 def handed(sheet: HandedSheet | FilePath) -> HandedSheet:

@@ -101,13 +101,18 @@ class ReadPlan:
 def chosen(plans: Sequence[DrawnPlan], name: str, position: int | None, language: str) -> ReadPlan:
     """Give the plan of a name in anybody's words: "velocity", "velocities", "план скоростей"."""
     __tracebackhide__ = True
-    own = [plan for plan in plans if _called(plan.asked.plan, name) and position in (None, plan.asked.position)]
+    own = named(plans, name, position)
     if len(own) == 1:
         return ReadPlan(own[0], language)
     there = tuple(_told(own or plans)) or (message("accept.nothing"),)
     parts = {"name": name, "names": there} if position is None else {"name": name, "names": there, "position": position}
     key = f"accept.{'no' if not own else 'several'}_plan{'' if position is None else '_at'}"
     raise NotDrawnError(message(key, **parts).worded(language))
+
+
+def named(plans: Sequence[DrawnPlan], name: str, position: int | None) -> list[DrawnPlan]:
+    """Give the plans that are called so, of that position if one is said."""
+    return [plan for plan in plans if _called(plan.asked.plan, name) and position in (None, plan.asked.position)]
 
 
 def _called(plan: str, name: str) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.checks import arrowheads, reading, table_grid
+from drawings.checks import arrowheads, line_kinds, reading, table_grid
 from drawings.checks.documents import title_block
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces import arm_marks
@@ -77,6 +77,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from title_block.faults(leaf, study.scene, KIND, drafting_of(study.scene).word("forces sheet title"), "")
     yield from reading.tables(leaf, named)
     yield from arrowheads.faults(leaf, drafting_of(study.scene).hand.symbol)
+    yield from line_kinds.faults(leaf, drafting_of(study.scene).hand)
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from check.by_hand(named)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Sequence
 
-from drawings.checks import arrowheads, reading
+from drawings.checks import arrowheads, line_kinds, reading
 from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.documents import title_block
 from drawings.checks.graphs.scale_line import ratio
@@ -77,6 +77,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if "diagrams" in leaf.metadata:
         yield from verify_diagrams.faults(measured, leaf, study)
     yield from arrowheads.faults(leaf, drafting_of(study.scene).hand.symbol)
+    yield from line_kinds.faults(leaf, drafting_of(study.scene).hand)
     yield from repeats.faults(leaf, drafting_of(study.scene).hand.result.width)
     yield from reading.marked_scales(leaf)
     yield from linkage_notes.faults(leaf, linkage, comparison)

@@ -109,11 +109,11 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
 
-    scene, stem = study.scene, stem_of(study.scene)
+    scene, stem, language = study.scene, stem_of(study.scene), study.scene.sheet.language
     with trace.stage("layout"):
         leaves = leaves_of(study)
         for fault in cuts(leaves, scene):
-            tell(fault.worded(scene.sheet.language))
+            tell(fault.worded(language))
     with trace.stage("writing"):
         sheets = dict(placed_sheets(folder, stem, leaves))
         text = report(study, leaves)
@@ -124,9 +124,10 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            told = compared.faults(text, study.comparisons, scene.sheet.language)
+            told = compared.faults(text, study.comparisons, language)
             first = said_first.faults(headlines(study), study)
-            checks.verify_report((*faults(text, study, leaves), *told, *first))
+            short = compared.screen_faults(summary(study.comparisons, language), study.comparisons, language)
+            checks.verify_report((*faults(text, study, leaves), *told, *first, *short))
             seen: dict[str, list[SeenSheet]] = {kind: [] for kind in leaves}
             for path, (kind, leaf) in sheets.items():
                 held = partial(named(SHEETS[kind].faults), study=study)

@@ -15,10 +15,11 @@ from drawings.files.atomic_files import write
 from drawings.files.json_text import print_json
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import plans_asked, ungraded
+from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
-from drawings.grading.hints import hints
+from drawings.grading.hints import curve_hints, hints
 from drawings.grading.marking import Marking, MarkingError, read_marking
 from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
@@ -41,21 +42,22 @@ def run(options: argparse.Namespace) -> int:
     originals = Originals(options.scene)
     plans = plans_asked(originals)
     language = options.language or originals.language
-    curves = figures_asked(originals)
+    curves, tables = figures_asked(originals), tables_asked(originals)
     for kind in ungraded(originals, {**RECORDS, **FIGURES}):
         tell(word(language, "grade.ungraded", kind=kind))
-    if not plans and not curves:
+    if not plans and not curves and not tables:
         return CODES[REJECTED]
-    own = grade_own(originals, plans, by, curves)
+    own = grade_own(originals, plans, by, curves, tables)
     if own.outcome != PASS:
         tell(word(language, "grade.self"))
         return CODES[OURS]
-    graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by, curves=curves)))
-    steps = {name: own for plan in plans for name, own in hints(plan)}
+    graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by, curves=curves, tables=tables)))
+    steps = dict(curve_hints(curves)) | {name: own for plan in plans for name, own in hints(plan)}
     _print(options, graded, steps, marking, language)
     if options.output:
         _write(options.output, graded, steps, language)
     _tell_twins(graded, language)
+    _tell_strangers(graded, originals.digest, language)
     return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
 
 
@@ -110,3 +112,9 @@ def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     for digest in (digest for digest, count in times.items() if count > 1):
         names = tuple(plain_name(path) for path, one in graded if one.digest == digest)
         tell(word(language, "grade.twins", names=names))
+
+
+def _tell_strangers(graded: Sequence[tuple[Path, Graded]], own: str, language: str) -> None:
+    """Say which sheets were drawn of another scene, by their own data: a variant of somebody else's."""
+    if names := tuple(plain_name(path) for path, one in graded if one.scene not in ("", own)):
+        tell(word(language, "grade.strangers", names=names))

@@ -144,5 +144,8 @@ def _spaces(row: Sequence[_Set], size: float) -> Iterator[int]:
 
 def _space(free: float, before: float, after: float, unit: float) -> tuple[float, int]:
     """Give how far a gap is from being spaces written by a pen, and how many thin ones they are."""
-    count = (free - _GAP * (min(before, unit) + min(unit, after))) / (_THIN * unit) + 1
-    return abs(count - round(count)) * _THIN * unit, round(count)
+    thin = _THIN * unit
+    count = (free - _GAP * (min(before, unit) + min(unit, after))) / thin + 1 if thin else math.inf
+    if not math.isfinite(count):  # of letters that are as small as a point
+        return math.inf, 0
+    return abs(count - round(count)) * thin, round(count)

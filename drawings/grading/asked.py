@@ -31,6 +31,7 @@ class Asked(NamedTuple):
     true: complex
     found: Found | None
     letter: str = ""
+    title: str = ""  # of a point, as its sheet writes it
 
     @property
     def letters(self) -> tuple[str, str]:
@@ -64,6 +65,7 @@ class PlanAsked(NamedTuple):
     scales: Mapping[str, float]
     board: str = ""
     symbol: str = ""
+    senses: Mapping[str, complex] = {}  # of arrows that are not to scale; a process hands it on, as it does no proxy
 
     @property
     def place(self) -> Place:
@@ -78,7 +80,8 @@ class PlanAsked(NamedTuple):
     @property
     def lettered(self) -> bool:
         """Whether it can be found by its letters: a plan of points, or of arms on a scheme, by data alone."""
-        return any(one.start or one.corners for one in self.vectors)
+        free = all(one.letter for one in self.vectors) and any(one.corners for one in self.vectors)
+        return free or any(one.start for one in self.vectors)
 
 
 def plans_asked(originals: Originals, kinds: Mapping[str, str] = RECORDS) -> tuple[PlanAsked, ...]:
@@ -106,24 +109,27 @@ def _of_sheet(originals: Originals, sheet: Original, kinds: Mapping[str, str]) -
             symbol = SYMBOLS.get(mark.quantity, mark.quantity)
             places[place], measures[place] = [], (mark.unit, symbol, mark.scale)
         start, end = ends_of(mark)
-        letter = titles.get((*place, mark.name), mark.name) if is_free(mark) else ""
-        places[place].append(Asked(mark.name, start, end, mark.stated, None, letter))
+        title = titles.get((*place, mark.name), mark.name)
+        letter = title if is_free(mark) else ""
+        places[place].append(Asked(mark.name, start, end, mark.stated, None, letter, title))
     record: Record = named(row)(originals.study, sheet.leaf)
     for place, own in places.items():
-        if place[0] in record.plans:
+        if place[1] in record.plans.get(place[0], ()):
             vectors = tuple(_known(one, record, place) for one in own)
             unit, symbol, scale = measures[place]
             board = record.boards.get(place[0], place[0])
             behind = {name: own[place[1]] for name, own in record.plans.items() if place[1] in own}
-            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)
+            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)._replace(
+                senses=record.senses.get(place[0], {})
+            )
 
 
 def _titles(sheet: Original) -> dict[tuple[str, int | None, str], str]:
-    """Give what is written beside the vectors of a sheet, by their plans, positions and names."""
+    """Give what is written beside the vectors and points of a sheet, by their plans, positions and names."""
     found = {}
     for group in groups(sheet.leaf.groups):
         data = group.data
-        if data.get("kind") == "vector" and group.title:
+        if data.get("kind") in ("vector", "point") and group.title:
             position = int(data["position"]) if "position" in data else None
             found[data["plan"], position, data["name"]] = group.title
     return found

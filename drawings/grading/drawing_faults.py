@@ -11,7 +11,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.polygon_faults import letters, open_sides
+from drawings.grading.polygons.polygon_faults import letters, open_sides
 from drawings.grading.verdict import Verdict
 from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Group, Leaf, Text
@@ -109,8 +109,9 @@ def _open(plan: DrawnPlan) -> Iterator[Verdict]:
 def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters that stand at the place of another, and those that are missing."""
     places = {letter: spot for letter, spot in plan.places.items() if letter}
+    titles = {one.end: one.title for one in plan.asked.vectors if not one.start and one.title}
     for letter, spot in places.items():
-        near = distance(labels.get(_plain(letter), ()), [spot])
+        near = distance(labels.get(_plain(titles.get(letter, letter)), ()), [spot])
         if near > CLOSED and any(_takes(labels, places, letter, other) for other in places):
             yield _of(plan, verdict.SWAPPED, letter)
         elif near > NEAR:

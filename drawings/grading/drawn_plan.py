@@ -40,6 +40,7 @@ class DrawnPlan:
     written: bool = True  # whether its scale stands on the sheet
     turn: complex = 1 + 0j  # what lays it upright again, of a page that was turned
     lettered: bool = False  # whether it was found by its letters alone
+    doubled: tuple[str, ...] = ()  # the letters between which arrows go both ways
 
     @property
     def lacking(self) -> list[Asked]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
 from typing import NamedTuple
@@ -13,16 +13,20 @@ from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
+from drawings.grading.cells.asked_table import TableAsked
+from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
-from drawings.grading.free_plan import free_plans
 from drawings.grading.judgement import Judge
 from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
 from drawings.grading.own_places import left_out, own_places, scales_of
+from drawings.grading.polygons.free_plan import free_plans
+from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
@@ -40,6 +44,7 @@ class Graded(NamedTuple):
     reason: Message | None = None
     paper: tuple[float, float] = (0.0, 0.0)  # its width and height, mm
     digest: str = ""  # of the bytes: the same file from two students is told
+    scene: str = ""  # the checksum of the scene that it says it is of
     drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
 
     @property
@@ -48,37 +53,80 @@ class Graded(NamedTuple):
         return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, *verdict.UNGRADED))
 
 
-def grade(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked] = ()) -> Graded:
+class _Task(NamedTuple):
+    """What is asked for: plans, curves and tables, and what is allowed."""
+
+    plans: Sequence[PlanAsked]
+    curves: Sequence[FigureAsked]
+    tables: Sequence[TableAsked]
+    by: Allowances
+
+
+class _Found(NamedTuple):
+    """What of that is found on a sheet."""
+
+    plans: Sequence[DrawnPlan]
+    figures: Mapping[str, Sequence[DrawnFigure]]
+    tables: Drawn
+
+    @property
+    def unread(self) -> tuple[str, ...]:
+        """The vectors that are not found by their letters where nothing else tells them."""
+        own = (one for plan in self.plans if plan.lettered for one in plan.lacking if not plan.is_small(one))
+        return tuple(dict.fromkeys(one.name for one in own))
+
+
+def grade(
+    source: bytes,
+    plans: Sequence[PlanAsked],
+    by: Allowances,
+    curves: Sequence[FigureAsked] = (),
+    tables: Sequence[TableAsked] = (),
+) -> Graded:
     """Grade one sheet; what cannot be read is rejected with the reason."""
-    return _graded(source, plans, by, curves)._replace(digest=sha256(source).hexdigest())
+    return _graded(source, _Task(plans, curves, tables, by))._replace(digest=sha256(source).hexdigest())
 
 
-def _graded(source: bytes, plans: Sequence[PlanAsked], by: Allowances, curves: Sequence[FigureAsked]) -> Graded:
+def _graded(source: bytes, task: _Task) -> Graded:
     onlooker = Onlooker()
     try:
         seen = see(source, onlooker)
         seen = seen._replace(leaf=legible(seen.leaf))
     except SheetRefused as refused:
         return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
-    drawn = plans_drawn(seen, onlooker, plans)
-    figures = figures_drawn(seen, curves)
-    if not drawn and not figures:
-        return Graded(REJECTED, reason=message("grade.nothing" if plans else "grade.formless"))
-    if unread := [one.name for plan in drawn if plan.lettered for one in plan.lacking if not plan.is_small(one)]:
-        return Graded(REJECTED, reason=message("grade.unread", names=", ".join(dict.fromkeys(unread))))
-    sheets = {plan.asked.sheet for plan in drawn}
-    there = {plan.asked.place for plan in drawn}
-    told = any(not plan.asked.lettered for plan in drawn)  # what is found by marks alone
-    due = [plan for plan in plans if plan.sheet in sheets and (told or plan.lettered)]
-    lost = (plan for plan in due if plan.place not in there)
-    marked = {plan.asked.sheet for plan in drawn if not plan.lettered}
-    told_of = figure_verdicts(figures, curves, sheets, marked, partial(allowed_of, by=by, coarse=seen.measured.quantum))
-    said = (*_judged(seen, drawn, by), *(one for plan in lost for one in _missing(plan)), *told_of)
+    tables = tables_drawn(seen, task.tables)
+    found = _Found(plans_drawn(seen, onlooker, task.plans), figures_drawn(seen, task.curves), tables)
+    others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
+    if not found.plans and not found.figures and not answered(tables, others):
+        return Graded(REJECTED, reason=message("grade.formless" if task.curves and not task.plans else "grade.nothing"))
+    if doubled := [letters for plan in found.plans for letters in plan.doubled]:
+        return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
+    if found.unread:
+        return Graded(REJECTED, reason=message("grade.unread", names=", ".join(found.unread)))
+    said = tuple(_verdicts(seen, found, task))
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
-    graded = Graded(PASS, tuple(said), paper=paper, drawn=tuple(plan.bare for plan in drawn))
+    scene = str(seen.leaf.metadata.get("scene", ""))
+    graded = Graded(PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans))
     return graded._replace(outcome=FAIL) if graded.wrong else graded
+
+
+def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
+    """Judge all that is found on a sheet; what its sheet of the task asks for beside is missing."""
+    yield from once(tuple(_judged(seen, found.plans, task.by)))
+    sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, seen)
+    there = {plan.asked.place for plan in found.plans}
+    told = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
+    for plan in task.plans:
+        if plan.sheet in sheets and (told or plan.lettered) and plan.place not in there:
+            yield from _missing(plan)
+    marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
+    allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
+    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed)
+    own = [one for figures in found.figures.values() for one in figures]
+    shown = Shown(found.plans, own, sheets)
+    yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:
@@ -114,4 +162,5 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
+        yield from arrow_verdicts(seen, plan, by)
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from drawings.grading.asked import PlanAsked
+from drawings.grading.curves.asked_figure import FigureAsked
 from geometry.board import Mark
 from plans.words.words import Message, message
 
@@ -24,6 +25,13 @@ def hints(plan: PlanAsked) -> Iterator[tuple[str, tuple[Hint, ...]]]:
     for one in plan.vectors:
         if one.found is not None:
             yield one.name, tuple(_steps(max(one.found.span, key=lambda mark: mark.number)))
+
+
+def curve_hints(figures: Iterable[FigureAsked]) -> Iterator[tuple[str, tuple[Hint, ...]]]:
+    """Give by what the values of curves are found, by their names."""
+    for figure in figures:
+        if figure.why is not None:
+            yield from ((one.called, (Hint(figure.plan, figure.why),)) for one in figure.items)
 
 
 def _steps(end: Mark) -> Iterator[Hint]:

@@ -189,8 +189,21 @@ def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts:
     scale = min(near)[1] if near and min(near)[0] <= HEADING else None
     own = {spelled(letter) for letter in plan.letters}
     turn = turn_of([text for text in texts if spelled(text.plain) in own], figure.away)
+    both = tuple(f"{start} {end}" for start, end in arrows if _is_doubled(plan, (start, end), names, ends))
     bare = DrawnPlan(plan, arrows, 1.0, names, False)
-    return DrawnPlan(plan, arrows, scale or bare.fitted, names, scale is not None, turn, lettered=True)
+    return DrawnPlan(plan, arrows, scale or bare.fitted, names, scale is not None, turn, lettered=True, doubled=both)
+
+
+def _is_doubled(
+    plan: PlanAsked,
+    letters: tuple[str, str],
+    names: Mapping[str, complex],
+    ends: Sequence[tuple[complex, complex]],
+) -> bool:
+    """Tell whether arrows go both ways between two letters, one of which cannot be meant."""
+    there = names[letters[0]], names[letters[1]]
+    meant = any(one.letters == letters[::-1] for one in plan.vectors)
+    return not meant and there[0] != there[1] and there in ends and there[::-1] in ends
 
 
 def turn_of(own: Sequence[Text], away: Callable[[Text], float]) -> complex:

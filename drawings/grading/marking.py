@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -18,6 +18,7 @@ from geometry.regular_file import regular_bytes
 from plans.words.words import message
 
 TABLES = ("points", "keeps", "costs", "tolerance")
+TABLE = "table"  # by which the points of a cell are told from those of the vector that it tells of
 # What a fault of a whole plan, and one of how it is drawn, costs where the table does not say.
 PLAN_COST, DRAWING_COST = 1.0, 0.0
 
@@ -32,7 +33,8 @@ class MarkingError(DraftError, ValueError):
 class Marking:
     """Points by quantity, the share that a kind of mistake keeps, and what faults of plans and of drawing cost.
 
-    A quantity is named as it is ("v_B"), or by how its letters begin ("a^k"), or all others by "default".
+    A quantity is named as it is ("v_B"), or by how its letters begin ("a^k"), or all others by "default"; a
+    cell of a table so too, with "table" before ("table v_B", "table v", "table"), or with its table ("table values").
     """
 
     points: Mapping[str, float] = field(default_factory=dict)
@@ -42,7 +44,7 @@ class Marking:
 
     def most(self, one: Verdict) -> float:
         """Give the points of a quantity; faults of a plan or of drawing have none."""
-        return 0.0 if _aside(one) else _of(self.points, one.name, 1.0)
+        return 0.0 if _aside(one) else _of(self.points, _keys(one), 1.0)
 
     def won(self, one: Verdict) -> float:
         """Give the points that a verdict wins, or loses."""
@@ -56,11 +58,19 @@ def _aside(one: Verdict) -> bool:
     return one.kind in (*verdict.OF_DRAWING, *verdict.UNGRADED) or not one.name
 
 
-def _of(points: Mapping[str, float], name: str, other: float) -> float:
-    for key in (name, name.partition("_")[0], "default"):
-        if key in points:
-            return points[key]
-    return other
+def _keys(one: Verdict) -> Iterator[str]:
+    """Give by what the points of a quantity may be told: of a cell of a table before all others."""
+    if one.plan.startswith(TABLE):
+        name = one.name.partition(" (")[0]
+        yield from (f"{TABLE} {key}" for key in (name, name.partition("_")[0]))
+        yield from (one.plan, TABLE)
+    else:
+        yield from (one.name, one.name.partition("_")[0])
+    yield "default"
+
+
+def _of(points: Mapping[str, float], keys: Iterable[str], other: float) -> float:
+    return next((points[key] for key in keys if key in points), other)
 
 
 def read_marking(path: Path) -> Marking:

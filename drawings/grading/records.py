@@ -37,15 +37,23 @@ class Found(NamedTuple):
 class Record(NamedTuple):
     """What a technique tells of a sheet: its vectors, and which plans the sheet has to what scales, by position.
 
-    `boards` are the subjects of the record on which plans are drawn that have names of their own.
+    `boards` are the subjects of the record on which plans are drawn that have names of their own, `senses` the
+    directions of arrows that are not to scale, by plan and name.
     """
 
     found: Mapping[Letters, Found]
     plans: Mapping[str, Mapping[int | None, float]]
     boards: Mapping[str, str] = MappingProxyType({})
+    senses: Mapping[str, Mapping[str, complex]] = MappingProxyType({})
 
 
 # By technique: of a study and a leaf to the record of that sheet.
 RECORDS: Final[Mapping[str, str]] = MappingProxyType(
-    {"linkage": "drawings.grading.linkage:record_of", "forces": "drawings.grading.forces:record_of"}
+    {
+        "linkage": "drawings.grading.techniques.linkage:record_of",
+        "forces": "drawings.grading.techniques.forces:record_of",
+        "balance": "drawings.grading.techniques.balance:record_of",
+        "bank": "drawings.grading.techniques.bank:record_of",
+        "rotor": "drawings.grading.techniques.rotor:record_of",
+    }
 )

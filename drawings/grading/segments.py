@@ -24,10 +24,13 @@ class Segment(NamedTuple):
 
 
 def segments(leaf: Leaf, heads: Mapping[int, Collection[str]]) -> list[Segment]:
-    """Give the straight lines of a sheet; one with an arrowhead goes to it, another as it was drawn."""
+    """Give the straight lines of a sheet; one with an arrowhead goes to it, with two both ways, another as drawn."""
     own = list(flat(leaf.groups))
     tips = [spot for one in own for spot in _tips(one)]
-    return [_segment(one, heads, tips) for one in own if isinstance(one, Line) or _straight(one)]
+    straight = [one for one in own if isinstance(one, Line) or _straight(one)]
+    double = [one for one in straight if {BEGIN, END} <= set(heads.get(id(one), ()))]
+    back = (Segment(end, start, True) for start, end, _ in (_segment(one, heads, tips) for one in double))
+    return [*(_segment(one, heads, tips) for one in straight), *back]
 
 
 def _straight(one: Stroke) -> bool:

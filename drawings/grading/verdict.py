@@ -12,6 +12,8 @@ SIMILAR, BRANCH = "similar", "branch"
 DEAD, SMALL = "dead", "small"  # too near a dead centre, too short to be found by its letter: not graded
 INERTIA, UPWARD, REACTION = "inertia", "upward", "reaction"  # reversed forces, which have names of their own
 MOMENT, COUPLE, FORGOTTEN, SLANT = "moment", "couple", "forgotten", "slant"  # in an equation of moments, of an arm
+HEAVY, PRODUCT, BEYOND = "heavy", "product", "beyond"  # of a counterweight, of what is multiplied, of an arm's sign
+ORDER = "order"  # of a harmonic
 # Of a plan as a whole.
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of a curve, or of all of it.
@@ -23,17 +25,22 @@ SIDE, BACKWARDS, BASE = "side", "backwards", "base"
 UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
 APART = "apart"
 UNCLOSED = "unclosed"  # of a polygon
+# Of a cell of a table, or of all of it.
+SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE = "sign", "decade", "degrees", "turns", "twice", "row", "place"
+ILLEGIBLE, UNTABLED = "illegible", "untabled"
 
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_CURVES: Final = (SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE)
 OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
-UNGRADED: Final = (DEAD, UNREAD, SMALL)
+UNGRADED: Final = (DEAD, UNREAD, SMALL, ILLEGIBLE, UNTABLED)
+OF_CELLS: Final = (SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
+    HEAVY, PRODUCT, BEYOND, ORDER,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
-    *OF_CURVES,
+    *OF_CURVES, *OF_CELLS, ILLEGIBLE, UNTABLED,
 )  # fmt: skip
 
 

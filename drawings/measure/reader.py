@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
+from drawings.measure.foreign import foreign
 from drawings.measure.marks import LINES, LONGEST, SheetMark, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import about, transform
@@ -23,7 +24,6 @@ from plans.words.words import Message, message
 _SVG = "http://www.w3.org/2000/svg"
 _CHUNK = 64 * 1024
 _GZIP = b"\x1f\x8b"
-_FOREIGN = {b"%PDF": "pdf", b"PK\x03\x04": "zip", b"\x89PNG": "png", b"\xff\xd8": "jpeg"}
 _SAID = 40  # letters of a name that are told
 
 
@@ -43,9 +43,8 @@ def read(source: bytes, witness: Witness | None = None) -> ReadSheet:
 
 
 def _unpacked(source: bytes) -> bytes:
-    for start, what in _FOREIGN.items():
-        if source.startswith(start):
-            raise SheetRefused("foreign", what=what)
+    if what := foreign(source):
+        raise SheetRefused("foreign", what=what)
     if source.startswith(_GZIP):
         try:
             unpacking = zlib.decompressobj(wbits=31)

@@ -22,6 +22,7 @@ def test_an_earlier_alarm_is_drawn(path: Path) -> None:
     assert not one.alarm, one.told
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("number", first(range(12)))
 def test_a_random_mechanism_is_drawn_or_refused(number: int) -> None:
     one = drawing((f"machine-{number}", machine(1, number)))

@@ -33,7 +33,7 @@ def header(path: Path) -> End:
     return End(given["run"], int(given["expect"]), [(match[1], match[2]) for match in lines if match[1]])
 
 
-@pytest.mark.parametrize("path", some(SCENES, 30), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(SCENES, 60), ids=lambda path: path.stem)
 def test_a_command_ends_as_the_header_of_its_scene_says(
     path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -27,7 +27,7 @@ def graded_by_hand(figures: tuple[FigureAsked, ...], slip: float, seed: int) -> 
     drawn: dict[str, list[DrawnFigure]] = {}
     for one in figures:
         own[one.key] = hand.values(one, own)
-        there = np.isin(np.arange(len(one.true)), one.places)
+        there = np.isin(np.arange(len(one.true)), one.places) | (one.kind == ORDINATES)  # between marks by the curve
         values = np.where(there, own[one.key], complex(np.nan, np.nan))
         arrows = dict.fromkeys(one.places.tolist(), NOWHERE)
         drawn.setdefault(one.sheet, []).append(DrawnFigure(one, values, arrows))
@@ -51,7 +51,7 @@ class _Hand:
     known: tuple[FigureAsked, ...] = ()
 
     def _pricked(self, asked: FigureAsked) -> Values:
-        """Give by how much what lies between two pricked points is out, true units; between marked places a curve is as they are."""
+        """Give by how much what lies between two pricked points is out, true units; between marks as at these."""
         x, y = self.chance.uniform(-self.slip, self.slip, (2, 2, len(asked.true))).sum(axis=1) * asked.scale
         places = np.sort(asked.places)
         x, y = (np.interp(np.arange(len(x)), places, row[places]) for row in (x, y))

@@ -16,7 +16,7 @@ from drawings.grading.curves.figure_records import figures_asked
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
-from tests.gallery import GALLERY
+from tests.drawings.students import task
 
 Keep = Callable[[Stroke], Stroke | None]
 
@@ -37,7 +37,7 @@ class CurveTask(NamedTuple):
 @cache
 def curve_task(scene: str) -> CurveTask:
     """Set a scene of the gallery."""
-    originals = Originals(GALLERY / f"{scene}.toml")
+    originals = task(scene).originals
     return CurveTask(originals, figures_asked(originals))
 
 
@@ -115,49 +115,53 @@ def _curve(one: Stroke, asked: FigureAsked, moves: Values, along: float) -> Stro
     way, start = _along(asked), asked.paper.axis[0]
     feet = ((asked.paper.feet - start) / way).real
     at = ((np.array(one.points) - start) / way).real
-    by = np.interp(at, feet, moves.real) + 1j * np.interp(at, feet, moves.imag)
+    order = np.argsort(feet, kind="stable")
+    by = np.interp(at, feet[order], moves.real[order]) + 1j * np.interp(at, feet[order], moves.imag[order])
     return one._replace(points=tuple((np.array(one.points) + by + along * way).tolist()))
 
 
 def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
     """Draw a sheet with a mistake of the table."""
     asked = task.figure(row["figure"])
-    values, way = asked.true.copy(), asked.way if asked.kind == ORDINATES else 1 + 0j
     places = {one.name if one.position is None else one.called: one.place for one in asked.items}
     places |= {one.name: one.place for one in asked.items}
-    by, mm = row.get("by", 0), asked.scale
+    by = row.get("by", 0)
     at = [places[name] for name in row.get("at", ())]
     if row["how"] in ("missing", "unscaled"):
         return drawn(task, task.sheet(asked.sheet), {}, lambda one: _lost(one, asked, row))
     if row["how"] == "shifted":
-        return drawn(task, task.sheet(asked.sheet), {asked.key: values}, along=by)
-    match row["how"]:
-        case "back":
-            values = -values
-        case "times":
-            values = by * values
-        case "level":
-            values = values + way * by * mm
-        case "nothing":
-            values[at[0] : at[1] + 1] = 0
-        case "moved":
-            values[at] += way * by * mm
-        case "turned":
-            values[at] *= cmath.rect(1, math.radians(by))
-        case "one back":
-            values[at] = -values[at]
-        case "swapped lengths":
-            values[at] = values[at[::-1]].real + 1j * values[at].imag
-        case "mistake":
-            found = [one for one in asked.mistakes if one.kind == row["kind"]]
-            one = max(found, key=lambda one: float(np.abs(one.values - asked.true).max()))
-            values = one.values + (0 if one.along is None else by * mm * one.along)
-        case "mirrored":
-            values = -values.conj()
-        case how:
-            raise ValueError(how)
+        return drawn(task, task.sheet(asked.sheet), {asked.key: asked.true}, along=by)
+    values = _mistaken(asked, row, at, by)
     later = gone_on(task, asked.key, values) if row.get("on", True) else {asked.key: values}
     return drawn(task, task.sheet(asked.sheet), later)
+
+
+def _mistaken(asked: FigureAsked, row: Mapping[str, Any], at: list[int], by: float) -> Values:
+    """Give a figure as a mistake has it."""
+    values, way = asked.true.copy(), asked.way if asked.kind == ORDINATES else 1 + 0j
+    every: dict[str, Callable[[], Values]] = {
+        "back": lambda: -values,
+        "times": lambda: np.asarray(by * values),
+        "level": lambda: np.asarray(values + way * by * asked.scale),
+        "mistake": lambda: _named(asked, row["kind"], by),
+    }
+    some: dict[str, Callable[[Values], Values]] = {
+        "moved": lambda own: np.asarray(own + way * by * asked.scale),
+        "turned": lambda own: np.asarray(own * cmath.rect(1, math.radians(by))),
+        "one back": lambda own: -own,
+        "swapped lengths": lambda own: np.asarray(own[::-1].real + 1j * own.imag),
+    }
+    if row["how"] in every:
+        return every[row["how"]]()
+    values[at] = some[row["how"]](values[at])
+    return values
+
+
+def _named(asked: FigureAsked, kind: str, by: float) -> Values:
+    """Give a figure with the mistake of a name; of several that by which it is out most."""
+    found = [one for one in asked.mistakes if one.kind == kind]
+    one = max(found, key=lambda one: float(np.abs(one.values - asked.true).max()))
+    return np.asarray(one.values + (0 if one.along is None else by * asked.scale * one.along))
 
 
 def _lost(one: Stroke, asked: FigureAsked, row: Mapping[str, Any]) -> Stroke | None:

@@ -29,7 +29,7 @@ class Task(NamedTuple):
     originals: Originals
     plans: tuple[PlanAsked, ...]
 
-    def plan(self, plan: str, position: int) -> PlanAsked:
+    def plan(self, plan: str, position: int | None) -> PlanAsked:
         return next(one for one in self.plans if one.place == (plan, position))
 
     def sheet(self, name: str) -> Original:

@@ -20,6 +20,7 @@ from drawings.acceptance.read_plan import NotDrawnError
 from drawings.acceptance.reading import AcceptanceError
 from tests.drawings.students import drawn, task, true_places
 from tests.drawings.test_grading import MISTAKES, bare, made
+from tests.parts import first
 
 BACK = next(row for row in MISTAKES if row["name"] == "the Coriolis part is turned the wrong way")
 UNSCALED = next(row for row in MISTAKES if row["how"] == "unscaled" and row["scene"] == "shaper")
@@ -52,7 +53,7 @@ def true(name: str) -> complex:
     return next(one.true for one in task("shaper").plan("velocities", 2).vectors if one.name == name)
 
 
-@pytest.mark.parametrize("name", ["velocity", "velocities", "Velocities", "план скоростей"])
+@pytest.mark.parametrize("name", first(["план скоростей", "velocity", "velocities", "Velocities"]))
 def test_a_vector_is_asked_for_in_the_words_of_the_trade(right: Path, scene: Assignment, name: str) -> None:
     b = HandedSheet(right, scene).plan(name, position=2).vector("b")
     paper = 2e-4 * task("shaper").plan("velocities", 2).scales["velocities"]

@@ -66,7 +66,7 @@ def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None
         checked(leaf, study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", [*first(FAULTS), *first(LINES)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", first([*FAULTS, *LINES]), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A1")
     assert study.comparison("balance").worst <= 1.0

@@ -62,7 +62,7 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
     assert all_checked(study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", [*first(FAULTS), *first(LINES)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", first([*FAULTS, *LINES]), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
@@ -111,6 +111,7 @@ def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) ->
     assert not list((tmp_path / "out").glob("*.svg"))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "slip",
     first(

@@ -136,7 +136,7 @@ def test_limits_whose_angles_crowd_have_each_its_own_letter(tmp_path: Path) -> N
     checked(leaf, "cam", study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", [*first(FAULTS), *first(LINES)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", first([*FAULTS, *LINES]), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0

@@ -91,7 +91,7 @@ def test_what_is_written_is_right(case: Case) -> None:
     assert faults(written(case), case) == ""
 
 
-@pytest.mark.parametrize("case", some(every(), every=9), ids=titled)
+@pytest.mark.parametrize("case", some(every(), every=36), ids=titled)
 def test_law_comes_back_at_3600_angles(case: Case) -> None:
     """The way along the normal that a profile is off, over the cosine of the pressure angle: so much is S."""
     cam, sizes = case

@@ -19,9 +19,10 @@ from drawings.original.originals import Originals
 from drawings.original.sheet_check import check
 from drawings.paper.strokes import Text
 from drawings.pens.svg import svg
+from tests.forgeries.chance_edits import CHANGES
 from tests.forgeries.leaf_edits import swapped
 from tests.forgeries.sheets import GALLERY, KINDS, forged, judged
-from tests.fuzz_sheets import CHANGES, tried
+from tests.fuzz_sheets import tried
 from tests.parts import first
 
 SCENE = GALLERY / "fan.toml"

@@ -158,6 +158,7 @@ def test_every_vector_and_point_of_the_drawn_sheet_measures_back(shaper: Done) -
     assert len(measured.vectors) > 20
 
 
+@pytest.mark.rest
 def test_a_following_sheet_of_an_earlier_run_is_named(over_older: Done) -> None:
     left = over_older.folder / "plain-kinematics-2.svg"
     assert over_older.code == 0

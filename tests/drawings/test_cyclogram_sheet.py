@@ -81,6 +81,7 @@ def test_every_angle_is_measured_back(shaper, tmp_path: Path) -> None:
     assert bars == {"1.1", "1.2", *(f"2.{k}" for k in range(1, 6)), *(f"3.{k}" for k in range(1, 6)), "set.1"}
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "name", first(["crank-rocker", "walking-leg", "press", "jaw-crusher", "scotch-yoke", "oscillating-cylinder"])
 )

@@ -175,6 +175,7 @@ MACHINES = [
 ]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("machine", first(MACHINES))
 def test_machines_of_every_kind_are_drawn(machine: tuple[str, set[str], set[str]]) -> None:
     asked, names, words = machine
@@ -224,6 +225,7 @@ ODD = [
 ]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("odd", first(ODD))
 def test_tangents_stay_among_their_figures(odd: tuple[str, str]) -> None:
     drive, paper = odd

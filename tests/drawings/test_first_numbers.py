@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 
 import drawings
+from drawings.checks.documents.compared import screen_faults
 from drawings.checks.documents.headlines import faults
 from drawings.report.linkage.first_numbers import greatest
-from drawings.report.report import headlines
+from drawings.report.report import headlines, summary
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.parts import some
 
 GALLERY = Path(drawings.__file__).parent / "gallery"
 
@@ -84,6 +86,40 @@ def test_what_is_said_first_is_held_to_the_analysis() -> None:
     ):
         assert right in told
         assert list(faults([told.replace(right, wrong)], study)) != []
+
+
+TOLD = ("flywheel", "feed-cam", "four-cylinder-bank", "four-bar-balance", "shaper-feed", "press")
+
+
+@pytest.mark.parametrize("name", some(TOLD, 3))
+def test_no_number_that_is_said_of_a_technique_can_be_another(name: str) -> None:
+    """Of a rotor, a cam, a bank, a balance, a cyclogram, a flywheel: the line stands, and each of its numbers."""
+    study = Study(parse_scene((GALLERY / f"{name}.toml").read_text("utf-8")))
+    *before, line = headlines(study)
+    assert list(faults([*before, line], study)) == []
+    assert list(faults(before, study)) != []
+    assert list(faults([*before, line, line], study)) != []
+    numbers = [found for found in re.finditer(r"(?<![\w.])\d+\.\d+", line) if float(found[0])]
+    assert numbers
+    for found in numbers:
+        digit = next(k for k in range(*found.span()) if line[k] not in "0.")
+        other = line[:digit] + str(int(line[digit]) % 9 + 1) + line[digit + 1 :]
+        assert list(faults([*before, other], study)) != [], found[0]
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_the_short_comparison_tells_the_worst_of_each_plan(language: str) -> None:
+    text = (GALLERY / "scotch-yoke.toml").read_text("utf-8")
+    study = Study(parse_scene(text.replace("[sheet]\n", f'[sheet]\nlanguage = "{language}"\n')))
+    right = summary(study.comparisons, language)
+    assert list(screen_faults(right, study.comparisons, language)) == []
+    lines = right.splitlines()
+    for k, line in enumerate(lines[1:], 1):
+        number = re.search(r"[1-9][.,]\d\de", line)
+        assert list(screen_faults("\n".join([*lines[:k], *lines[k + 1 :]]), study.comparisons, language)) != []
+        if number is not None:
+            wrong = line[: number.start()] + str(int(number[0][0]) % 9 + 1) + line[number.start() + 1 :]
+            assert list(screen_faults(right.replace(line, wrong), study.comparisons, language)) != [], line
 
 
 def test_gaps_have_no_greatest() -> None:

@@ -112,7 +112,7 @@ def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> No
     assert verify_loaded(tmp_path / "sheet.svg", leaf, statics, comparison).vectors
 
 
-@pytest.mark.parametrize("fault", first(FAULTS.values()), ids=FAULTS.keys())
+@pytest.mark.parametrize("fault", first(FAULTS.values(), FAULTS))
 def test_a_fault_withholds_the_force_sheet(checked: Checked, tmp_path: Path, fault: Change) -> None:
     _study, comparison, statics, leaf = checked
     wrong = changed(leaf, fault)
@@ -162,6 +162,7 @@ def test_the_moments_of_the_equation_with_the_arms_as_stated_cancel(checked: Che
 # Positions, languages, mechanisms
 
 
+@pytest.mark.rest
 def test_two_positions_get_a_sheet_each_and_hodographs_are_drawn(checked: Checked) -> None:
     _, _, leaves = sheets_of(checked[0])
     assert [leaf.metadata["position"] for leaf in leaves] == [2, 9]

@@ -15,10 +15,15 @@ import pytest
 from drawings.commands import cli
 from drawings.grading import roll
 from drawings.grading.allowance import Allowances
+from drawings.grading.asked import ungraded
+from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
+from drawings.grading.records import RECORDS
 from drawings.grading.told import row
+from drawings.sheets.table import SHEETS
+from plans.techniques import technique_of
 from tests.drawings.students import task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
@@ -110,6 +115,11 @@ def test_a_row_holds_no_formula(folder: Path) -> None:
     assert text.getvalue().startswith("'=cmd()\N{REPLACEMENT CHARACTER}.svg,mistakes,")
 
 
-def test_a_technique_that_is_not_graded_is_told(folder: Path, capsys: Capture) -> None:
-    assert cli.main(["grade", str(GALLERY / "four-masses.toml"), str(folder / "ann.svg")]) == 5
-    assert "not graded yet" in capsys.readouterr().err
+def test_every_technique_is_graded_and_one_that_is_not_would_be_told() -> None:
+    assert {technique_of(kind) for kind in SHEETS} <= {*RECORDS, *FIGURES}
+    assert ungraded(task("slider-crank").originals, {}) == ("kinematics", "forces")
+
+
+def test_a_sheet_of_another_task_is_rejected(folder: Path, capsys: Capture) -> None:
+    assert cli.main(["grade", str(GALLERY / "feed-cam.toml"), str(folder / "ann.svg")]) == 5
+    assert "plandraft form" in capsys.readouterr().out

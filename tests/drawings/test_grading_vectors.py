@@ -8,18 +8,27 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
-from drawings.grading.allowance import Allowances
+from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.asked import PlanAsked
-from drawings.grading.graded import grade
-from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.grading.graded import PASS, grade
+from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
+from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
 from tests.drawings.students import Task, task
-from tests.drawings.vector_students import Laid, beside, laid, mark_of, sheet_of, turned, written
+from tests.drawings.test_grading import bare
+from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written
 from tests.rows import over
 
-HAND = Allowances()
+HAND, PX = Allowances(), 96 / 25.4
+EVERYDAY = ("fan",)
+CROWDED = ("toggle-press",)
+SCENES = [
+    "fan", "flywheel", "four-masses", "four-bar-balance", "six-link-balance", "engine-full", "engine-partial",
+    "engine-share", "four-cylinder-bank", "lanchester", "shaper-loaded", "jaw-crusher", "squeezer", "toggle-press",
+]  # fmt: skip
 CASES = Path(__file__).parents[1] / "cases"
 MISTAKES = tomllib.loads((CASES / "student_vector_mistakes.toml").read_text("utf-8"))["mistake"]
 
@@ -74,10 +83,26 @@ def moved(plans: tuple[PlanAsked, ...], row: dict[str, Any]) -> dict[Mark, compl
     return {}
 
 
+def shown_back(arrow: Group) -> Group:
+    """Turn an arrow that is not to scale the other way about where it begins."""
+    line, *heads = arrow.strokes
+    assert isinstance(line, Line)
+    again = [
+        one._replace(points=tuple(2 * line.start - at for at in one.points)) for one in heads if isinstance(one, Fill)
+    ]
+    return replace(arrow, strokes=(replace(line, end=2 * line.start - line.end), *again))
+
+
+def _is_arrow(group: Group, name: str) -> bool:
+    return (group.data.get("kind"), group.data.get("name")) == ("force", name)
+
+
 def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
     """Give a stroke as a mistake of drawing leaves it."""
     names = row.get("vector", "").split(" ")
     letters = {one.name: written(one.letter) for one in plan.vectors}
+    if isinstance(stroke, Group) and row.get("arrow") and _is_arrow(stroke, names[0]):
+        return shown_back(stroke)
     if isinstance(stroke, Group) and (stroke.data.get("plan"), stroke.data.get("name")) == (plan.plan, names[0]):
         if row["how"] in ("missing", "left out"):
             return None
@@ -106,7 +131,128 @@ def said(own: Task, source: bytes) -> list[str]:
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) or one.kind for one in graded.wrong)
 
 
-@over("row", MISTAKES)
-def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
+def holds(row: dict[str, Any]) -> None:
     own = task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
+
+
+@over("row", [row for row in MISTAKES if row["scene"] in EVERYDAY])
+def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
+    holds(row)
+
+
+@pytest.mark.rest
+@over("row", [row for row in MISTAKES if row["scene"] not in EVERYDAY])
+def test_every_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
+    holds(row)
+
+
+@pytest.mark.rest
+@over("scene", SCENES)
+def test_every_sheet_of_the_gallery_is_right(scene: str) -> None:
+    own = task(scene)
+    for sheet in own.originals.sheets:
+        if any(plan.sheet == sheet.name for plan in own.plans):
+            for by in (HAND, Allowances(EXACT)):
+                graded = grade(own.originals.drawn(sheet), own.plans, by)
+                assert (graded.outcome, graded.wrong) == (PASS, ())
+                assert any(one.letter for plan in own.plans for one in plan.vectors)
+
+
+@over("scene", ["fan"])
+def test_polygons_without_data_are_told_by_their_letters(scene: str) -> None:
+    told_by_letters(scene)
+
+
+@pytest.mark.rest
+@over("scene", [scene for scene in SCENES if scene not in ("lanchester", *CROWDED)])
+def test_all_polygons_without_data_are_told_by_their_letters(scene: str) -> None:
+    told_by_letters(scene)
+
+
+def told_by_letters(scene: str) -> None:
+    own = task(scene)
+    for sheet in own.originals.sheets:
+        if any(plan.sheet == sheet.name and plan.lettered for plan in own.plans):
+            graded = grade(bare(own.originals.drawn(sheet)), own.plans, HAND)
+            assert (graded.reason, graded.wrong) == (None, ())
+            assert len(graded.verdicts) > 3
+
+
+def test_a_mistake_in_a_polygon_without_data_is_named() -> None:
+    row = next(row for row in MISTAKES if row["scene"] == "fan")
+    own = task("fan")
+    assert said(own, bare(made(own, row))) == row["says"]
+
+
+CHANCE = [("fan", "couples", None)]
+CHANCES = [
+    ("shaper-loaded", "forces-2-3", 9),
+    ("four-bar-balance", "static-moments", 3),
+    ("four-cylinder-bank", "order_forces-2", None),
+]
+
+
+def passed(scene: str, place: tuple[str, int | None], slip: float, count: int = 20) -> int:
+    """Tell how many of some chance drawings have no vector that is refused."""
+    own = task(scene)
+    plans = beside(own, place)
+    keys, rng = free(plans), np.random.default_rng(7)
+    scales = {name: np.array([mu]) for plan in plans for name, mu in plan.scales.items()}
+    spans = {key: (*one.found.span, *(one.found.side or ())) for key, one in keys.items() if one.found}
+    spots = copies(Draughtsman(slip, scales, count, rng), *(mark for span in spans.values() for mark in span))
+    good = 0
+    for k in range(count):
+        now = {}
+        for key, span in spans.items():
+            at = [complex(np.broadcast_to(spots[mark], (count, 1))[k, 0]) for mark in span]
+            ends = slip * scales[key[0]][0] * (rng.uniform(-1, 1, 2) + 1j * rng.uniform(-1, 1, 2))
+            now[key] = Laid(
+                at[1] - at[0] + complex(ends[1] - ends[0]), (at[2] if len(at) > 2 else 0j) + complex(ends[0])
+            )
+        graded = grade(sheet_of(own, plans, now, lambda stroke: stroke), own.plans, HAND)
+        good += not [one for one in graded.wrong if one.letters != ("", "")]
+    return good
+
+
+@over("scene, plan, position", CHANCE)
+def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str, plan: str, position: int | None) -> None:
+    assert passed(scene, (plan, position), 0.2, 2) == 2
+    assert passed(scene, (plan, position), 2.0, 2) == 0
+
+
+@pytest.mark.rest
+@over("scene, plan, position", CHANCE + CHANCES)
+def test_twenty_fair_hands_are_accepted_and_poor_ones_refused(scene: str, plan: str, position: int | None) -> None:
+    assert passed(scene, (plan, position), 0.2) == 20
+    assert passed(scene, (plan, position), 2.0) == 0
+
+
+def by_an_editor(plan: PlanAsked, mu: float, turn: float) -> bytes:
+    """Draw a polygon as an editor does: paths with markers in px, letters at their middles, a turned group."""
+    own = laid((plan,), {})
+    lines, words = [], [(f"mu_{plan.symbol} = {mu:g}", 400 + 380j)]
+    for one in plan.vectors:
+        value, begun = own[plan.plan, one.name]
+        start, step = (complex(part.real, -part.imag) / mu * PX for part in (begun, value))
+        start += 500 + 500j + (0 if not one.diagonal else 12j * step / abs(step))
+        lines.append(
+            f'<path marker-end="url(#a)" d="m {start.real:.4f},{start.imag:.4f} {step.real:.4f},{step.imag:.4f}"/>'
+        )
+        words.append((written(one.letter), start + step / 2 + 8j * step / abs(step)))
+    told = "".join(f'<text x="{at.real:.2f}" y="{at.imag:.2f}">{text}</text>' for text, at in words)
+    return (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="1000px" height="1000px" viewBox="0 0 1000 1000"><defs>'
+        '<marker id="a" orient="auto"><path d="M0 0L5 2"/></marker></defs><g style="font-size:11px" '
+        f'transform="rotate({turn:g} 500 500)"><g style="stroke:#000;fill:none">{"".join(lines)}</g>{told}</g></svg>'
+    ).encode()
+
+
+@pytest.mark.parametrize("turn", [0.0, 90.0])
+def test_a_polygon_drawn_in_an_editor_is_found_wherever_it_is(turn: float) -> None:
+    own = task("fan")
+    plan = own.plan("couples", None)
+    graded = grade(by_an_editor(plan, 0.0005, turn), own.plans, HAND)
+    judged = {one.name: one.kind for one in graded.verdicts if one.plan == plan.plan}
+    assert judged == {one.name: "right" for one in plan.vectors}
+    assert {one.kind for one in graded.wrong} == {"missing"}  # the other polygon of the sheet

@@ -60,7 +60,7 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
         assert collisions(leaf) == []
 
 
-@pytest.mark.parametrize("fault", [*first(FAULTS), *first(STROKES)], ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", first([*FAULTS, *STROKES]), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("linkage").worst <= 1.0

@@ -197,6 +197,7 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
     assert [name for name in draw.modules if name.startswith(CAMS)] == []
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "case",
     first(

@@ -28,6 +28,7 @@ def written(tmp_path: Path, name: str, *changes: tuple[str, str]) -> tuple[str, 
     return tuple((tmp_path / f"{name}{end}").read_text("utf-8") for end in ("-report.md", "-forces.svg"))  # type: ignore[return-value]
 
 
+@pytest.mark.rest
 def test_a_report_says_which_way_the_working_stroke_goes(tmp_path: Path) -> None:
     report, _ = written(tmp_path, "pumping-jack", ('language = "ru"', 'language = "en"'))
     line = (

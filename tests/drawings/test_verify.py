@@ -72,7 +72,7 @@ def test_the_sheet_as_drawn_passes(checked: tuple[Study, Leaf], tmp_path: Path) 
     assert verify_motion(tmp_path / "sheet.svg", leaf, study).vectors
 
 
-@pytest.mark.parametrize("fault", first(FAULTS.values()), ids=FAULTS.keys())
+@pytest.mark.parametrize("fault", first(FAULTS.values(), FAULTS))
 def test_a_fault_withholds_the_sheet(checked: tuple[Study, Leaf], tmp_path: Path, fault: Change) -> None:
     study, leaf = checked
     wrong = changed(leaf, fault)

@@ -65,7 +65,7 @@ def test_the_cylinder_of_a_scissor_lift_lifts_as_much_faster_as_it_presses_harde
     assert push == pytest.approx(np.full(9, 1.6 * (4000 + 120 * 9.81) + 0.8 * 80 * 9.81), rel=1e-9)
 
 
-@pytest.mark.parametrize("study", some([four_bar, scissor], 2), ids=["four-bar", "scissor"])
+@pytest.mark.parametrize("study", some([four_bar, scissor], 2, ["four-bar", "scissor"]))
 def test_both_roads_agree_on_motion_forces_and_energy(study: Callable[[], Study]) -> None:
     for part in ("linkage", "forces"):
         assert study().comparison(part).agrees

@@ -405,7 +405,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("text", some(HOSTILE.values(), 9), ids=HOSTILE.keys())
+@pytest.mark.parametrize("text", some(HOSTILE.values(), 9, HOSTILE))
 def test_a_hostile_scene_is_refused_at_once(text: str) -> None:
     began = time.perf_counter()
     with pytest.raises((SceneError, LimitError)) as refused:

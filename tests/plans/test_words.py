@@ -141,6 +141,13 @@ Asked = ast.Raise | ast.Call | ast.Compare
 ASKED = (ast.Raise, ast.Call, ast.Compare)  # quicker to ask for than their union
 
 
+def called(node: ast.expr) -> str:
+    """Give the name that a call goes by: no longer path than of two words is asked for."""
+    if isinstance(node, ast.Attribute):
+        return f"{node.value.id}.{node.attr}" if isinstance(node.value, ast.Name) else ""
+    return node.id if isinstance(node, ast.Name) else ast.unparse(node)
+
+
 def asked(text: str) -> tuple[Asked, ...]:
     """Give what a text of Python raises, calls and compares."""
     return tuple(node for node in ast.walk(ast.parse(text)) if isinstance(node, ASKED))
@@ -172,7 +179,7 @@ REFUSALS = ("SheetRefused", "OverLimit", "type(refused)")
 def keys(path: Path) -> Iterator[str]:
     """Give the keys that a file names as they are; the reason of a step and that of a refused sheet by its own name."""
     for node in nodes(path):
-        name = ast.unparse(node.func) if isinstance(node, ast.Call) else ""
+        name = called(node.func) if isinstance(node, ast.Call) else ""
         if isinstance(node, ast.Call) and name in REFUSALS and path.name != "limits.py":
             yield from (
                 f"unreadable.{one.value}" for one in ast.walk(node.args[0]) if isinstance(getattr(one, "value", 0), str)
@@ -205,7 +212,7 @@ def terms(path: Path) -> Iterator[str]:
     for node in nodes(path):
         if not isinstance(node, ast.Call):
             continue
-        name, given = ast.unparse(node.func), [word.value for word in node.keywords if word.arg in ("wanted", "kind")]
+        name, given = called(node.func), [word.value for word in node.keywords if word.arg in ("wanted", "kind")]
         if name in ("Missing", "Kind", "_kind"):
             given = node.args[:1]
         elif name not in ("wrong", "fault", "source.fault", "survey.report"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -15,7 +15,7 @@ from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.balance_words.balance_sentences import BalanceSentences
 from drawings.checks.balance_words.bounds import in_positions, of_largest
 from drawings.checks.balance_words.report_lines import head, listed, table, wrong_chapter
-from drawings.checks.balance_words.sentences import SIGNED, TURNS, Sentence, in_report, number
+from drawings.checks.balance_words.sentences import SIGNED, TURNS, Sentence, in_report, is_line, number
 from drawings.checks.documents import chapters
 from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT
 from drawings.measure.measure import Measured
@@ -31,13 +31,20 @@ from plans.words.words import Message, message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-DIGITS, OF_GIVEN, OF_SHARES, OF_CHANGES = 10, 4, 6, 3  # of numbers
+DIGITS, OF_GIVEN, OF_SHARES, OF_CHANGES, SAID = 10, 4, 6, 3, 5  # of numbers; the last of those said first
 NOTHING_THERE = "—"
 
 
 def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Give what the report tells of a balance otherwise than the analysis (row of the table of reports)."""
     yield from _ReportedBalance(study).faults(text)
+
+
+def headline(study: Study) -> Callable[[str], bool]:
+    """Give what tells whether a line says what is put on the links, and what it costs."""
+    own = BalanceSentences(_ReportedBalance(study).expected, SAID)
+    due = [Sentence(in_report(note)) for note in (*own.put_on(), *own.price())]
+    return lambda line: is_line(line, due)
 
 
 @dataclass(frozen=True)

@@ -54,14 +54,18 @@ class BalanceSentences:
 
     def counterweights(self) -> Iterator[str]:
         """Tell what is put on, what it makes of the main points, and what is left at sliders."""
-        if self.expected.balance.still:
-            yield self._word("balanced already")
-        else:
-            yield from map(self._counterweight, self.expected.balance.counterweights)
+        yield from self.put_on()
         if self.expected.after is not None:
             yield self._word("with counterweights", told=self.points.after())
             yield from self._rests(self.expected.after)
         yield from self._left()
+
+    def put_on(self) -> Iterator[str]:
+        """Tell what is put on each link."""
+        if self.expected.balance.still:
+            yield self._word("balanced already")
+        else:
+            yield from map(self._counterweight, self.expected.balance.counterweights)
 
     def _counterweight(self, one: Counterweight) -> str:
         letter = f"m_{{{self._word('counterweight index')}{one.link}}}"

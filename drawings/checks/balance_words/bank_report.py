@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.checks.balance_words.bank_sentences import BankSentences
 from drawings.checks.balance_words.report_lines import head, table, wrong_chapter
-from drawings.checks.balance_words.sentences import Sentence, in_report, number
+from drawings.checks.balance_words.sentences import Sentence, in_report, is_line, number
 from drawings.checks.bank.bank_expected import Expected
 from drawings.checks.documents import chapters
 from drawings.page.drafting import drafting_of
@@ -42,6 +42,14 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
             yield message("wrong.told", text=title[0].marked)
     heads = [name for name, lines in due.items() if lines]
     yield from chapters.faults(text, language, [*heads, "left_out", "bank_left_out"])
+
+
+def headline(study: Study) -> Callable[[str], bool]:
+    """Give what tells whether a line says what compensates a bank's forces, or which orders vanish by themselves."""
+    expected = Expected(study["bank"].task, study.comparison("bank"))
+    own = BankSentences(expected, drafting_of(study.scene), DIGITS, in_report)
+    due = [*own.compensators()] or [*own.vanishing()]
+    return lambda line: is_line(line, due)
 
 
 def _listed(sentences: Iterator[Sentence] | Sequence[Sentence]) -> list[Sentence]:

@@ -84,7 +84,7 @@ class BankSentences:
             told += self._sums(MOMENT, "N*m", analysis.moments[order])
             if told:
                 yield self._say("order sums", order=order, sums=",  ".join(told))
-        yield from self._vanishing()
+        yield from self.vanishing()
         yield from self._orders("slight orders", self.expected.slight)
         yield from self._slight()
 
@@ -107,7 +107,7 @@ class BankSentences:
             told = {"letter": f"{FORCE}_{{max}}", "sum": parts, "size": size}
             yield self.drafting.word("order largest", unit=self.drafting.word("N"), **told)
 
-    def _vanishing(self) -> Iterator[Sentence]:
+    def vanishing(self) -> Iterator[Sentence]:
         """Tell the orders that one mechanism has not, and those that balance one another."""
         analysis = self.expected.analysis
         gone = {order for order, one in analysis.single.items() if _rests(one)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import product
 from typing import NamedTuple
 
 from drawings.checks import reading
@@ -73,6 +74,17 @@ class Sentence(NamedTuple):
     def holds(self, found: re.Match[str]) -> bool:
         """Tell whether each number is right."""
         return all(one.holds(text) for one, text in zip(self.numbers, found.groups(), strict=True))
+
+    def told_by(self, line: str) -> bool:
+        """Tell whether a line is it."""
+        found = self.pattern.fullmatch(line)
+        return found is not None and self.holds(found)
+
+
+def is_line(line: str, sentences: Iterable[Sentence]) -> bool:
+    """Tell whether a line is some sentences joined, each that may be missing there or not."""
+    ways = product(*([one] if one.sure else [one, None] for one in sentences))
+    return any(Sentence("; ".join(one.marked for one in way if one is not None)).told_by(line) for way in ways)
 
 
 def flat(text: str) -> str:

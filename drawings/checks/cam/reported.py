@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 from typing import TYPE_CHECKING
@@ -27,7 +27,12 @@ from plans.words.words import Message, message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-DIGITS, PHASES, CHORDS = 10, 5, 3  # of the numbers of the report: of most, of the phases, of what chords leave out
+DIGITS, PHASES, CHORDS, SAID = (
+    10,
+    5,
+    3,
+    5,
+)  # of numbers: of most, of the phases, of what chords leave out, said first
 KNOWN = 1e-9  # of the largest of a row, that both roads may differ by
 MM = 1000.0
 # Units in which S' and S'' are told, and how many of them are one of SI, by their own.
@@ -45,6 +50,14 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     told = [word(drafting.language, f"report.{key}", name=name) for key, name in heads]
     told += [word(drafting.language, f"report.{key}") for key in ("left_out", "cam_left_out")]
     yield from chapters.ordered(text, told)
+
+
+def headline(study: Study) -> Callable[[str], bool]:
+    """Give what tells whether a line says the main sizes of all cams."""
+    drafting = precise(drafting_of(study.scene))
+    notes = (DueNotes(found, drafting) for found in study.comparison("cam").analysis.cams)
+    due = "; ".join(_plain(line) for one in notes for line in one.sizes())
+    return lambda line: tells(line, due, (SAID,), KNOWN)
 
 
 @dataclass(frozen=True)

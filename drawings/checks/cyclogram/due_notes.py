@@ -27,7 +27,7 @@ class DueNotes(NamedTuple):
         """Give them in their order."""
         yield self._stroke()
         yield from self._pressure()
-        yield self._window()
+        yield self.window()
         if not self.cams:
             yield self._word("cyclogram set", setting=self._degrees(self._rise[0]))
         yield from settings(self.cams, self.drafting)
@@ -59,7 +59,8 @@ class DueNotes(NamedTuple):
         first, last = (LEAVE, ENTRY) if self.found.of(LEAVE) else (EXIT, BACK)
         return self.found.of(first)[0].turned, self.found.of(last)[0].turned
 
-    def _window(self) -> str:
+    def window(self) -> str:
+        """Tell when the tool is off the work."""
         start, end = self._rise
         turns = [one.turned for one in self.found.positions]
         parts = {"leaves": start, "comes": end, "rise": (end - start) % TURN, "rest": (start - end) % TURN}

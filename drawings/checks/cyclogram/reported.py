@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
@@ -44,6 +44,13 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
             yield message("wrong.told", text=line or drafting.word(f"role {one.role}"))
     yield from (message("wrong.told", text=line) for line in own[len(comparison.analysis.positions) :])
     yield from chapters.faults(text, drafting.language, [CYCLOGRAM, "left_out"])
+
+
+def headline(study: Study) -> Callable[[str], bool]:
+    """Give what tells whether a line says when the tool is off the work."""
+    comparison = study.comparison(CYCLOGRAM)
+    notes = DueNotes(comparison.analysis, True, study[CYCLOGRAM].cams, precise(drafting_of(study.scene)))
+    return lambda line: tells(line, _plain(notes.window()), (DIGITS,), SHARE)
 
 
 def _tells(line: str, number: int, one: Position, drafting: Drafting) -> bool:

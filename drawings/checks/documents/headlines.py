@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -16,12 +16,24 @@ from plans.checks.comparison import Finding
 from plans.forces.primary import balancing_quantity
 from plans.model.order import ACCELERATIONS, VELOCITIES
 from plans.study import Study
-from plans.words.words import message, word
+from plans.techniques import named
+from plans.words.words import message, term, word
 
 DIGITS = 5
 RATIO, ANGLE = 4, 3  # decimals of the time ratio, and of a swing in degrees
 KNOWN = 1e-9  # of a number, that both roads may differ by
 BEGUN = re.compile(r"[Hψ] = |K = |\|.+\|max = ")  # how each number that is said first begins
+
+# Of a study to what tells whether a line is what a technique says of it; to None where rounding or a gap decides.
+SENTENCES: Final[Mapping[str, str]] = {
+    "dynamics": "drawings.checks.dynamics.report_told:headline",
+    "balance": "drawings.checks.balance_words.balance_report:headline",
+    "bank": "drawings.checks.balance_words.bank_report:headline",
+    "rotor": "drawings.checks.rotor.reported:headline",
+    "cyclogram": "drawings.checks.cyclogram.reported:headline",
+    "cam": "drawings.checks.cam.reported:headline",
+}
+KINDS: Final = {"balance": "balancing"}  # of sheets, by techniques whose names are others
 
 
 class Due(NamedTuple):
@@ -50,13 +62,23 @@ class Due(NamedTuple):
 
 def faults(lines: Iterable[str], study: Study) -> Iterator[Wrong]:
     """See that each number that is said first is due, and that each that is due is said once."""
-    said = [part for line in lines for one in line.splitlines() for part in one.split(", ") if BEGUN.match(part)]
+    told = [*lines]
+    said = [part for line in told for one in line.splitlines() for part in one.split(", ") if BEGUN.match(part)]
     due = [*_motion(study)] if "linkage" in study.techniques else []
     due += [*_drive(study)] if "forces" in study.techniques else []
     yield from (message("wrong.told", text=part) for part in said if not any(one.tells(part) for one in due))
     for one in due:
         if sum(one.tells(part) for part in said) != 1:
             yield message("wrong.missing", name=one.before.partition(" = ")[0])
+    yield from _sentences(told, study)
+
+
+def _sentences(said: Sequence[str], study: Study) -> Iterator[Wrong]:
+    """See that what each technique says in a sentence is said once, as the analysis has it."""
+    for name in (one for one in study.techniques if one in SENTENCES):
+        tells = named(SENTENCES[name])(study)
+        if tells is not None and sum(map(tells, said)) != 1:
+            yield message("wrong.missing", name=term(study.scene.sheet.language, "kind", KINDS.get(name, name)))
 
 
 def _motion(study: Study) -> Iterator[Due]:

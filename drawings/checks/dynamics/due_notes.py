@@ -35,13 +35,13 @@ class DueNotes(NamedTuple):
     def all(self) -> Iterator[str]:
         """Give every sentence in its turn."""
         yield self._asked()
-        yield self._work()
+        yield self.work()
         wheel, cycle = self.expected.wheel, self.expected.cycle
         if self._stops:
             yield self._word("stops without flywheel")
         if wheel is not None and self.expected.task.delta:
             yield self._reason(wheel, cycle)
-            yield self._missing(wheel)
+            yield self.missing(wheel)
             yield from self._others(wheel) if wheel.whole > wheel.own + wheel.present else ()
         if self.expected.account.speeds is not None:
             yield from self._achieved(self.expected.account.speeds)
@@ -62,7 +62,8 @@ class DueNotes(NamedTuple):
     def _fluctuation(self, delta: float) -> str:
         return f"1/{self.drafting.number(1 / delta)}"
 
-    def _work(self) -> str:
+    def work(self) -> str:
+        """Tell what the loads take in a turn, and by what moment the drive gives it."""
         taken, driving = -self.expected.cycle.net, self.expected.cycle.driving
         if not taken:
             return self._word("no work of turn")
@@ -89,7 +90,8 @@ class DueNotes(NamedTuple):
         links = f"{'+' if rest > 0 else '−'} {self.drafting.number(abs(rest))}"
         return self._word("why loads" if 2 * share > wheel.whole else "why masses", **told, share=share, links=links)
 
-    def _missing(self, wheel: Flywheel) -> str:
+    def missing(self, wheel: Flywheel) -> str:
+        """Tell what there is of the inertia that is due, and what the flywheel must add."""
         there = wheel.own + wheel.present
         told = {"own": wheel.own, "present": wheel.present, "bare": there, "whole": wheel.whole}
         if wheel.whole > there:

@@ -175,7 +175,10 @@ class GraphStrokes:
         """Hold the curve of the quantity between its points, and the straight lines beside it; one may be dashed."""
         own, letters = self.inventory, QUANTITIES[self.name].curves or ("",)
         found = []
-        chain = own.take(Polyline, lambda one: self._follows(one.points), on("curve", self.name))
+        main = self.drafting.hand.main
+        chain = own.take(
+            Polyline, lambda one: one.style.width == main and self._follows(one.points), on("curve", self.name)
+        )
         found += [(letters[0], chain)] if chain is not None else []
         lines = self.expected.lines.get(self.name, ())
         for k, (start, end) in enumerate(lines):

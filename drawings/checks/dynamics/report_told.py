@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -13,7 +13,7 @@ from drawings.checks.documents import chapters
 from drawings.checks.dynamics.due_notes import DueNotes
 from drawings.checks.dynamics.dynamics_expected import KNOWN, Expected
 from drawings.checks.dynamics.told_table import NOTHING, DueCell
-from drawings.checks.precise import tells
+from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import number
 from drawings.page.drafting import Drafting, drafting_of
@@ -28,7 +28,7 @@ from plans.words.words import message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-DIGITS, FEW, RUN, METHOD = 10, 3, 6, 3  # of values; of per cents in sentences; of a run; of how it was found
+DIGITS, FEW, RUN, METHOD, SAID = 10, 3, 6, 3, 5  # of values; of per cents; of a run; of how it was found; said first
 OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
 LARGEST = 1.0  # fluctuation: of a machine that comes to rest once in a turn it is 2
 LOST = 1e-9  # of the largest work or energy: what is left of a solver's account is rounding
@@ -68,6 +68,18 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
         "dynamics_left_out": True,
     }
     yield from chapters.faults(text, drafting.language, [key for key, there in due.items() if there])
+
+
+def headline(study: Study) -> Callable[[str], bool] | None:
+    """Give what tells whether a line says what work is done in a turn, and what flywheel the machine needs."""
+    comparison = study.comparison("dynamics")
+    if comparison.analysis.cycle is None:
+        return None
+    expected = Expected(study["dynamics"].task, comparison.analysis)
+    notes = DueNotes(expected, comparison.exact.flywheel, precise(drafting_of(study.scene)))
+    told = [notes.work(), *([] if expected.wheel is None else [notes.missing(expected.wheel)])]
+    due = "; ".join(map(_bare, told))
+    return lambda line: tells(_bare(line), due, (SAID,), KNOWN)
 
 
 class ReportTold(NamedTuple):

@@ -46,12 +46,12 @@ def ratio(mu: float, language: str) -> str:
 
 
 def written_scales(group: Group) -> dict[str, float]:
-    """Read the scales that a figure states by their letters, true units a mm; a K is the inverse of mu.
+    """Read the scales that a figure states by their letters, true units a mm; a K is the inverse of mu, 0 is none.
 
     >>> from drawings.paper.strokes import Text
-    >>> written_scales(Group((Text(0j, "μ_{φ} = 0,02 рад/мм;  K_M = 4 mm/(N·m)"),)))
+    >>> written_scales(Group((Text(0j, "μ_{φ} = 0,02 рад/мм;  K_M = 4 mm/(N·m);  K_A = 0 mm/J"),)))
     {'φ': 0.02, 'M': 0.25}
     """
     found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
     pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
-    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs}
+    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs if value}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,11 +9,9 @@ from typing import TYPE_CHECKING
 
 from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.note.cut_note import CutNote
+from drawings.checks.note.heads import head_of, split
 from drawings.checks.note.lever_note import LeverNote
-from drawings.checks.precise import ALL_DIGITS, tells
 from drawings.checks.wrong import Wrong
-from drawings.lettering.words import number
-from drawings.lettering.words import word as lettered
 from drawings.page.drafting import drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import Formula
@@ -28,7 +25,6 @@ from plans.words.words import message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-ROUNDED = 1e-9  # share of an angle that arithmetic moves it by
 LEVER = "lever"
 
 
@@ -43,14 +39,14 @@ class ForceLines:
 
     def faults(self) -> Iterator[Wrong]:
         """Hold what marks vectors, the heads of positions in order, and what stands under each."""
-        before, parts = _split(self.lines, [self._head(k) for k in sorted(self._scales)])
+        before, parts = split(self.lines, [head_of(self.statics.study, k) for k in sorted(self._scales)])
         if not self._scales:
             return
         if before != [self._say("underlines")]:
             yield message("wrong.told", text=(before or [self._say("underlines")])[0])
         for k, lines in zip(sorted(self._scales), parts, strict=True):
             if lines is None:
-                yield message("wrong.missing", name=self._head(k, 4))
+                yield message("wrong.missing", name=head_of(self.statics.study, k, 4))
             else:
                 yield from self._position(k, lines)
 
@@ -66,13 +62,6 @@ class ForceLines:
             own |= {one.data["plan"]: float(one.data["scale"]) for one in groups(leaf.groups) if "scale" in one.data}
         return found
 
-    def _head(self, k: int, digits: int = ALL_DIGITS) -> str:
-        study = self.statics.study
-        phi, drive, language = float(study.turn.phi[k]), study.mechanism.drive, study.language
-        angle = f"φ = {number(math.degrees(phi) % 360, language, digits)}°"
-        way = f"s = {number(1000 * drive.unit * phi, language, digits)} {lettered(language, 'mm')}"
-        return self._say("in_position", position=k, station=way if drive.pushed else angle)
-
     def _position(self, k: int, lines: Sequence[str]) -> Iterator[Wrong]:
         """Hold each cut, and the lever where one is drawn."""
         floor, study, scales = self._floor(k), self.statics.study, self._scales[k]
@@ -81,7 +70,7 @@ class ForceLines:
         keys = ["primary_cut" if one.group is None else "cut" for one in bills]
         heads = [self._say(key, links=label) for key, label in zip(keys, labels, strict=True)]
         levered = LEVER in scales and study.mechanism.drive.turns
-        before, parts = _split(lines, [*heads, *([self._say(LEVER)] if levered else [])])
+        before, parts = split(lines, [*heads, *([self._say(LEVER)] if levered else [])])
         yield from (message("wrong.told", text=line) for line in before)
         for head, label, bill, own in zip(heads, labels, bills, parts, strict=False):
             scale = scales.get(f"forces-{label}")
@@ -113,18 +102,3 @@ class ForceLines:
         solved = self.comparison.motion.analysis
         loads, study = self.statics.loading(solved), self.statics.study
         return ExpectedForces(study.mechanism, self.statics.machine, solved, loads, self.comparison.analysis, k)
-
-
-def _split(lines: Sequence[str], heads: Sequence[str]) -> tuple[list[str], list[list[str] | None]]:
-    """Part lines by heads in their order: what stands before the first, then under each; None where one is missing."""
-    parts: list[list[str] | None] = [None] * len(heads)
-    before, at = list[str](), 0
-    current = before
-    for line in lines:
-        found = next((k for k in range(at, len(heads)) if tells(line, heads[k], (0, 4), ROUNDED)), None)
-        if found is None:
-            current.append(line)
-        else:
-            parts[found] = current = []
-            at = found + 1
-    return before, parts

@@ -68,7 +68,8 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
 
 def _is_under(plan: LaidPlan, spot: complex) -> bool:
     """Tell whether a letter stands so near to a place that not even a leader of a number can begin there."""
-    return any(off(spot, bounds(text)) <= UNDER for text in texts(plan.leaf.groups))
+    letters = (text for text in texts(plan.leaf.groups) if NUMBER.fullmatch(text.plain) is None)
+    return any(off(spot, bounds(text)) <= UNDER for text in letters)  # numbers stand where places leave them room
 
 
 def _due(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
@@ -57,6 +57,13 @@ def _part(text: str, key: str, drafting: Drafting) -> list[str]:
     return lines[: next((k for k, line in enumerate(lines) if line.startswith("#")), len(lines))]
 
 
+def headline(study: Study) -> Callable[[str], bool] | None:
+    """Give what tells whether a line says the counterweights of a rotor; nothing where rounding decides."""
+    own = RotorSentences(study["rotor"].rotor, study.comparison("rotor").analysis, drafting_of(study.scene))
+    due = "; ".join(map(_plain, own.counterweights()))
+    return (lambda line: tells(line, due, IN_REPORT)) if own.settled else None
+
+
 class Residuals:
     """How far the counterweights are off as the sheets show them, to the last decimal of a file."""
 
@@ -101,6 +108,11 @@ def _drawn(leaves: Sequence[Leaf]) -> Iterator[tuple[str, complex]]:
 def _held(seen: Sequence[str], due: Sequence[str], digits: int = IN_REPORT) -> Iterator[Wrong]:
     """Hold lines one for one."""
     for line, true in zip_longest(seen, due, fillvalue=""):
-        plain = " ".join(true.replace("{", "").replace("}", "").split())
+        plain = _plain(true)
         if not tells(" ".join(line.removeprefix("- ").split()), plain, digits):
             yield message("wrong.told", text=line) if line else within("missing_from", NOTES, name=plain)
+
+
+def _plain(note: str) -> str:
+    """Write a note without the braces of its indices."""
+    return " ".join(note.replace("{", "").replace("}", "").split())

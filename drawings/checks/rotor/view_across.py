@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks.graphs.figure_strokes import FLUSH, figure
+from drawings.checks.line_kinds import THIN, TWO_DOTS, Kind
 from drawings.checks.reading import reads
 from drawings.checks.rotor.rotor_bodies import BodyAtRest
 from drawings.checks.rotor.rotor_seen import RotorSeen
@@ -20,6 +21,7 @@ from plans.rotor.letters import ALONE
 
 ARMS = 9  # different arms: of more the table tells them
 DIGITS = 4  # of a dimension
+PLANE = Kind((THIN,), TWO_DOTS)  # the line of a plane that is no part of the rotor
 OVER = 6.0  # mm from a dimension line up to its number
 STILL = math.radians(1.0)  # by which the letter of the turning may stand off the middle of its arrow
 
@@ -100,7 +102,8 @@ class _Across(RotorSeen):
 
         def holds(one: Line) -> bool:
             upright = max(abs(end.real - spot.real) for end in _ends(one)) <= FLUSH
-            return upright and self.inventory.at((one.start + one.end) / 2, spot) and abs(one.end - spot) > far
+            placed = upright and self.inventory.at((one.start + one.end) / 2, spot) and abs(one.end - spot) > far
+            return placed and PLANE.takes(one, self.drafting.hand)
 
         line = self.inventory.take(Line, holds, on("plane", self.plan, name=name))
         if name != ALONE and line is not None:

@@ -43,10 +43,11 @@ class Rule(NamedTuple):
         return lettered and abs(slip.start - result.start) <= EXACT and self._turned(strokes, slip.start)
 
     def _turned(self, strokes: FigureStrokes, corner: complex) -> bool:
-        """Tell whether an arc with a head goes from the slip to the acceleration."""
-        start, end = (self.slip, self.result) if (self.result / self.slip).imag > 0 else (self.result, self.slip)
+        """Tell whether an arc with a head goes from the slip to the acceleration, and the head points that way."""
+        sense = 1 if (self.result / self.slip).imag > 0 else -1
+        start, end = (self.slip, self.result) if sense > 0 else (self.result, self.slip)
         arcs = (one for one in strokes.arcs if abs(one.centre - corner) <= EXACT)
-        heads = [head.points[0] - corner for head in strokes.heads]
+        heads = [one.tip - corner for one in strokes.turnings if one.sense == sense]
         return any(
             _along(arc.at(0.0) - corner, start)
             and _along(arc.at(1.0) - corner, end)

@@ -54,10 +54,14 @@ class Mistake(NamedTuple):
 
 
 class Paper(NamedTuple):
-    """Where a graph lies on our own sheet, mm: its axis, and the foot of each ordinate on it."""
+    """Where a graph lies on our own sheet, mm: its axis, the foot of each ordinate on it, and where along it that is.
+
+    The last are in true units: angles turned, or a way.
+    """
 
     axis: tuple[complex, complex]
     feet: Values
+    along: Sizes
 
 
 @dataclass(frozen=True)

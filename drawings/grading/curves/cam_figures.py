@@ -29,6 +29,7 @@ from drawings.grading.curves.own_sheet import OwnSheet, items
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from plans.cyclogram.rows import EVERY
 from plans.study import Study
+from plans.words.words import because
 
 ABOVE = {VELOCITY: ACCELERATION, TRAVEL: VELOCITY}
 
@@ -83,7 +84,8 @@ class _Sheet:
                     scales={self.own.letter(plan, mu): mu}, items=items(marks), true=np.asarray(1j * row.after),
                     slack=np.abs(row.after - exact[key]), error=self._error(key), kind=ORDINATES,
                     paper=self.own.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
-                    course=courses.get(key), linear=chorded, stepped=chorded, mistakes=tuple(self._phases(key)),
+                    course=courses.get(key), linear=chorded, stepped=chorded,
+                    why=because("integral_chord") if chorded else None, mistakes=tuple(self._phases(key)),
                 )  # fmt: skip
 
     def _phases(self, key: str) -> Iterator[Mistake]:
@@ -155,7 +157,7 @@ class _Sheet:
         yield from self._figure(
             DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
             course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
-            slack=self._sized(), mistakes=tuple(self._wrong_sizes()),
+            slack=self._sized(), why=because("cam_laid"), mistakes=tuple(self._wrong_sizes()),
         )  # fmt: skip
 
     def _laid_by_hand(self, plan: str, *laws: str) -> Sizes:
@@ -236,6 +238,7 @@ class _Sheet:
             POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
             behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
             error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
+            why=because("cam_back"),
         )  # fmt: skip
         turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
         for name, mistakes in (("K", ()), ("O_1", (turned,))):

@@ -18,7 +18,7 @@ def chords_by_hand(wide: Sizes, high: Sizes, pole: float) -> Sizes:
     The strips are so wide and their mean ordinates so high, mm, and the pole is so far away, mm.
 
     >>> chords_by_hand(np.array([10.0, 10.0]), np.array([5.0, 5.0]), 20.0).round(2).tolist()
-    [0.82, 1.25, 1.65]
+    [0.82, 1.25, 1.63]
     """
     edges = np.concatenate(([0.0], np.cumsum(wide)))
     found = integral(Board(CHORDS), "y", edges, high, pole)

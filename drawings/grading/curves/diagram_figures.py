@@ -14,6 +14,7 @@ from drawings.grading.curves.own_sheet import OwnSheet
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.model.diagrams import TURN
 from plans.study import Study
+from plans.words.words import because
 
 
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
@@ -44,6 +45,7 @@ def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: flo
         items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
         true=np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES, paper=paper,
         behind=() if above is None else (above,), course=course, linear=above is not None,
+        why=None if above is None else because("derivative_point"),
     )  # fmt: skip
 
 

@@ -10,14 +10,14 @@ import numpy as np
 
 from drawings.checks.graphs.scale_line import written_scales
 from drawings.eye.sheet import SeenSheet
-from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Values
+from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, heights, through
 from drawings.grading.drawn_plan import Arrow
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
 from drawings.paper.strokes import Line
 from drawings.paper.walk import flat, group_named
 
-PLACED = 0.7  # mm: a foot is at its place if a fair hand may have pricked it there
 SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be longer
 
 
@@ -25,7 +25,8 @@ SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be long
 class DrawnFigure:
     """A figure of a sheet: its values in true units by their places, NaN where there are none; its arrows on paper.
 
-    `shift` is by how much all its ordinates stand beside their places, mm; `aside` are those that do so alone.
+    `shift` is by how much all its ordinates stand beside their places, mm; `aside` are those that do so alone. Through
+    the ends of those that are `apart` the curve does not go.
     """
 
     asked: FigureAsked
@@ -34,6 +35,8 @@ class DrawnFigure:
     written: bool = True
     shift: float = 0.0
     aside: frozenset[int] = field(default_factory=frozenset)
+    apart: frozenset[int] = field(default_factory=frozenset)
+    free: bool = False  # whether it was drawn on the axes of a form, without marks
 
     @property
     def there(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
@@ -122,8 +125,36 @@ def _on_axis(
         beside[place] = (start / along).real
     shift = median(beside.values())
     shift = shift if abs(shift) > PLACED else 0.0
+    gone = _read(_graph(asked, seen, moved), seen, (values, arrows), mu, shift)
     aside = frozenset(place for place, off in beside.items() if abs(off - shift) > PLACED)
-    return DrawnFigure(asked, values, arrows, written, shift, aside)
+    return DrawnFigure(asked, values, arrows, written, shift, aside, gone)
+
+
+def _graph(asked: FigureAsked, seen: SeenSheet, moved: complex) -> tuple[FigureAsked, Frame, Sizes]:
+    """Give a graph with its axes on paper and its places along them, mm."""
+    assert asked.paper is not None  # asked before
+    by, (start, end) = seen.measured.moved, asked.paper.axis
+    along, feet = (end - start) / abs(end - start), asked.paper.feet
+    return asked, Frame(by(feet[0] + moved), along * by.p, asked.way * by.p), ((feet - feet[0]) / along).real
+
+
+def _read(
+    graph: tuple[FigureAsked, Frame, Sizes],
+    seen: SeenSheet,
+    own: tuple[Values, Mapping[int, Arrow]],
+    mu: float,
+    shift: float,
+) -> frozenset[int]:
+    """Read the places without an ordinate off the curve; give those with one that the curve does not go through."""
+    (asked, frame, places), (values, arrows) = graph, own
+    ends = frame.seen(np.array([arrow.end for arrow in arrows.values()]))
+    curve = through(seen.leaf.groups, frame, ends)
+    if curve is None:
+        return frozenset()
+    bare = np.isnan(values)
+    values[bare] = (asked.way * heights(curve, places + shift) * mu)[bare]
+    off = away(curve, ends)
+    return frozenset(place for place, apart in zip(arrows, off.tolist(), strict=True) if apart > THROUGH)
 
 
 def _back(spot: complex, by: Affine) -> complex:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 
@@ -26,6 +28,10 @@ from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.dynamics_courses import BEARING, CUT, Turned
 from drawings.grading.curves.own_sheet import OwnSheet, items
 from plans.study import Study
+from plans.words.words import Message, because
+
+# By what the values of a graph are found.
+WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_chord"), SURPLUS: because("steady")})
 
 
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
@@ -85,6 +91,7 @@ class _Sheet:
             linear=course is not None and name != SPEEDS,
             mistakes=mistakes,
             stepped=name == WORKS,
+            why=WHY.get(name),
         )
 
     def scale(self, name: str) -> float:
@@ -152,6 +159,7 @@ class _Sheet:
             slack=np.abs(true - turn.loop(Turned(self.exact, turn.scales).true)),
             error=np.full(len(true), 2 * PRICKED),  # in x and in y, each measured off a graph
             on_paper=True,
+            why=because("loop_point"),
             behind=(SURPLUS, INERTIA),
             course=turn.loop,
             mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
@@ -197,5 +205,5 @@ class _Sheet:
         return FigureAsked(
             key, LOOP, self.own.name, unit, scales or {"": mu}, own, true, slack,
             np.broadcast_to(np.asarray(error, dtype=np.float64), (len(true),)), kind,
-            behind=behind, course=course, mistakes=mistakes,
+            behind=behind, course=course, mistakes=mistakes, why=because("ruler" if key == CUT else "tangent_angle"),
         )  # fmt: skip

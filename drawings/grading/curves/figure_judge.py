@@ -82,9 +82,14 @@ class _Told:
             self.follows |= self._fits(values)
         self.mistake, self.factor = self._whole()
 
+    @property
+    def marked(self) -> Truths:
+        """Which places have a value that is asked for."""
+        return np.asarray(self.drawn.there & np.isin(np.arange(len(self.drawn.values)), self.asked.places))
+
     def fits(self, due: Values) -> bool:
         """Tell whether all values are as they are due."""
-        return bool(self._fits(due)[self.drawn.there].all())
+        return bool(self._fits(due)[self.marked].all())
 
     def _fits(self, due: Values) -> Truths:
         """Tell which values are as they are due; one that is not there is none."""
@@ -130,11 +135,11 @@ class _Told:
 
     def _whole(self) -> tuple[Mistake | None, float | None]:
         """Give the mistake by which most of a figure is out, and the factor, if it is one."""
-        left = self.drawn.there & ~self.near & ~self.follows
+        left = self.marked & ~self.near & ~self.follows
         if left.sum() < 1:
             return None, None
         for one in (mistake.fitted(self.drawn.values) for mistake in self.asked.mistakes):
-            told = self.drawn.there & (self.asked.off(one.values, self.asked.true) > 2 * self.allowed)
+            told = self.marked & (self.asked.off(one.values, self.asked.true) > 2 * self.allowed)
             if told.any() and (self._fits(one.values) | ~told).all() and (left & told).any():
                 return one, None
         if left.sum() < SEVERAL:
@@ -143,14 +148,14 @@ class _Told:
             (int(fits.sum()), -float(np.nansum(self.asked.off(self.drawn.values, one.values))), one, factor)
             for base in (self.asked.true, *self.going_on)
             for one, factor in self._generals(base)
-            if ((fits := self._fits(one.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.drawn.there.sum()
+            if ((fits := self._fits(one.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.marked.sum()
         ]
         best = max(fitting, key=lambda one: one[:2], default=None)
         return (None, None) if best is None else best[2:]
 
     def _generals(self, base: Values) -> Iterator[tuple[Mistake, float | None]]:
         """Give what may be wrong with any figure: all the other way, by one factor, from another zero line."""
-        there, asked = self.drawn.there, self.asked
+        there, asked = self.marked, self.asked
         drawn = self.drawn.values[there]
         yield Mistake(verdict.OPPOSITE, -base), -1.0
         size = float((np.abs(base[there]) ** 2).sum())
@@ -170,6 +175,8 @@ class _Told:
             yield self._said(verdict.SHIFTED)
         if self.mistake is not None:
             yield self._said(self.mistake.kind)
+        apart = (one for one in self.asked.items if one.place in self.drawn.apart)
+        yield from (self._said(verdict.APART, one) for one in apart)
         within = self._fits(self.mistake.values) if self.mistake is not None else np.zeros_like(self.near)
         yield from (self._one(one, within) for one in self.asked.items)
 

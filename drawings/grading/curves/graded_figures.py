@@ -9,9 +9,10 @@ import numpy as np
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
-from drawings.grading.curves.asked_figure import FigureAsked, Sizes
+from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.figure_judge import FigureJudge
+from drawings.grading.curves.form_figure import from_form
 from drawings.grading.verdict import Verdict
 
 
@@ -19,7 +20,7 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
     own: dict[str, list[DrawnFigure]] = {}
     for one in asked:
-        drawn = from_marks(one, seen)
+        drawn = from_marks(one, seen) or from_form(one, seen)
         if drawn is not None:
             own.setdefault(one.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
@@ -56,7 +57,7 @@ def figure_verdicts(
         for one in due if found or sheet in sheets else ():
             if one.key in there:
                 yield from judge.verdicts(there[one.key], allowed(one))
-            elif found or sheet in marked:
+            elif (found and (one.kind == ORDINATES or not any(drawn.free for drawn in found))) or sheet in marked:
                 yield from _missing(one)
             else:
                 yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)

@@ -54,14 +54,14 @@ class OwnSheet(NamedTuple):
         step = (other.start - one.start) / (abscissas[last] - abscissas[first])
         feet = one.start + step * (abscissas - abscissas[first])
         axis = self._axis(plan, np.asarray(feet, dtype=np.complex128))
-        return None if axis is None else Paper(axis, np.asarray(feet, dtype=np.complex128))
+        return None if axis is None else Paper(axis, np.asarray(feet, dtype=np.complex128), abscissas)
 
     def ruled(self, plan: str, feet: Values) -> Paper | None:
         """Give where bars lie that begin at some places: the longest line of their figure is their axis."""
         group = group_named(self.leaf.groups, plan)
         lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
         longest = max(lines, key=lambda one: abs(one.end - one.start), default=None)
-        return None if longest is None else Paper((longest.start, longest.end), feet)
+        return None if longest is None else Paper((longest.start, longest.end), feet, np.zeros(len(feet)))
 
     def _axis(
         self, plan: str, feet: np.ndarray[tuple[int, ...], np.dtype[np.complex128]]

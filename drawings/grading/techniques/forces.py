@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_layout import PLAN as LEVER
 from drawings.figures.forces.lever_plan import balance, hanging
 from drawings.figures.forces.leverage import leverages
 from drawings.grading import verdict
+from drawings.grading.polygons.scheme_arrows import senses_of
 from drawings.grading.records import Found, Letters, Record, Slip
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
@@ -20,8 +22,7 @@ from plans.forces.cut import Cut
 from plans.forces.force_template import ForcePlans
 from plans.study import Study
 
-FORCES = "forces"
-_FIGURES = tuple(FIGURES.values())
+FORCES, SCHEME = "forces", FIGURES["positions"]
 
 
 def record_of(study: Study, leaf: Leaf) -> Record:
@@ -32,20 +33,33 @@ def record_of(study: Study, leaf: Leaf) -> Record:
     expected = ExpectedForces(linkage.mechanism, statics.machine, solved, loads, comparison.analysis, k)
     drawn = statics.drafts([k]).plans
     found: dict[Letters, Found] = {}
+    senses: dict[str, dict[str, complex]] = {}
+    drafting = drafting_of(study.scene)
     for cut in drawn.plan.cuts:
         true = expected.polygon(linkage.groups, cut.group) | expected.parts(cut.group)
         found |= {(f"forces-{cut.label}", k, "", name): one for name, one in _sides(drawn, cut, true)}
-        found |= {(f"scheme {cut.label}", k, "", one.name): one for one in _arms(drawn, cut)}
+        plan = f"scheme {cut.label}"
+        found |= {(plan, k, "", one.name): one for one in _arms(drawn, cut)}
+        known = {plain_name(letter_of(load.name, drafting)): true[load.name] for load in cut.loads if load.name in true}
+        senses[plan] = senses_of(leaf, plan, k, known)
     images = {linkage.drafts().velocities.point(name).name: expected.image(name) for name in solved.points}
-    found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, images, drafting_of(study.scene))}
-    scales = {
-        name.replace("scheme-", "scheme "): mu
-        for name, mu in leaf.metadata["scales"].items()
-        if name.startswith(_FIGURES)
-    }
-    boards = {name: FORCES for name in scales if name.startswith(FIGURES[FORCES])}
-    coarsest = {board: max(mu for name, mu in scales.items() if name in boards) for board in boards.values()}
-    return Record(found, {name: {k: mu} for name, mu in (scales | coarsest).items()}, boards)
+    found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, images, drafting)}
+    forces = {name: force for own in senses.values() for name, force in own.items()}
+    senses[LEVER] = senses_of(leaf, LEVER, k, forces)
+    scales, boards = _scales(leaf)
+    return Record(found, {name: {k: mu} for name, mu in scales.items()}, boards, senses)
+
+
+def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
+    """Give the scales of a sheet's plans and, the coarsest, of the boards; and on which board a polygon is drawn."""
+    scales: dict[str, float] = {}
+    boards: dict[str, str] = {}
+    for name, mu in leaf.metadata["scales"].items():
+        for board, figure in FIGURES.items():
+            if name.startswith(figure):
+                scales |= {name.replace(SCHEME, "scheme "): mu, board: max(mu, scales.get(board, 0.0))}
+                boards |= {name: board} if board == FORCES else {}
+    return scales, boards
 
 
 def _sides(drawn: ForcePlans, cut: Cut, true: Mapping[str, complex]) -> Iterator[tuple[str, Found]]:

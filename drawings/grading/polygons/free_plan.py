@@ -11,7 +11,7 @@ from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.lettered_plan import FAR, HEADING, LEAST, misfit, position_named, spelled, turn_of
-from drawings.grading.pairing import paired
+from drawings.grading.polygons.pairing import paired
 from drawings.grading.segments import Segment
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Box, Text
@@ -34,7 +34,7 @@ def free_plans(
     asked: Sequence[PlanAsked], lines: Sequence[Segment], texts: Sequence[Text], labels: Sequence[Label]
 ) -> Iterator[DrawnPlan]:
     """Find polygons: each cluster of arrows is the one plan whose letters stand beside them."""
-    wanted = [plan for plan in asked if any(one.corners for one in plan.vectors)]
+    wanted = [plan for plan in asked if plan.lettered and all(one.letter for one in plan.vectors)]
     if not wanted:
         return
     clusters = [Cluster(own) for own in _clusters([one for one in lines if one.headed])]

@@ -17,7 +17,7 @@ from drawings.lettering.indices import with_index
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Text
 
-LANE = 20.0  # mm: a side that is drawn further beside its place is not there
+LANE = 60.0  # mm: a side that is drawn further beside its place is not there
 BESIDE = 3.0  # mm by which a letter must be nearer to another's arrow: lanes are so far apart
 
 
@@ -76,9 +76,13 @@ def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
 
 
 def _chained(sides: Sequence[_Side], near: float) -> bool:
-    """Tell whether the sides go round in some order: where one ends, another begins."""
-    starts = [one.arrow.start for one in sides]
-    return all(any(abs(one.arrow.end - start) <= near for start in starts) for one in sides)
+    """Tell whether the sides go round in some order: where one ends, another begins, or beside it in a lane."""
+    return all(any(_joined(one, other, near) for other in sides if other is not one) for one in sides)
+
+
+def _joined(one: _Side, other: _Side, near: float) -> bool:
+    gap = other.arrow.start - one.arrow.end
+    return any(side.fits([gap], near) for side in (one, other) if side.length) or abs(gap) <= near
 
 
 def letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan, near: float) -> Iterator[Verdict]:

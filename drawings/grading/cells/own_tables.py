@@ -1,0 +1,168 @@
+"""The tables of a scene's own sheets, which tell what a form leaves to the student (таблицы подлинников)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from drawings.eye.alike import folded
+from drawings.form.blank_table import BESIDE
+from drawings.form.task import table_of
+from drawings.grading.cells.asked_table import CellAsked, Sought, TableAsked
+from drawings.grading.cells.rates import Rates, rates_of
+from drawings.grading.cells.ruling import ruling
+from drawings.grading.cells.seen_table import Key, SeenTable, tables_seen
+from drawings.grading.cells.written_number import number
+from drawings.lettering.words import word
+from drawings.original.originals import Original, Originals
+from drawings.paper.strokes import Text
+from drawings.paper.walk import groups, texts
+from plans.words.words import term
+
+READ_OFF = ("kinematics", "dynamics")  # kinds of sheets on which what has no error by hand is read off graphs
+POSITIONS = ("output", "positions")  # tables whose rows are positions
+COURSES = (*POSITIONS, "radii", "coordinates")  # tables that tell how a quantity goes on from row to row
+CAM = "cam"  # what the data of a sheet say that its table is of
+MARKS = {-1: "_", 0: "", 1: "^"}
+
+
+class _Part(NamedTuple):
+    """A table or a part of one, and the sheet that it stands on."""
+
+    sheet: Original
+    table: SeenTable
+
+
+def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
+    """Give the tables of a scene's sheets whose cells a form leaves empty."""
+    found: dict[Sought, list[_Part]] = {}
+    for sheet in originals.sheets:
+        for name, table in _of_sheet(originals, sheet):
+            found.setdefault((sheet.kind, name, sheet.leaf.metadata.get(CAM)), []).append(_Part(sheet, table))
+    return tuple(_Own(originals, sought, parts).asked() for sought, parts in found.items())
+
+
+def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, SeenTable]]:
+    seen = originals.seen(sheet)
+    known = ((table_of(sheet.kind, one.name), one) for one in groups(seen.leaf.groups) if one.name)
+    corners = [(next(texts((one,))), name) for name, one in known if name and any(texts((one,)))]
+    if not corners:
+        return
+    for table in tables_seen(ruling(seen.leaf, seen.measured.moved), {folded(text.plain) for text, _ in corners}):
+        yield from ((name, table) for text, name in corners if text is table.corner)
+
+
+class _Own:
+    """One table as our own sheets have it, in all its parts."""
+
+    def __init__(self, originals: Originals, sought: Sought, parts: Sequence[_Part]) -> None:
+        self.originals, self.sought, self.parts = originals, sought, parts
+        self.labels = {label: text for part in parts for label, text in part.table.labels.items()}
+        self.heads = {head: text for part in parts for head, text in part.table.heads.items()}
+        self.cells = {key: (cell, part.sheet) for part in parts for key, cell in part.table.cells.items()}
+        self.plan, self.analysis, *self.beside = (
+            folded(word(originals.language, key)) for key in ("by plan", "by analysis", *BESIDE)
+        )
+        heads = [head for head in self.heads if head not in self.beside]
+        self.across = 2 * sum(", " in text.plain for text in map(self.heads.__getitem__, heads)) > len(heads)
+        self.rates: Rates = rates_of(originals.study, sought[0], {key[1] for key in self.cells})
+
+    def asked(self) -> TableAsked:
+        """Give what is asked for."""
+        most: dict[tuple[str, str], float] = {}
+        for key in self.cells:
+            kind = self._told(key)
+            most[kind] = max(abs(self._value(key) or 0.0), most.get(kind, 0.0))
+        scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
+        course = self.sought[1] in COURSES
+        cells = {
+            key: self._cell(key, value, most[self._told(key)] if course else abs(value), scales[sheet.name])
+            for key, (_, sheet) in self.cells.items()
+            if (value := self._value(key)) is not None and key[2] not in self.beside
+        }
+        sheets = tuple(dict.fromkeys(part.sheet.name for part in self.parts))
+        corner = folded(self.parts[0].table.corner.plain)
+        titles = frozenset(part.sheet.leaf.title for part in self.parts)
+        return TableAsked(self.sought, sheets, titles, corner, cells, self.originals.language)
+
+    def _cell(self, key: Key, value: float, largest: float, scales: Mapping[str, float]) -> CellAsked:
+        label, position, head = key
+        quantity, unit = self._told(key)
+        by_plan = head == self.plan
+        analysis = self._value((label, position, self.analysis)) if by_plan else None
+        letters = tuple(folded(name) for name in _bare(self.labels[label].plain).split(" = "))
+        read = letters if by_plan else ()
+        hand = self._value((label, position, self.beside[0]))
+        name, place = self._called(key, quantity)
+        return CellAsked(
+            name,
+            quantity,
+            place,
+            (value,) if analysis is None else (value, analysis),
+            _half(self._plain(key)),
+            unit,
+            largest,
+            hand,
+            scales.get(folded(unit), 0.0),
+            hand is not None or self._is_told(key),
+            int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
+            read,
+            next((self.rates[one, position] for one in read if (one, position) in self.rates), None),
+        )
+
+    def _called(self, key: Key, quantity: str) -> tuple[str, str]:
+        """Give what a cell is called beside its position, and its place among those of its quantity."""
+        label, position, head = key
+        if not self.across:
+            column = self.heads[head].plain
+            return f"{quantity} ({column})", column if position is None else str(position)
+        row = self.labels[label].plain
+        return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
+
+    def _told(self, key: Key) -> tuple[str, str]:
+        """Give the quantity of a cell and its unit."""
+        label, head = self.labels[key[0]], self.heads[key[2]]
+        named = head if self.across else label
+        unit = next((own for one in (head, label) if (own := _unit(one.plain))), "")
+        return _marked(named), unit
+
+    def _plain(self, key: Key) -> str:
+        return " ".join(text.plain for text in self.cells[key][0].texts)
+
+    def _value(self, key: Key) -> float | None:
+        """Read a cell; what is no number asks for none."""
+        found = number(self.cells[key][0].texts) if key in self.cells else None
+        return None if found is None else found.value
+
+    def _is_told(self, key: Key) -> bool:
+        """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""
+        return self.sought[1] != "values" or "(" in self.labels[key[0]].plain
+
+    def _scales(self, sheet: Original) -> Iterator[tuple[str, float]]:
+        """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
+        if sheet.kind in READ_OFF:
+            for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda one: one.scale):
+                yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
+
+
+def _bare(plain: str) -> str:
+    """Give the name of a quantity without its unit."""
+    return plain.rpartition(", ")[0] if ", " in plain else plain
+
+
+def _unit(plain: str) -> str:
+    return plain.rpartition(", ")[2] if ", " in plain else ""
+
+
+def _marked(text: Text) -> str:
+    """Write the name of a quantity with its indices as verdicts do.
+
+    >>> _marked(Text(0j, "a^{n}_{BA}, m/s^2"))
+    'a^n_BA'
+    """
+    return _bare("".join(MARKS[run.level] + run.text for run in text.runs))
+
+
+def _half(plain: str) -> float:
+    """Give half of the last digit of a number that we have written."""
+    return 0.5 * 10.0 ** -len(plain.replace(",", ".").partition(".")[2])

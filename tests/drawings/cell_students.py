@@ -1,0 +1,122 @@
+"""Students at tables: the tables of a scene's own sheets, in some cells of which an editor has written anew."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import cache
+from typing import Any, NamedTuple
+from xml.sax.saxutils import escape
+
+from drawings.eye.alike import folded
+from drawings.form.blank_file import SEAL
+from drawings.form.task import table_of
+from drawings.grading.asked import PlanAsked
+from drawings.grading.cells.asked_table import TableAsked
+from drawings.grading.cells.own_tables import tables_asked
+from drawings.grading.cells.ruling import ruling
+from drawings.grading.cells.seen_table import Key, SeenCell, tables_seen
+from drawings.measure.transform import STAY
+from drawings.original.originals import Original, Originals
+from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.paper.walk import texts
+from drawings.pens.svg import svg
+from tests.drawings.students import drawn, task
+
+SIZE = 4.9  # of an editor's letters, user units
+
+
+class TableTask(NamedTuple):
+    """A scene that is set: its sheets, and the tables that they ask for."""
+
+    originals: Originals
+    tables: tuple[TableAsked, ...]
+
+    def table(self, name: str) -> TableAsked:
+        return next(one for one in self.tables if one.sought[1] == name)
+
+    def sheet(self, table: TableAsked) -> Original:
+        return next(one for one in self.originals.sheets if one.name == table.sheets[0])
+
+
+@cache
+def table_task(scene: str) -> TableTask:
+    """Set a scene of the gallery."""
+    originals = task(scene).originals
+    return TableTask(originals, tables_asked(originals))
+
+
+def tables_of(sheet: Original) -> Leaf:
+    """Give a sheet with its tables alone: what else stands on it takes long to read."""
+    own = (one for one in _inside(sheet.leaf.groups) if one.name and table_of(sheet.kind, one.name))
+    return replace(sheet.leaf, groups=tuple(own))
+
+
+def _inside(strokes: tuple[Stroke, ...]) -> Iterator[Group]:
+    for one in strokes:
+        if isinstance(one, Group):
+            yield one
+            yield from _inside(one.strokes)
+
+
+def cells_of(leaf: Leaf, table: TableAsked) -> dict[Key, SeenCell]:
+    """Give the cells of a table by their keys."""
+    found = tables_seen(ruling(leaf, STAY), {table.corner})
+    return {key: cell for one in found for key, cell in one.cells.items() if key in table.cells}
+
+
+def key_of(table: TableAsked, row: str, column: str, position: int | None = None) -> Key:
+    """Give the key of a cell by how its row begins, its column and its position."""
+    begun, head = folded(row), folded(column)
+    return next(
+        key for key in table.cells
+        if key[0] in (begun, *(f"{begun}{unit}" for unit in [key[0][len(begun):]] if unit.startswith(",")))
+        and key[2].startswith(head) and key[1] == position
+    )  # fmt: skip
+
+
+def written(leaf: Leaf, table: TableAsked, new: Mapping[Key, str]) -> bytes:
+    """Draw a sheet in whose cells texts of an editor stand instead of ours; an empty one leaves a cell empty."""
+    cells = cells_of(leaf, table)
+    gone = {id(text) for key in new for text in cells[key].texts}
+    source = svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
+    own = (_text(leaf, cells[key], text) for key, text in new.items() if text)
+    return source.partition(SEAL)[0] + "".join(own).encode() + b"</svg>"
+
+
+def _without(group: Group, gone: set[int]) -> Group:
+    strokes = (one for one in group.strokes if id(one) not in gone)
+    return replace(group, strokes=tuple(_without(one, gone) if isinstance(one, Group) else one for one in strokes))
+
+
+def _text(leaf: Leaf, cell: SeenCell, text: str) -> str:
+    x, y = (cell.box.left + cell.box.right) / 2, leaf.height - cell.box.low - 2
+    style = f"font-size:{SIZE}px;font-family:Arial;text-anchor:middle"
+    return f'<text style="{style}"><tspan x="{x:.3f}" y="{y:.3f}">{escape(text)}</tspan></text>'
+
+
+def made(task: TableTask, row: Mapping[str, Any]) -> bytes:
+    """Draw a sheet with a mistake of the list of rows."""
+    table = task.table(row["table"])
+    leaf = tables_of(task.sheet(table))
+    if "without" in row:
+        cells = (cell for key, cell in cells_of(leaf, table).items() if key[0].startswith(row["without"]))
+        gone = {id(text) for cell in cells for text in cell.texts}
+        gone |= {id(text) for text in texts(leaf.groups) if folded(text.plain).startswith(row["without"])}
+        return svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
+    own = {key_of(table, *_place(name)): text for name, text in row["writes"].items()}
+    return written(leaf, table, own)
+
+
+def _place(name: str) -> tuple[str, str, int | None]:
+    """Read where a text is written: "vB | by plan | 9"."""
+    row, column, *position = name.split(" | ")
+    return row, column, int(position[0]) if position else None
+
+
+def both(
+    sheet: Original, plan: PlanAsked, places: Mapping[str, complex], table: TableAsked, new: Mapping[Key, str]
+) -> bytes:
+    """Draw a sheet with the letters of one plan elsewhere, and with texts in some cells of its tables."""
+    page, tables = drawn(sheet, plan, places).partition(SEAL)[0], written(tables_of(sheet), table, new)
+    return page + tables[tables.index(b"<g ") :]

@@ -1,0 +1,102 @@
+"""Marks won fairly: neither all arrows at once nor another's sheet nor what is hidden is taken for an answer."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from drawings.commands import cli
+from drawings.grading.allowance import Allowances
+from drawings.grading.graded import PASS, REJECTED, grade
+from tests.drawings.students import Task, task
+from tests.drawings.test_grading import by_an_editor
+from tests.gallery import GALLERY
+
+HAND = Allowances()
+
+
+@pytest.fixture(scope="module")
+def own() -> Task:
+    return task("slider-crank")
+
+
+def of(own: Task) -> str:
+    return own.originals.drawn(own.originals.sheets[0]).decode()
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        lambda path: path + back(path),
+        lambda path: path.replace("marker-end", "marker-start:url(#arrow);marker-end"),
+    ],
+    ids=["a second arrow back", "heads at both ends"],
+)
+def test_arrows_that_go_both_ways_answer_nothing(own: Task, how: object) -> None:
+    plan = next(plan for plan in own.plans if plan.plan == "velocities")
+    source = by_an_editor(plan, plan.scales[plan.plan]).decode()
+    path = re.search(r"<path style[^>]*>", source)
+    assert path is not None and callable(how)
+    graded = grade(source.encode(), own.plans, HAND)
+    assert graded.reason is None
+    graded = grade(source.replace(path[0], how(path[0])).encode(), own.plans, HAND)
+    assert graded.outcome == REJECTED
+    start, end = plan.vectors[0].letters
+    assert f"arrows go both ways between the letters {start} {end}" in str(graded.reason)
+
+
+def back(path: str) -> str:
+    """Draw an arrow's way back."""
+    x, y, by_x, by_y = map(float, re.findall(r"-?\d+\.\d+", path[path.index(' d="') :])[:4])
+    path = re.sub(r' id="[^"]*"', "", path)
+    return re.sub(r' d="[^"]*"', f' d="m {x + by_x:.5f},{y + by_y:.5f} {-by_x:.5f},{-by_y:.5f}"', path)
+
+
+def test_a_right_plan_that_is_hidden_counts_for_nothing(own: Task) -> None:
+    text = of(own)
+    start, end = text.index("<g "), text.rindex("</svg>")
+    for how in ('style="display:none"', 'opacity="0"'):
+        source = f"{text[:start]}<g {how}>{text[start:end]}</g>{text[end:]}".encode()
+        graded = grade(source, own.plans, HAND)
+        assert graded.outcome == REJECTED, how
+
+
+def test_a_fan_of_marks_of_one_name_is_rejected(own: Task) -> None:
+    text = of(own)
+    mark = re.search(r'<line [^>]*data-kind="vector"[^>]*/>', text)
+    assert mark is not None
+    graded = grade(text.replace(mark[0], mark[0] * 1000).encode(), own.plans, HAND)
+    assert (graded.outcome, "on the sheet twice" in str(graded.reason)) == (REJECTED, True)
+
+
+def test_the_sheet_of_another_scene_is_told(own: Task, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "variant.toml"
+    scene.write_text((GALLERY / "slider-crank.toml").read_text("utf-8") + "\n# of Bob\n", encoding="utf-8")
+    sheet = tmp_path / "ann.svg"
+    sheet.write_text(of(own), encoding="utf-8")
+    assert cli.main(["grade", str(scene), str(sheet)]) == 0  # its numbers are the same
+    assert "by their data of another scene" in capsys.readouterr().err
+    graded = grade(sheet.read_bytes(), own.plans, HAND)
+    assert graded.scene == own.originals.digest
+
+
+@pytest.mark.parametrize(
+    ("source", "what"),
+    [
+        (b"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", "a DXF drawing"),
+        (b"AC1032\0\0", "a DWG drawing"),
+        (b"%PDF-1.7\n", "a PDF"),
+        (b"\xff\xd8\xff\xe0JFIF", "a JPEG"),
+        (b"%!PS-Adobe-3.0", "a PostScript file"),
+    ],
+)
+def test_what_is_no_svg_is_told_what_it_is(own: Task, source: bytes, what: str) -> None:
+    graded = grade(source, own.plans, HAND)
+    assert (graded.outcome, f"this is {what}, not an SVG sheet" in str(graded.reason)) == (REJECTED, True)
+
+
+def test_a_right_sheet_is_right(own: Task) -> None:
+    graded = grade(of(own).encode(), own.plans, HAND)
+    assert graded.outcome == PASS
