@@ -71,8 +71,8 @@ def _head(line: Line, tip: complex, one: complex, other: complex) -> Iterator[He
     back, run = (one + other) / 2, line.end - line.start
     if min(abs(tip - line.start), abs(tip - line.end)) > FINE or not abs(run) > FINE or not abs(back - tip) > FINE:
         return
-    if abs(((back - tip) * run.conjugate()).imag) > FINE * abs(run):
-        return
+    if abs(((back - tip) * run.conjugate()).imag) > FINE * abs(run) or abs(one - other) <= FINE:
+        return  # what is so slim is no head: the filling of a corner that is all but one line
     away = line.start if abs(tip - line.end) <= FINE else line.end
     inside = ((back - tip) * (away - tip).conjugate()).real > 0
     short = abs(run) / (SHARE * LONG) if inside else math.inf

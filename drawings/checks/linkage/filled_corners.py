@@ -10,11 +10,10 @@ import numpy as np
 from drawings.checks.linkage.bars import SHOWN
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.link_bars import bars, flat, hanging
-from drawings.checks.linkage.pair_symbols import PAIRS
+from drawings.checks.linkage.pair_symbols import PAIRS, sizes
 from drawings.checks.rigid_corners import Corner, Corners, around, between, welded
 from drawings.checks.wrong import on
 from drawings.paper.strokes import Circle, Fill, Polyline
-from drawings.symbols.symbols import DOUBLE, HINGE
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.order import POSITIONS
 from plans.words.words import Message
@@ -33,7 +32,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         for one in plan.strokes(PAIRS)
         if isinstance(one, Circle) and one.style.width > 0 and one.style.fill != "none"
     ]
-    size = next(_sizes(plan, rings), None)
+    size = min(sizes(plan), default=None)
     if size is None:
         return
     chains = [one for one in strokes if isinstance(one, Polyline) and one.closed]
@@ -45,15 +44,6 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     held = Corners([one for one in due if np.isfinite(one.at)], fills, rings, size)
     if held.missing() or held.stray():
         yield on("rigid", POSITIONS.plan)
-
-
-def _sizes(plan: LaidPlan, rings: Sequence[Circle]) -> Iterator[float]:
-    """Give the factor of the sizes of symbols, by each hinge."""
-    for name, links in plan.laid.mechanism.hinges.items():
-        spot = complex(plan.poses.point(name)[plan.position])
-        own = [one.radius for one in rings if abs(one.centre - spot) <= plan.near]
-        if own:
-            yield max(own) / (HINGE if len(links) < 3 else DOUBLE[0])
 
 
 def centred(block: Polyline, spot: complex) -> bool:

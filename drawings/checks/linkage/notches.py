@@ -9,6 +9,7 @@ import numpy as np
 
 from drawings.checks.linkage.bars import holds
 from drawings.checks.linkage.laid_plan import LaidPlan
+from drawings.checks.linkage.pair_symbols import sizes
 from drawings.checks.wrong import on
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Arc
@@ -39,7 +40,8 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
 def _whole(arcs: list[Arc], centre: complex, spot: complex, plan: LaidPlan) -> bool:
     """Tell whether arcs go on as far on either side of their meeting, but for what symbols hide of them."""
     own = [arc for arc in arcs if about(arc, centre, spot, plan)]
-    kept = KEPT * drafting_of(plan.laid.study.scene).hand.symbol - plan.near
+    size = min(sizes(plan), default=drafting_of(plan.laid.study.scene).hand.symbol)  # of small links they are smaller
+    kept = KEPT * size - 2 * plan.near
     turn = min(kept / abs(spot - centre), math.pi)
     spots = centre + (spot - centre) * np.exp(1j * turn * SIDES)
     return all(any(holds(arc, complex(one), plan.near) for arc in own) for one in spots[plan.clear(spots)])

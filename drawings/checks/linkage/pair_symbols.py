@@ -56,6 +56,17 @@ def symbols(plan: LaidPlan) -> Iterator[Message]:
     yield from _blocks(plan)
 
 
+def sizes(plan: LaidPlan) -> Iterator[float]:
+    """Give the factor of the sizes of symbols by each hinge; one that stands on another may tell a larger one."""
+    drawn = [one for one in plan.strokes(PAIRS) if isinstance(one, Circle) and one.style.width > 0]
+    rings = [one for one in drawn if one.style.fill != "none"]
+    for name, links in plan.laid.mechanism.hinges.items():
+        spot = complex(plan.poses.point(name)[plan.position])
+        own = [one.radius for one in rings if abs(one.centre - spot) <= plan.near]
+        if own:
+            yield max(own) / (HINGE if len(links) < 3 else DOUBLE[0])
+
+
 def _places(plan: LaidPlan) -> list[complex]:
     """Give the places of all points and mass centres: symbols that fall on one place are not told apart."""
     points = sorted({name for link in plan.laid.mechanism.links.values() for name in link.points})
