@@ -65,7 +65,7 @@ class PlanAsked(NamedTuple):
     scales: Mapping[str, float]
     board: str = ""
     symbol: str = ""
-    senses: Mapping[str, complex] = MappingProxyType({})  # of arrows that are not to scale
+    senses: Mapping[str, complex] = {}  # of arrows that are not to scale; a process hands it on, as it does no proxy
 
     @property
     def place(self) -> Place:

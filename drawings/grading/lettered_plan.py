@@ -22,6 +22,7 @@ from plans.linkage.letters import POLES
 
 FAR = 25.0  # mm: a letter that is farther from a place does not name it
 HEADING = 80.0  # mm: and a heading from its plan
+FITS = 0.01  # share by which a plan of a fair hand may differ from the scale that it was drawn to
 LEAST = 2  # letters that a figure has in common with a plan
 ARROW, BACKWARD = 10.0, 0.9  # mm that an arrow between two letters is worth, and its share if it is drawn back to front
 ROUNDS = 40  # of bringing letters elsewhere: a plan has some fifteen
@@ -186,11 +187,12 @@ def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts:
         elif wanted[::-1] in ends:
             arrows[one.letters] = Arrow(names[one.end], names[one.start])
     near = [(figure.away(text), mu) for text, mu in scales_written(texts, plan)]
-    scale = min(near)[1] if near and min(near)[0] <= HEADING else None
+    bare = DrawnPlan(plan, arrows, 1.0, names, False)
+    fits = [mu for _, mu in near if math.isclose(mu, bare.fitted, rel_tol=FITS)]  # a plan may be far from its heading
+    scale = min(near)[1] if near and min(near)[0] <= HEADING else next(iter(fits), None)
     own = {spelled(letter) for letter in plan.letters}
     turn = turn_of([text for text in texts if spelled(text.plain) in own], figure.away)
     both = tuple(f"{start} {end}" for start, end in arrows if _is_doubled(plan, (start, end), names, ends))
-    bare = DrawnPlan(plan, arrows, 1.0, names, False)
     return DrawnPlan(plan, arrows, scale or bare.fitted, names, scale is not None, turn, lettered=True, doubled=both)
 
 

@@ -20,8 +20,13 @@ def lines(path: Path, graded: Graded, marking: Marking, hints: Hints, language: 
     """Tell of one sheet, line by line."""
     yield f"{plain_name(path)}: {_heading(graded, marking).worded(language)}"
     yield from (f"  {with_values(one, hints, language)}" for one in gathered(graded.verdicts) if not one.good)
-    if follow := tuple(f"{one.name} ({one.position})" for one in graded.verdicts if one.kind == FOLLOWS):
+    if follow := tuple(_placed(one) for one in graded.verdicts if one.kind == FOLLOWS):
         yield f"  {word(language, 'grade.follow', names=follow)}"
+
+
+def _placed(one: Verdict) -> str:
+    """Name a quantity with its position, if it has one."""
+    return one.name if one.position is None else f"{one.name} ({one.position})"
 
 
 def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:

@@ -17,6 +17,8 @@ from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.curves.form_figure import axes
 from drawings.grading.graded import PASS, REJECTED, grade
+from drawings.grading.marking import Marking
+from drawings.grading.told import lines
 from drawings.paper.strokes import Leaf
 from tests.drawings.curve_draughtsman import drawings
 from tests.drawings.curve_students import CurveTask, curve_task, made
@@ -122,3 +124,12 @@ def test_curves_without_marks_and_axes_are_not_read() -> None:
     graded = grade(bare.encode(), (), HAND, own.figures)
     assert graded.outcome == REJECTED
     assert graded.reason is not None and "plandraft form" in str(graded.reason)
+
+
+def test_what_follows_is_told_by_its_name_alone() -> None:
+    own = curve_task("slider-crank")
+    row = next(row for row in MISTAKES if row["scene"] == "slider-crank" and row["how"] == "times")
+    graded = grade(made(own, row), (), HAND, own.figures)
+    told = list(lines(Path("ann.svg"), graded, Marking(), {}, "en"))
+    assert "v_1, v_2" in told[-1]
+    assert "None" not in " ".join(told)

@@ -60,7 +60,8 @@ class CutNote(CutEquationsCheck):
         if name in self._sources:
             letters, *numbers = self._sources[name]
             told = between[1:] and [_bare(text) for text in between[1].split(r" \cdot ")]
-            return len(between) == 2 and between[0] == letters and self._all(told, numbers)
+            none = self.floor.moment if name.startswith("M") else self.floor.force
+            return len(between) == 2 and between[0] == letters and self._all(told, numbers, none)
         if name.startswith("R^u"):
             sigma = self.formula.letter("Σ")
             return between == (rf"-{sigma} {self.formula.letter('F_u')}",)
@@ -77,12 +78,12 @@ class CutNote(CutEquationsCheck):
         length, _, scale = between[0].partition(r" \cdot ")
         return reads(length, size / self.scale, slack, DIGITS) and reads(scale, self.scale, 0.0, DIGITS)
 
-    def _all(self, told: object, due: list[float]) -> bool:
-        texts = told if isinstance(told, list) else []
-        pairs = zip(texts, due, strict=False)
-        return len(texts) == len(due) and all(
-            reads(text, value, self._off * abs(value) or self._off, DIGITS) for text, value in pairs
-        )
+    def _all(self, told: object, due: list[float], none: float) -> bool:
+        """Tell whether both numbers of a product are told; the motion's may be out by what gives a product of none."""
+        texts, (part, rate) = told if isinstance(told, list) else [], due
+        slacks = (self._off * abs(part) or self._off, max(self._off * abs(rate), none / abs(part) if part else 0.0))
+        found = zip(texts, due, slacks, strict=False)
+        return len(texts) == len(due) and all(reads(text, value, slack, DIGITS) for text, value, slack in found)
 
     @property
     def _off(self) -> float:

@@ -7,13 +7,12 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from drawings.checks.documents import chapters
-from drawings.checks.note.lines import part
 from drawings.checks.precise import precise
 from drawings.checks.reading import NOTES
 from drawings.checks.rotor.rotor_sentences import GRAM_MILLIMETRES, IN_REPORT, RotorSentences, tells
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.rotor_letters import lowered
-from drawings.page.drafting import drafting_of
+from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
@@ -33,19 +32,29 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     """Hold what a report says of a rotor (row of the table of reports)."""
     rotor, drafting = study["rotor"].rotor, drafting_of(study.scene)
     own = RotorSentences(rotor, study.comparison("rotor").analysis, drafting)
-    masses, seen = [*own.masses()], part(text, word(drafting.language, "report.rotor"))
+    masses = [*own.masses()]
+    seen = _part(text, "rotor", drafting)
     if not own.settled:
         yield from _held(seen[: len(masses)], masses)
         return
     residuals = Residuals(own, [leaf for one in leaves.values() for leaf in one])
     yield from _held(seen, [*masses, *own.sums()])
-    yield from _held(part(text, word(drafting.language, "report.counterweights")), [*own.counterweights()])
-    quality, drawn = part(text, word(drafting.language, "report.quality")), [*residuals.lines()]
+    yield from _held(_part(text, "counterweights", drafting), [*own.counterweights()])
+    quality, drawn = _part(text, "quality", drafting), [*residuals.lines()]
     graded = [*own.quality()]
     yield from _held(quality[: len(graded)], graded)
     yield from _held(quality[len(graded) :], drawn, OF_RESIDUALS)
-    yield from _held(part(text, word(drafting.language, "report.bearings")), [*own.reactions()])
-    yield from chapters.faults(text, drafting.language, ["rotor", "counterweights", "left_out", "rotor_left_out"])
+    yield from _held(_part(text, "bearings", drafting), [*own.reactions()])
+    shared = [] if "balance" in study.techniques else ["counterweights"]
+    yield from chapters.faults(text, drafting.language, ["rotor", *shared, "left_out", "rotor_left_out"])
+
+
+def _part(text: str, key: str, drafting: Drafting) -> list[str]:
+    """Give the lines of a chapter up to the next head of any kind; a balanced machine's of the same head is before."""
+    head = word(drafting.language, f"report.{key}").strip().partition("\n")[0]
+    _, found, rest = f"\n{text}".rpartition(f"\n{head}\n")
+    lines = [line for line in rest.splitlines() if line.strip()] if found else []
+    return lines[: next((k for k, line in enumerate(lines) if line.startswith("#")), len(lines))]
 
 
 def headline(study: Study) -> Callable[[str], bool] | None:

@@ -15,8 +15,8 @@ from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, he
 from drawings.grading.drawn_plan import Arrow
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
-from drawings.paper.strokes import Line
-from drawings.paper.walk import flat, group_named
+from drawings.paper.strokes import Group, Line
+from drawings.paper.walk import flat, group_named, texts
 
 SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be longer
 
@@ -80,9 +80,15 @@ def _beside(asked: FigureAsked, seen: SeenSheet, values: Values, arrows: Mapping
 def _written(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
     """Give the scales that stand over a figure, ours where none stand; and whether all do."""
     group = group_named(seen.leaf.groups, asked.plan)
-    found = {} if group is None else written_scales(group)
     due = {letter: mu for letter, mu in asked.scales.items() if letter}
+    found = _anywhere(due, seen) if group is None else written_scales(group)
     return {**asked.scales, **{letter: found[letter] for letter in due if letter in found}}, due.keys() <= found.keys()
+
+
+def _anywhere(due: Mapping[str, float], seen: SeenSheet) -> dict[str, float]:
+    """Give which of our scales stand somewhere on a sheet whose figures an editor has dissolved."""
+    own = [written_scales(Group((text,))) for text in texts(seen.leaf.groups)]
+    return {letter: mu for letter, mu in due.items() if any(_ratio(one.get(letter, 0.0), mu) == 1.0 for one in own)}
 
 
 def _scaled(asked: FigureAsked, values: Values, scale: Mapping[str, float]) -> Values:
