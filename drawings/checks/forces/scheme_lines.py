@@ -69,7 +69,7 @@ class SchemeLines:
 
     def _corners(self) -> Corners:
         """Give the rigid corners of the links."""
-        rings = list(self._rings())
+        rings = [one for one in self.laid.strokes.circles if one.style.width > 0 and one.style.fill != "none"]
         chains = [one for one in self.laid.strokes.chains if one.closed]
         slides = [one for one in self.mechanism.slides if one.slider in self.bill.links]
         blocks: dict[Slide, list[Polyline]] = {one: [] for one in self.mechanism.slides}
@@ -82,22 +82,14 @@ class SchemeLines:
         ]
         return Corners(due, list(self.laid.strokes.of(Fill)), rings, self._size(rings))
 
-    def _rings(self) -> Iterator[Circle]:
-        """Give the circles that corners begin beyond; at a point of a mass centre they begin at the point itself."""
-        named = [name for link in self.bill.links for name in self._points(link)]
-        points = [one for one in named if one not in self.mechanism.hinges and not is_centre(one)]
-        spots = [self.laid.on(self.bill.place(name)) for name in points]
-        for one in self.laid.strokes.circles:
-            if one.style.width > 0 and one.style.fill != "none" and all(abs(one.centre - at) > FINE for at in spots):
-                yield one
-
     def _size(self, rings: list[Circle]) -> float:
         """Give the factor of the sizes of symbols, by a hinge."""
         for name in (name for link in self.bill.links for name in self._points(link) if not is_centre(name)):
             spot = self.laid.on(self.bill.place(name))
             own = [one.radius for one in rings if abs(one.centre - spot) <= FINE]
             if name in self.mechanism.hinges and own:
-                return max(own) / (HINGE if len(own) == 1 else DOUBLE[0])
+                within = DOUBLE[1] / DOUBLE[0] * max(own)  # of a hinge of three; a mass centre is larger
+                return max(own) / (DOUBLE[0] if min(own) <= within + FINE else HINGE)
         return 1.0
 
     def _on(self, link: int, own: complex) -> complex:
