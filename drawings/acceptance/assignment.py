@@ -10,6 +10,8 @@ from typing import TypeAlias
 from drawings.acceptance.reading import AcceptanceError, OnPaper, alone, held
 from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import PlanAsked, plans_asked
+from drawings.grading.cells.asked_table import TableAsked
+from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.graded import PASS, Graded, grade
@@ -47,6 +49,11 @@ class Assignment:
         return figures_asked(self.originals)
 
     @cached_property
+    def tables(self) -> tuple[TableAsked, ...]:
+        """The tables that the sheets ask for."""
+        return tables_asked(self.originals)
+
+    @cached_property
     def hints(self) -> Hints:
         """The steps by which each quantity is found, by its name."""
         return {name: own for plan in self.plans for name, own in hints(plan)}
@@ -57,7 +64,7 @@ class Assignment:
         if by is None:
             raise AcceptanceError(message("accept.tolerance", tolerance=tolerance))
         self._try_own(by)
-        return alone(path, partial(grade, plans=self.plans, by=Allowances(by), curves=self.curves))
+        return alone(path, partial(grade, plans=self.plans, by=Allowances(by), curves=self.curves, tables=self.tables))
 
     def held(self, path: Path) -> OnPaper | Graded:
         """Hold a sheet against the one that the scene gives; one that cannot be read is rejected."""
@@ -66,10 +73,10 @@ class Assignment:
 
     def _try_own(self, by: Allowance) -> None:
         """Grade the scene's own sheets first: nobody is answered by what they do not pass."""
-        if not self.plans and not self.curves:
+        if not self.plans and not self.curves and not self.tables:
             raise AcceptanceError(message("accept.ungraded", scene=self.originals.path.name))
         if by not in self._sound:
-            if grade_own(self.originals, self.plans, Allowances(by), self.curves).outcome != PASS:
+            if grade_own(self.originals, self.plans, Allowances(by), self.curves, self.tables).outcome != PASS:
                 raise AcceptanceError(message("grade.self"))
             self._sound.add(by)
 
