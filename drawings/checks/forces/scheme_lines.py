@@ -97,7 +97,8 @@ class SchemeLines:
             spot = self.laid.on(self.bill.place(name))
             own = [one.radius for one in rings if abs(one.centre - spot) <= FINE]
             if name in self.mechanism.hinges and own:
-                return max(own) / (HINGE if len(own) == 1 else DOUBLE[0])
+                within = DOUBLE[1] / DOUBLE[0] * max(own)  # of a hinge of three; a mass centre is larger
+                return max(own) / (DOUBLE[0] if min(own) <= within + FINE else HINGE)
         return 1.0
 
     def _on(self, link: int, own: complex) -> complex:
