@@ -127,19 +127,20 @@ class LeverForces(NamedTuple):
                 yield ActingForce(written, couple.link, place, value), -1j * bill.speed(carrier, place)
 
     def _carrier(self, link: int, line: tuple[str, str], bill: ForceBill) -> int:
-        """Give the link that two points are taken of: one that turns with the couple's, whose images both are there."""
+        """Give the link that two points are taken of: of those that turn with the couple's, whose images are there."""
         turning, pole = [link], self._laid().on(0j)
         for own in turning:  # links that slide in one another turn alike: the list grows by those that are met
             slides = self._expected.mechanism.slides
             met = [other for one in slides for other in (one.slider, one.owner) if own in (one.slider, one.owner)]
             turning += [one for one in dict.fromkeys(met) if one not in turning and one != FRAME]
         spots = [pole, *(one.at for one in self.points)]
-        return next((one for one in turning if self._imaged(one, line, bill, spots)), link)
+        nearest = min(turning, key=lambda one: self._imaged(one, line, bill, spots))
+        return nearest if self._imaged(nearest, line, bill, spots) <= FINE else link
 
-    def _imaged(self, link: int, line: tuple[str, str], bill: ForceBill, spots: Sequence[complex]) -> bool:
-        """Tell whether both points, taken of a link, have their images on the lever."""
+    def _imaged(self, link: int, line: tuple[str, str], bill: ForceBill, spots: Sequence[complex]) -> float:
+        """Give how far from any image of the lever the images of two points are, taken of a link."""
         ends = [self._laid().on(-1j * bill.speed(link, bill.place(name))) for name in line]
-        return all(min(abs(spot - end) for spot in spots) <= FINE for end in ends)
+        return max(min(abs(spot - end) for spot in spots) for end in ends)
 
     def _lettered(self, head: str, line: tuple[str, str]) -> bool:
         return bool(self.strokes.labels.get(read(f"{head}/{''.join(line)}")))

@@ -68,8 +68,8 @@ def corners_of(mechanism: Mechanism, link: int, on_paper: Placed, blocks: Blocks
                 yield from between(foot, [*slots[-1], point, *_ends(own, foot)])
         if slide.slider == link:
             pin, foot = _rod(mechanism, slide, on_paper)
+            yield from between(pin, [foot, *_ends(lines, pin)])
             lines.append((pin, foot))
-            yield from between(pin, [foot, *_ends(own, pin)])
     for slide in (one for one in mechanism.slides if one.slider == link):
         for block in blocks[slide]:
             alone = len(blocks[slide]) == 1
