@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,6 +31,7 @@ TALLEST = 2.0  # times the largest of the positions: towards a dead centre of a 
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbers, in sizes of a letter
 LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
 DOT = 0.7  # mm, radius of a point of the curve
+LEAN = 0.5  # of the angle to the axis, by which a number is leant towards one side of its tick
 BELOW = -math.pi / 2  # a number stands on the side of its axis away from the ordinate
 ROUNDED = 1e-9  # degrees: angles of positions are rounded sums
 LEAST = 0.05  # mm: a shorter ordinate is a point
@@ -136,8 +138,16 @@ class GraphFigure:
         """Give the whole graph, its positions numbered and its axes lettered."""
         hand = self.hand
         letters = [labels.beside(end, letter, hand.letter, 1.2, side) for letter, end, side in self.axes]
-        letters += [labels.beside(at, number, hand.number, TICK + 0.6, side) for number, at, side in self.stations]
+        letters += [labels.beside(at, number, hand.number, TICK + 0.6, side) for number, at, side in self._parted()]
         return (Group((*self.lines, Group(tuple(letters))), self.name),)
+
+    def _parted(self) -> Sequence[tuple[str, complex, float]]:
+        """Lean numbers without room side by side apart, the left one to the left: they stand in the order of feet."""
+        sides = {one: one[2] for one in self.stations}
+        for one, other in pairwise(sorted(self.stations, key=lambda station: station[1].real)):
+            if (other[1] - one[1]).real < text_width(Text(0j, other[0], self.hand.number)) + SPARE * self.hand.number:
+                sides |= {one: one[2] * (1 + LEAN), other: other[2] * (1 - LEAN)}
+        return [(number, at, side) for (number, at, _), side in sides.items()]
 
 
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
