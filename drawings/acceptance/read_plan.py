@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.lettered_plan import spelled
+from drawings.grading.plan_names import plan_named
 from drawings.grading.told import plan_told
 from geometry.errors import DraftError
 from plans.words.words import Message, languages, message, term
@@ -119,6 +120,7 @@ def _called(plan: str, name: str) -> bool:
     """Tell whether a plan is called so, in any language, one or many."""
     wanted = name.casefold().replace("_", " ")
     known = {plan, plan.removesuffix("s"), *(term(language, "plan", plan) for language in languages())}
+    known |= {plan_named(plan).worded(language) for language in languages()}
     known |= {f"{own.removesuffix('ies')}y" for own in known if own.endswith("ies")}
     return wanted in {own.casefold().replace("_", " ") for own in known}
 

@@ -5,10 +5,10 @@ A place tells where a line lies; what it means is told by its pen and its dashes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
-from itertools import pairwise
-from typing import NamedTuple, TypeAlias
+from collections.abc import Callable, Iterator, Mapping
+from typing import TypeAlias
 
+from drawings.checks.line_kind import DASH_DOT, DASHED, FINE, MAIN, MEDIUM, THIN, TWO_DOTS, Kind
 from drawings.checks.wrong import Wrong, on
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Curve, Fill, Group, Leaf, Line, Polyline, Stroke
@@ -16,25 +16,8 @@ from drawings.paper.walk import groups
 from plans.linkage.letters import POLES
 from plans.model.order import ORDERS, POSITIONS
 
-MAIN, MEDIUM, THIN, FINE = "main", "medium", "thin", "construction"  # pens, by their names in a hand
-FULL, DASHED, DASH_DOT, TWO_DOTS = 0, 2, 4, 6  # kinds of lines by the parts that are drawn over and over
-LEAST = {DASHED: 2.0, DASH_DOT: 5.0, TWO_DOTS: 5.0}  # mm: the shortest dash of GOST 2.303
 VECTOR, FORCE, COUPLE = "vector", "force", "couple"  # kinds of marks
 PLANS = tuple(order.plan for order in ORDERS[1:])
-
-
-class Kind(NamedTuple):
-    """What a line may be: by which pens, with which dashes; one too short for two dashes may be full."""
-
-    pens: Collection[str]
-    dashes: int = FULL
-
-    def takes(self, stroke: Stroke, hand: Hand) -> bool:
-        """Tell whether a stroke is such a line."""
-        style = stroke.style  # type: ignore[union-attr]
-        if all(style.width != getattr(hand, pen) for pen in self.pens):
-            return False
-        return len(style.dash) == self.dashes or (not style.dash and _length(stroke) <= _short(self.dashes, hand))
 
 
 Kinds: TypeAlias = Callable[[str], Kind]  # of a vector by its name
@@ -111,23 +94,3 @@ def _groups(figure: Group) -> Iterator[Group]:
 def _drawn(group: Group) -> Iterator[Stroke]:
     """Give the lines that stand in a group itself."""
     return (one for one in group.strokes if isinstance(one, Line | Polyline | Arc | Curve))
-
-
-def _length(stroke: Stroke) -> float:
-    """Give how long a line is, mm; of what is bent smoothly no account is needed."""
-    match stroke:
-        case Line():
-            return abs(stroke.end - stroke.start)
-        case Polyline(points):
-            return sum(abs(end - start) for start, end in pairwise(points))
-        case Arc():
-            return stroke.radius * stroke.sweep
-    return 0.0
-
-
-def _short(dashes: int, hand: Hand) -> float:
-    """Give the length of a line that has no room for two dashes, mm; a full line is never broken."""
-    if dashes == FULL:
-        return 0.0
-    broken = {DASHED: hand.dashed, DASH_DOT: hand.dash_dot, TWO_DOTS: hand.dash_two_dots}[dashes]
-    return 2 * LEAST[dashes] + sum(broken[1:])

@@ -17,8 +17,8 @@ from drawings.symbols.symbols import GUSSET, LEG
 
 SHALLOW = 0.25  # of its depth: a corner so wide that less of it would be seen stays white
 SHARP = 3  # corners of a filling that has no circle about it
+NONE = 1e-8  # mm: a shorter line has no direction; of a rod that none sees the corner is filled all the same
 EDGE = 0.02  # of that: what rounding may make one of a corner that is nearly so wide
-POINT = 1e-6  # mm: what is shorter leads nowhere; of a rod not much longer the corner is filled all the same
 
 
 class Corner(NamedTuple):
@@ -89,7 +89,7 @@ def around(corners: Sequence[complex]) -> Iterator[Corner]:
 
 def between(at: complex, ends: Iterable[complex]) -> Iterator[Corner]:
     """Give what may be corners at a place where lines of one link meet, by where those lead."""
-    ways = [_unit(one - at) for one in ends if abs(one - at) > POINT]
+    ways = [_unit(one - at) for one in ends if abs(one - at) > NONE]
     yield from (Corner(at, one, other, False) for k, one in enumerate(ways) for other in ways[:k])
 
 

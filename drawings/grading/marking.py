@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -21,6 +21,7 @@ TABLES = ("points", "keeps", "costs", "tolerance")
 TABLE = "table"  # by which the points of a cell are told from those of the vector that it tells of
 # What a fault of a whole plan, and one of how it is drawn, costs where the table does not say.
 PLAN_COST, DRAWING_COST = 1.0, 0.0
+CELL = 0.25  # of what any other quantity has: a table tells once more what the drawing shows, in many cells
 
 
 class MarkingError(DraftError, ValueError):
@@ -34,7 +35,8 @@ class Marking:
     """Points by quantity, the share that a kind of mistake keeps, and what faults of plans and of drawing cost.
 
     A quantity is named as it is ("v_B"), or by how its letters begin ("a^k"), or all others by "default"; a
-    cell of a table so too, with "table" before ("table v_B", "table v", "table"), or with its table ("table values").
+    cell of a table so too, with "table" before ("table v_B", "table v", "table"), or with its table ("table values"):
+    of which nothing is said, it has a quarter of the others.
     """
 
     points: Mapping[str, float] = field(default_factory=dict)
@@ -44,7 +46,10 @@ class Marking:
 
     def most(self, one: Verdict) -> float:
         """Give the points of a quantity; faults of a plan or of drawing have none."""
-        return 0.0 if _aside(one) else _of(self.points, _keys(one), 1.0)
+        if _aside(one):
+            return 0.0
+        other = self.points.get("default", 1.0) * (CELL if _is_cell(one) else 1.0)
+        return next((self.points[key] for key in _keys(one) if key in self.points), other)
 
     def won(self, one: Verdict) -> float:
         """Give the points that a verdict wins, or loses."""
@@ -58,19 +63,18 @@ def _aside(one: Verdict) -> bool:
     return one.kind in (*verdict.OF_DRAWING, *verdict.UNGRADED) or not one.name
 
 
+def _is_cell(one: Verdict) -> bool:
+    return one.plan.startswith(TABLE)
+
+
 def _keys(one: Verdict) -> Iterator[str]:
-    """Give by what the points of a quantity may be told: of a cell of a table before all others."""
-    if one.plan.startswith(TABLE):
+    """Give by what the points of a quantity may be told, the nearest first."""
+    if _is_cell(one):
         name = one.name.partition(" (")[0]
         yield from (f"{TABLE} {key}" for key in (name, name.partition("_")[0]))
         yield from (one.plan, TABLE)
     else:
         yield from (one.name, one.name.partition("_")[0])
-    yield "default"
-
-
-def _of(points: Mapping[str, float], keys: Iterable[str], other: float) -> float:
-    return next((points[key] for key in keys if key in points), other)
 
 
 def read_marking(path: Path) -> Marking:

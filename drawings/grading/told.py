@@ -8,6 +8,7 @@ from pathlib import Path
 from drawings.grading.graded import FAIL, PASS, Graded
 from drawings.grading.hints import Hint, told
 from drawings.grading.marking import Marking, points_of
+from drawings.grading.plan_names import plan_named
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, Verdict
 from plans.words.words import Message, message, word
 
@@ -76,7 +77,7 @@ def _said(one: Verdict, language: str) -> str:
 
 def plan_told(plan: str, position: int | str | None) -> Message:
     """Name a plan, with its position if it has one."""
-    return message("grade.plan" if position is not None else "grade.figure", plan=plan, position=position)
+    return message("grade.plan" if position is not None else "grade.figure", plan=plan_named(plan), position=position)
 
 
 def _again(one: Verdict, told_: str, hints: Hints, language: str) -> str:
@@ -111,10 +112,10 @@ def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str
     points = [f"{won:g}", f"{most:g}"] if graded.outcome in (PASS, FAIL) else ["", ""]
     counts = [str(sum(one.kind == kind for one in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
     lost = [one for one in gathered(graded.verdicts) if one in graded.wrong or not one.name]
-    what = graded.reason.worded(language) if graded.reason is not None else _summary(lost)
+    what = graded.reason.worded(language) if graded.reason is not None else _summary(lost, language)
     own = [plain_name(path), graded.outcome, *points, *counts, str(len(graded.wrong)), what]
     return [f"'{cell}" if cell.startswith(_FORMULAS) else cell for cell in own]
 
 
-def _summary(wrong: Sequence[Verdict]) -> str:
-    return "; ".join(" ".join(filter(None, (f"{one.plan}-{one.position}", one.name, one.kind))) for one in wrong)
+def _summary(wrong: Sequence[Verdict], language: str) -> str:
+    return "; ".join(_said(one, language) for one in wrong)

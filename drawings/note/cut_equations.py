@@ -58,7 +58,7 @@ class CutEquations:
     values: ForceValues
     formula: Formula
     nothing: tuple[float, float]
-    usual: float = 0.0  # N*m: below it a given moment is none, also beside a jam
+    usual: tuple[float, float] = (0.0, 0.0)  # N, N*m: below it what is given is none, also beside a jam
     scale: float | None = None
 
     def lines(self, cut: Cut) -> Iterator[str]:
@@ -74,7 +74,8 @@ class CutEquations:
     def given(self, cut: Cut) -> Iterator[str]:
         """Write the weights, inertia forces and couples of a cut's links, and its loads."""
         for load in (load for load in cut.loads if load.kind != REACTION):
-            size = self._sized(abs(self.values.force(load.name, load.force)))
+            size = abs(self.values.force(load.name, load.force))
+            size = size if size > self.usual[0] else 0.0
             if size or load.kind != LOAD:
                 source = self._source(load.name, load.link, size)
                 yield inline(self.letter(load.name), *source, self.formula.quantity(size, "N"))
@@ -186,7 +187,7 @@ class CutEquations:
     def _value(self, couple: Couple) -> float:
         """Give the moment of a couple; what is given is none only where it usually would be."""
         value = self.values.moment(couple.name, couple.moment)
-        return self._turned(value) if couple.kind == REACTION or abs(value) <= self.usual else value
+        return self._turned(value) if couple.kind == REACTION or abs(value) <= self.usual[1] else value
 
     def _turned(self, moment: float) -> float:
         return moment if abs(moment) > self.nothing[1] else 0.0

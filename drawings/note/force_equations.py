@@ -52,8 +52,8 @@ def equations(
         yield word(language, "report.underlines")
     for k, own in sorted(scales.items()):
         told = ForceValues(plans.plan, k)
-        usual = float(comparison.construction.nothing_over[1].min())
-        written = CutEquations(told, formula, comparison.construction.nothing_at(k), usual)
+        force, moment = (float(one.min()) for one in comparison.construction.nothing_over)
+        written = CutEquations(told, formula, comparison.construction.nothing_at(k), (force, moment))
         yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))

@@ -24,6 +24,12 @@ def agreed(findings: Sequence[Finding], drafting: Drafting, by_hand: bool = True
 
 def share(findings: Sequence[Finding]) -> str:
     """Write the least power of ten of the largest values that no difference is beyond."""
-    shares = [float(np.nanmax(one.difference, initial=0.0)) / one.largest for one in findings if one.largest > 0]
+    shares = [_apart(one) for one in findings if one.largest > 0]
     power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
     return f"10^{{−{-power}}}" if power else "1"
+
+
+def _apart(one: Finding) -> float:
+    """Give the worst difference as a share of the largest value, or of its own where a jam makes that larger."""
+    sizes = np.fmax(np.abs(one.construction), one.largest)
+    return float(np.nanmax(one.difference / sizes, initial=0.0))

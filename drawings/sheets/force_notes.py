@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
-from drawings.lettering.words import cleared, number, runs, word
+from drawings.lettering.words import number, runs, word
+from drawings.report.forces.losses import least
 from drawings.sheets.notes import accord, driving, lengths
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
@@ -35,7 +36,7 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
         *given,
         word(language, "known lines"),
         *_lever(statics, position, language),
-        *_friction(statics, position, language),
+        *_friction(statics, comparison, position, language),
         *accord(comparison.exact, comparison.motion.kappa, language),
         word(language, "force hand note", slip=number(SLIP, language)),
     ]
@@ -115,13 +116,14 @@ def _masses(statics: Statics, language: str) -> Iterator[str]:
         yield ",  ".join(told)
 
 
-def _friction(statics: Statics, position: int, language: str) -> Iterator[str]:
+def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
     """Tell powers, efficiency and wear, the most worn pairs first; and where the machine jams."""
     found = statics.friction
     if found is None or not np.isfinite(found.lost[position]):
         return
-    largest = float(np.nanmax(np.abs([found.lost, found.useful]), initial=0.0))
-    power = (cleared(float(row[position]), largest) for row in (found.lost, found.useful))
+    none = least(comparison, found)[1:]
+    rows = zip((found.lost, found.useful), none, strict=True)
+    power = (float(row[position]) if abs(row[position]) > few[position] else 0.0 for row, few in rows)
     told = [
         word(language, said, power=f"{number(one, language)}{NBSP}{word(language, 'W')}")
         for said, one in zip(INDEX, power, strict=True)

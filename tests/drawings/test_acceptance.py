@@ -92,9 +92,9 @@ def test_plans_without_marks_are_found_by_their_letters(tmp_path: Path, scene: A
     ("asked", "told"),
     [
         (lambda sheet: sheet.plan("velocity"), 'several plans are called "velocity".*position 2, 9'),
-        (lambda sheet: sheet.plan("speed"), 'no plan is called "speed".*accelerations, position 2, 9'),
+        (lambda sheet: sheet.plan("speed"), 'no plan is called "speed".*acceleration plan, position 2, 9'),
         (lambda sheet: sheet.plan("velocity", 3), 'no plan is called "velocity" on the sheet for position 3'),
-        (lambda sheet: sheet.plan("velocity", 2).vector("q"), 'velocities, position 2: no "q" is drawn.*v_B'),
+        (lambda sheet: sheet.plan("velocity", 2).vector("q"), 'velocity plan, position 2: no "q" is drawn.*v_B'),
     ],
 )
 def test_what_is_not_there_is_told_with_what_is(

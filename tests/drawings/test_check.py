@@ -198,5 +198,5 @@ def test_measure_names_marks_that_are_missing_and_added(folder: Path, capsys: Ca
     code = cli.main(["measure", str(folder / NAME), "--scene", str(SCENE)])
     said = capsys.readouterr().out
     assert code == 5
-    assert f"missing: unbalances {gone.data['quantity']} {gone.data['name']}" in said
-    assert f"added: unbalances {gone.data['quantity']} X" in said
+    assert f"нет: статические моменты {gone.data['quantity']} {gone.data['name']}" in said
+    assert f"лишнее: статические моменты {gone.data['quantity']} X" in said

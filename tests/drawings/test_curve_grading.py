@@ -15,10 +15,12 @@ from drawings.eye.sheet import see
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.curves.form_figure import axes
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.marking import Marking
 from drawings.grading.told import lines
+from drawings.original.originals import Originals
 from drawings.paper.strokes import Leaf
 from tests.drawings.curve_draughtsman import drawings
 from tests.drawings.curve_students import CurveTask, curve_task, made
@@ -38,7 +40,10 @@ def said(own: CurveTask, source: bytes) -> list[str]:
 
 
 def right(scene: str) -> None:
-    own = curve_task(scene)
+    ours_are_right(curve_task(scene))
+
+
+def ours_are_right(own: CurveTask) -> None:
     for sheet in own.originals.sheets:
         due = [one for one in own.figures if one.sheet == sheet.name]
         for by in (HAND, Allowances(EXACT)) if due else ():
@@ -55,6 +60,12 @@ def test_our_own_graphs_are_right() -> None:
 @over("scene", [path.stem for path in SCENES])
 def test_our_own_graphs_of_every_scene_are_right(scene: str) -> None:
     right(scene)
+
+
+@pytest.mark.rest
+def test_a_curve_may_end_before_a_dead_centre() -> None:
+    originals = Originals(CASES / "alarms" / "curve-short-of-a-dead-centre.toml")
+    ours_are_right(CurveTask(originals, figures_asked(originals)))
 
 
 def found(row: dict[str, Any]) -> None:

@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import re
+import tomllib
 from functools import partial
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
 from drawings.grading.records import RECORDS
 from drawings.grading.told import row
+from drawings.grading.verdict import Verdict
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
 from tests.drawings.students import task
@@ -95,6 +97,14 @@ def test_points_are_those_of_the_table(tmp_path: Path, folder: Path) -> None:
     won, most = points_of(graded.verdicts, read_marking(table))
     assert most - won == 1.5
     assert most == points_of(graded.verdicts, Marking())[1] + 4  # two positions
+
+
+def test_a_cell_of_a_table_has_a_quarter_of_what_else_has_points() -> None:
+    vector, cell = (Verdict(plan, 2, "v_B", "right") for plan in ("velocities", "table values"))
+    tables = {"default = 2": 0.5, "table = 1": 1.0, '"table v_B" = 3': 3.0, "v_B = 5": 0.25}
+    assert (Marking().most(vector), Marking().most(cell)) == (1.0, 0.25)
+    for text, points in tables.items():
+        assert Marking(tomllib.loads(text)).most(cell) == points, text
 
 
 @pytest.mark.parametrize(

@@ -13,16 +13,17 @@ from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong
 from drawings.lettering import words as lettering
 from plans.checks.comparison import Finding
-from plans.forces.primary import balancing_quantity
 from plans.model.order import ACCELERATIONS, VELOCITIES
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message, term, word
 
+BALANCING = "plans.forces.primary:balancing_quantity"  # which a scene with forces alone has imported
+
 DIGITS = 5
 RATIO, ANGLE = 4, 3  # decimals of the time ratio, and of a swing in degrees
 KNOWN = 1e-9  # of a number, that both roads may differ by
-BEGUN = re.compile(r"[Hψ] = |K = |\|.+\|max = ")  # how each number that is said first begins
+BEGUN = re.compile(r"[Hψ] = |K = |\|.+\|\w+ = ")  # how each number that is said first begins
 
 # Of a study to what tells whether a line is what a technique says of it; to None where rounding or a gap decides.
 SENTENCES: Final[Mapping[str, str]] = {
@@ -104,7 +105,7 @@ def _motion(study: Study) -> Iterator[Due]:
 def _drive(study: Study) -> Iterator[Due]:
     """Give the greatest of what balances the drive; what is but rounding is none."""
     statics, comparison, language = study["forces"], study.comparison("forces"), study.scene.sheet.language
-    told = balancing_quantity(statics.study.mechanism.drive)
+    told = named(BALANCING)(statics.study.mechanism.drive)
     by_force = told.unit != "N" or statics.study.mechanism.drive.pushed
     nothing = float(told.share * comparison.construction.nothing[by_force])
     letter = lettering.letter(language, told.name)

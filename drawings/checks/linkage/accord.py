@@ -82,8 +82,10 @@ def _is_close(bound: float, findings: Sequence[Finding]) -> bool:
 
 
 def _share(one: Finding) -> float:
-    known = one.difference[np.isfinite(one.difference)]
-    return float(known.max(initial=0.0)) / one.largest
+    """Give the share of a difference, which in a position that all but jams is one of its own value there."""
+    known = np.isfinite(one.difference)
+    sizes = np.maximum(one.largest, np.abs(one.analysis[known]))
+    return float((one.difference[known] / sizes).max(initial=0.0))
 
 
 def _is_worst(position: int, told: str, kappa: Floats) -> bool:

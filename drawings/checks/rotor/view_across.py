@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks.graphs.figure_strokes import FLUSH, figure
-from drawings.checks.line_kinds import THIN, TWO_DOTS, Kind
+from drawings.checks.line_kind import THIN, TWO_DOTS, Kind
 from drawings.checks.reading import reads
 from drawings.checks.rotor.rotor_bodies import BodyAtRest
 from drawings.checks.rotor.rotor_seen import RotorSeen

@@ -79,7 +79,7 @@ def _spots(bones: Bones, link: int) -> Mapping[str, complex]:
     """Give the points that a link's bars run through; a mass centre is a mark beside them."""
     points, hinges = bones.mechanism.links[link].points, bones.mechanism.hinges
     spots = {name: spot for name, spot in points.items() if not is_centre(name) or name in hinges}
-    return spots if len(spots) > 1 or len(points) == 1 else points
+    return spots if len(spots) > 1 else points
 
 
 def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[Corner]]:

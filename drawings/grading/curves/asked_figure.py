@@ -90,6 +90,7 @@ class FigureAsked:
     mistakes: tuple[Mistake, ...] = ()
     on_paper: bool = False  # whether its values are mm of paper, and its scales what these stand for
     stepped: bool = False  # whether each value is laid off from the one before it
+    loose: frozenset[int] = frozenset()  # places that the curve need not reach: no velocity is known there
     why: Message | None = None
 
     @property

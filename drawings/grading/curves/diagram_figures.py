@@ -16,6 +16,8 @@ from plans.model.diagrams import TURN
 from plans.study import Study
 from plans.words.words import because
 
+VELOCITY = KEYS[1]
+
 
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the kinematic diagrams of a sheet of kinematics (row of the table of records)."""
@@ -46,6 +48,7 @@ def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: flo
         true=np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES, paper=paper,
         behind=() if above is None else (above,), course=course, linear=above is not None,
         why=None if above is None else because("derivative_point"),
+        loose=frozenset(np.flatnonzero(np.isnan(rows[VELOCITY].at)).tolist()),
     )  # fmt: skip
 
 

@@ -160,7 +160,8 @@ def _read(
     bare = np.isnan(values)
     values[bare] = (asked.way * heights(curve, places + shift) * mu)[bare]
     off = away(curve, ends)
-    return frozenset(place for place, apart in zip(arrows, off.tolist(), strict=True) if apart > THROUGH)
+    gone = frozenset(place for place, apart in zip(arrows, off.tolist(), strict=True) if apart > THROUGH)
+    return gone - asked.loose
 
 
 def _back(spot: complex, by: Affine) -> complex:

@@ -91,6 +91,7 @@ def _of_radius(one: Unbalance, radii: Mapping[str, float]) -> Iterator[Slip]:
 def _of_arm(one: Unbalance, arms: Mapping[str, float]) -> Iterator[Slip]:
     """Give what the moment of a mass is with the arm of another, or with its own arm taken the other way.
 
+    >>> from fractions import Fraction
     >>> mass = Unbalance("2", 0.5, Fraction(0), Fraction(-1, 5))
     >>> [(one.kind, one.value.real, one.of) for one in _of_arm(mass, {"h_1": 0.4, "h_2": -0.2})]
     [('product', 0.2, 'h_1'), ('beyond', 0.1, '')]

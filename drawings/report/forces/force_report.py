@@ -13,6 +13,7 @@ from drawings.lettering.words import number, runs
 from drawings.page.drafting import drafting_of
 from drawings.report.chapters import Chapters
 from drawings.report.forces.balancing_table import balancing_table
+from drawings.report.forces.losses import least
 from drawings.report.formula import Formula
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.first_numbers import DIGITS as FEW_DIGITS
@@ -25,7 +26,7 @@ from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
-from plans.model.kinetostatics import FORCES, NOTHING, Kinetostatics
+from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.study import Study
@@ -202,12 +203,8 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
     yield say("report.friction_powers")
     heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
     yield from header([say("table.position"), *found.powers, *heads])
-    least = NOTHING * max(float(np.nanmax(np.abs(one), initial=0.0)) for one in (found.lost, found.useful))
-    # Beside a position that all but jams much seems nothing: it is so only if the two roads cannot tell it from none.
-    slack = {one.name: np.minimum(one.allowed, least) for one in comparison.of("friction")}
-    own = [slack[f"N_{indices(*map(int, key.split('-')))}"] for key in found.powers]
-    bounds = (*own, np.minimum(sum(own), least), slack["N_us"])
-    powers = map(_sized, (*found.powers.values(), found.lost, found.useful), bounds)
+    own, *whole = least(comparison, found)
+    powers = map(_sized, (*found.powers.values(), found.lost, found.useful), (*own, *whole))
     columns = [*powers, found.efficiency]
     for k in range(len(found.phi)):
         yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
