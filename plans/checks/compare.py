@@ -99,9 +99,10 @@ def notches(study: LinkageStudy, drafts: Drafts | None = None) -> Floats:
 
 
 def cap(study: LinkageStudy, findings: Sequence[Finding], drafts: Drafts | None = None) -> tuple[Finding, ...]:
-    """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
+    """Allow no more than MOST_ALLOWED of the largest, or of a value larger still, where the construction is sharp."""
     sharp = ~(notches(study, drafts).max(axis=0, initial=1.0) >= NOT_GRADED)
-    mosts = (np.where(sharp, MOST_ALLOWED * finding.largest, np.inf) for finding in findings)
+    sizes = (np.fmax(finding.largest, np.abs(finding.analysis)) for finding in findings)  # all but in a jam
+    mosts = (np.where(sharp, MOST_ALLOWED * size, np.inf) for size in sizes)
     pairs = zip(findings, mosts, strict=True)
     return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)
 
