@@ -19,6 +19,7 @@ from plans.scene.scene import Meaning, Scene
 from plans.words.words import Message
 
 AIM: Path = ("balance", "aim")
+COMMON = "S"  # the letter of the common mass centre
 
 
 class BalanceSurvey(NamedTuple):
@@ -64,6 +65,7 @@ def survey_of(meaning: Meaning) -> BalanceSurvey:
         _check_carrier(survey, ("balance", "counterweights", number), one)
     if form.aim != NONE:
         _check_aim(survey, form)
+    _check_letter(survey)
     check_moving(survey, ("balance",))
     return BalanceSurvey(task_of(form), survey.faults)
 
@@ -89,6 +91,14 @@ def _check_aim(survey: Survey, form: BalanceTable) -> None:
             survey.report(AIM, "no_carriers", example=COUNTERWEIGHT, advice=_would_do(survey, form.aim))
     elif form.aim == SHARE and crank not in links:
         survey.report(("balance", "counterweights"), "crank_carries", link=crank)
+
+
+def _check_letter(survey: Survey) -> None:
+    """See that no point has the letter of the common mass centre: both stand on one scheme."""
+    link = next((number for number, points in survey.points_of.items() if COMMON in points), None)
+    if link is not None:
+        tables = ("mechanism", "frame", COMMON), ("mechanism", "points", COMMON), ("mechanism", "links", str(link))
+        survey.report(next(path for path in tables if survey.scene.has(path)), "common_centre", letter=COMMON)
 
 
 def _would_do(survey: Survey, aim: str = PARTIAL) -> Message:

@@ -192,6 +192,11 @@ def test_something_must_have_a_mass_and_turn() -> None:
     assert said(f"[balance]\n{ALL}{ONE}", resting) == [("drive.speed", "crank_at_rest")]
 
 
+def test_no_point_has_the_letter_of_the_common_mass_centre() -> None:
+    lettered = re.sub(r"\bB\b|B(?=C)|(?<=A)B", "S", FOUR_BAR)
+    assert said(f"[balance]\n{ALL}{ONE}", lettered) == [("mechanism.links.2", "common_centre")]
+
+
 def noted(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:
     notes = list(notes_of(parse_scene(f"{linkage}[balance]\n{text}")))
     assert all(re.search("[а-я]{3}", note.worded("ru")) for note in notes)
