@@ -19,6 +19,7 @@ from drawings.lettering.extent import bounds
 from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Text
 from plans.linkage.letters import POLES
+from plans.words.words import languages, word, words
 
 FAR = 25.0  # mm: a letter that is farther from a place does not name it
 HEADING = 80.0  # mm: and a heading from its plan
@@ -86,15 +87,28 @@ def _candidates(
     asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text]
 ) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
     """Give what each figure may be, where no heading says otherwise: how many letters it lacks, and how ill it fits."""
+    headings = {plan.plan: _own_headings(plan, asked, texts) for plan in asked}
     for k, figure in enumerate(figures):
-        position = position_named(figure.away, texts)
         for plan in asked:
+            position = position_named(figure.away, headings[plan.plan])
             names = _named(plan, figure, texts)
             if len(names) < LEAST or POLES.get(plan.plan) not in names:
                 continue
             drawn = _drawn(plan, figure, names, texts)
             if position is None or position == plan.position:
                 yield (float(len(plan.letters) - len(names)), misfit(drawn)), k, drawn
+
+
+def _own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Text]) -> list[Text]:
+    """Give texts without the headings of plans of another kind, which may be nearer to a figure than its own is."""
+    others = {folded(heading) for one in asked if one.plan != plan.plan for heading in _headings(one)}
+    return [text for text in texts if folded(text.plain) not in others]
+
+
+def _headings(plan: PlanAsked) -> Iterator[str]:
+    for language in languages():
+        if f"sheet.{plan.plan}" in words(language):
+            yield word(language, f"sheet.{plan.plan}", position=plan.position)
 
 
 def position_named(away: Callable[[Text], float], texts: Sequence[Text]) -> int | None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from drawings.grading.graded import FAIL, PASS, Graded
 from drawings.grading.hints import Hint, told
-from drawings.grading.marking import Marking, points_of
+from drawings.grading.marking import TABLE, Marking, points_of
 from drawings.grading.plan_names import plan_named
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, Verdict
 from plans.words.words import Message, message, word
@@ -31,15 +31,21 @@ def _placed(one: Verdict) -> str:
 
 
 def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
-    """Give verdicts with those of a plan that is not there at all as one."""
-    plans: dict[tuple[str, int | None], list[Verdict]] = {}
+    """Give verdicts with those of a plan, or of a table, that is not there at all as one."""
+    for own in _together(verdicts, lambda one: one.plan if one.plan.startswith(TABLE) else (one.plan, one.position)):
+        if own[0].plan.startswith(TABLE) and all(one.kind == MISSING for one in own):
+            yield own[0]._replace(name="", position=None)
+            continue
+        for plan in _together(own, lambda one: one.position):
+            yield from [plan[0]._replace(name="")] if all(one.kind == MISSING for one in plan) else plan
+
+
+def _together(verdicts: Iterable[Verdict], key: Callable[[Verdict], object]) -> Iterable[list[Verdict]]:
+    """Lay together what has one key, in the order of the first of each."""
+    found: dict[object, list[Verdict]] = {}
     for one in verdicts:
-        plans.setdefault((one.plan, one.position), []).append(one)
-    for own in plans.values():
-        if all(one.kind == MISSING for one in own):
-            yield own[0]._replace(name="")
-        else:
-            yield from own
+        found.setdefault(key(one), []).append(one)
+    return found.values()
 
 
 def plain_name(path: Path) -> str:

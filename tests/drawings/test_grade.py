@@ -22,7 +22,7 @@ from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
 from drawings.grading.records import RECORDS
-from drawings.grading.told import row
+from drawings.grading.told import gathered, row
 from drawings.grading.verdict import Verdict
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
@@ -105,6 +105,14 @@ def test_a_cell_of_a_table_has_a_quarter_of_what_else_has_points() -> None:
     assert (Marking().most(vector), Marking().most(cell)) == (1.0, 0.25)
     for text, points in tables.items():
         assert Marking(tomllib.loads(text)).most(cell) == points, text
+
+
+def test_an_empty_table_is_told_once_and_an_empty_plan_in_its_position() -> None:
+    empty = [Verdict("table output", k, name, "missing") for k in range(12) for name in ("S", "v")]
+    plans = [Verdict("velocities", k, "v_B", "missing") for k in (2, 9)]
+    told = [(one.plan, one.position, one.name) for one in gathered([*empty, *plans])]
+    assert told == [("table output", None, ""), ("velocities", 2, ""), ("velocities", 9, "")]
+    assert len(list(gathered([empty[0]._replace(kind="right"), *empty[1:]]))) == 13
 
 
 @pytest.mark.parametrize(
