@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from drawings.checks.standing import ROUNDED
 from drawings.paper.strokes import Circle, Fill
-from drawings.symbols.symbols import GUSSET, LEG
+from drawings.symbols.symbols import GUSSET, HINGE, LEG
 
 SHALLOW = 0.25  # of its depth: a corner so wide that less of it would be seen stays white
 SHARP = 3  # corners of a filling that has no circle about it
@@ -58,9 +58,9 @@ class Corners(NamedTuple):
         return not all(any(self._fills(fill, one) for one in self.corners) for fill in rounded)
 
     def _radius(self, one: Corner) -> float:
-        """Give the radius of the circle about a corner."""
-        about = (ring.radius for ring in self.rings if one.ringed and abs(ring.centre - one.at) < ring.radius)
-        return max(about, default=0.0)
+        """Give the radius of the hinge about a corner; the smaller circle of a mass centre there is none."""
+        hinges = [ring for ring in self.rings if one.ringed and ring.radius > HINGE * self.size - ROUNDED]
+        return max((ring.radius for ring in hinges if abs(ring.centre - one.at) < ring.radius), default=0.0)
 
     def _reach(self, one: Corner) -> float:
         """Give how far along its lines a corner is filled, mm."""
