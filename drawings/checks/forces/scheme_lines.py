@@ -69,7 +69,7 @@ class SchemeLines:
 
     def _corners(self) -> Corners:
         """Give the rigid corners of the links."""
-        rings = [one for one in self.laid.strokes.circles if one.style.width > 0 and one.style.fill != "none"]
+        rings = list(self._rings())
         chains = [one for one in self.laid.strokes.chains if one.closed]
         slides = [one for one in self.mechanism.slides if one.slider in self.bill.links]
         blocks: dict[Slide, list[Polyline]] = {one: [] for one in self.mechanism.slides}
@@ -81,6 +81,15 @@ class SchemeLines:
             for one in corners_of(self.mechanism, link, self._on, blocks)
         ]
         return Corners(due, list(self.laid.strokes.of(Fill)), rings, self._size(rings))
+
+    def _rings(self) -> Iterator[Circle]:
+        """Give the circles that corners begin beyond; at a point of a mass centre they begin at the point itself."""
+        named = [name for link in self.bill.links for name in self._points(link)]
+        points = [one for one in named if one not in self.mechanism.hinges and not is_centre(one)]
+        spots = [self.laid.on(self.bill.place(name)) for name in points]
+        for one in self.laid.strokes.circles:
+            if one.style.width > 0 and one.style.fill != "none" and all(abs(one.centre - at) > FINE for at in spots):
+                yield one
 
     def _size(self, rings: list[Circle]) -> float:
         """Give the factor of the sizes of symbols, by a hinge."""
