@@ -42,6 +42,8 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
         spots = spots[plan.clear(spots)]
         if spots.size and np.ptp(spots.real) + np.ptp(spots.imag) > STILL:
             off = np.fmin(drawn.nearest(spots, within), _off_arcs(arcs, spots, within))
+            if plan.way is None:  # the path's own corners are not known: the positions lie beside its pieces
+                off = np.fmin(off, _off_bends(strokes, spots, within))
             if (np.fmin(off, _off_links(plan, spots)) > within).any():
                 yield on("trajectory", POSITIONS.plan, name=name)
             due = rows[0][_ticked(plan)]
@@ -81,6 +83,19 @@ def _pieces(strokes: Sequence[Stroke]) -> Iterator[tuple[complex, complex]]:
 def _off_arcs(arcs: list[Arc], spots: Complexes, within: float) -> Floats:
     """Give 0 for each place that lies on an arc, infinity for the others."""
     return np.array([0.0 if any(holds(arc, complex(spot), within) for arc in arcs) else np.inf for spot in spots])
+
+
+def _off_bends(strokes: Sequence[Stroke], spots: Complexes, within: float) -> Floats:
+    """Give how far places are off what a piece may bulge by where a path bends hard, as all but at a dead centre."""
+    off = np.full(len(spots), np.inf)
+    for one in (one for one in strokes if isinstance(one, Polyline) and len(one.points) > 2):
+        points = np.array(one.points)
+        bends = np.abs(np.diff(points, 2)) / SAG
+        bulges = np.fmax(np.append(bends, bends[-1]), np.append(bends[0], bends))
+        for k in np.flatnonzero(bulges > within):
+            piece = Segments(points[k : k + 1], points[k + 1 : k + 2])
+            off = np.fmin(off, np.fmax(piece.nearest(spots) - bulges[k], 0.0))
+    return off
 
 
 def _off_links(plan: LaidPlan, spots: Complexes) -> Floats:
