@@ -87,7 +87,7 @@ def _candidates(
     asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text]
 ) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
     """Give what each figure may be, where no heading says otherwise: how many letters it lacks, and how ill it fits."""
-    headings = {plan.plan: _own_headings(plan, asked, texts) for plan in asked}
+    headings = {plan.plan: own_headings(plan, asked, texts) for plan in asked}
     for k, figure in enumerate(figures):
         for plan in asked:
             position = position_named(figure.away, headings[plan.plan])
@@ -99,7 +99,7 @@ def _candidates(
                 yield (float(len(plan.letters) - len(names)), misfit(drawn)), k, drawn
 
 
-def _own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Text]) -> list[Text]:
+def own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Text]) -> list[Text]:
     """Give texts without the headings of plans of another kind, which may be nearer to a figure than its own is."""
     others = {folded(heading) for one in asked if one.plan != plan.plan for heading in _headings(one)}
     return [text for text in texts if folded(text.plain) not in others]

@@ -36,6 +36,8 @@ DAILY = [next(row for row in MISTAKES if row["scene"] == scene) for scene in ("s
 
 def said(own: CurveTask, source: bytes) -> list[str]:
     wrong = grade(source, (), HAND, own.figures).wrong
+    out = [(one.off, one.allowed) for one in wrong if one.kind == "wrong" and one.off and one.allowed]
+    assert all(off > allowed for off, allowed in out)
     return sorted(" ".join(filter(None, (one.plan, one.name, one.kind))) for one in wrong)
 
 

@@ -193,18 +193,15 @@ class _Told:
             return self._said(verdict.FOLLOWS, one, off)
         back = self.asked.off(-self.drawn.values, self.asked.true)[k] <= self.allowed[k]
         said = self._said(verdict.REVERSED if back else verdict.WRONG, one, off)
-        if off > self.allowed[k]:
-            return said
-        stepped, most = self._step_off(k)
-        return said._replace(off=stepped, allowed=most)
+        return said if off > self.allowed[k] else self._of_step(said, k)
 
-    def _step_off(self, k: int) -> tuple[float, float]:
-        """Give by how much the step to a place is out that is itself within what slips may add up to, and may be."""
+    def _of_step(self, said: Verdict, k: int) -> Verdict:
+        """Give by how much the step to a place is out that is itself within what slips may add up to."""
         last = max(np.flatnonzero(self.near[:k]).tolist(), default=0)
         drawn, true = self.drawn.values, self.asked.true
         begun = drawn[last] if self.drawn.there[last] else true[last]
         off = float(self.asked.off(drawn[k : k + 1] - begun, true[k : k + 1] - true[last])[0])
-        return off, float(self.allowed[k]) * self.asked.step(last, k)
+        return said._replace(off=off, allowed=float(self.allowed[k]) * self.asked.step(last, k))
 
     def _goes_on(self, k: int) -> bool:
         """Tell whether a value of a curve that is drawn on from place to place is right from the one before it."""
