@@ -30,7 +30,13 @@ gc.set_threshold(500_000, 20, 20)  # garbage is looked for less often: what is i
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="run whole, and alone, what the everyday run makes a part of")
-    parser.addoption("--every", type=int, default=1, help="with --whole: every so many of its rows, and all its tests")
+    how = "with --whole: every so many of its rows, and ten times as many of its single tests"
+    parser.addoption("--every", type=int, default=1, help=how)
+        "--every",
+        type=int,
+        default=1,
+        help="with --whole: every so many of its rows, and ten times as many of its single tests",
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -44,7 +50,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         names = {mark.name for mark in item.iter_markers()}
         kept[bool(names & {"part", "rest"}) if config.getoption("whole") else "rest" not in names].append(item)
     rows = [item for item in kept[True] if item.get_closest_marker("rest") and hasattr(item, "callspec")]
-    left = set(rows) - set(rows[:: config.getoption("every")])
+    every = config.getoption("every")
+    alone = [item for item in kept[True] if item not in set(rows)]
+    left = {*rows, *alone} - {*rows[::every], *alone[:: max(every // 10, 1)]}
     kept = {True: [item for item in kept[True] if item not in left], False: [*kept[False], *left]}
     config.hook.pytest_deselected(items=kept[False])
     items[:] = kept[True]

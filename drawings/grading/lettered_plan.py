@@ -106,7 +106,8 @@ def own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Te
 
 
 def _headings(plan: PlanAsked) -> Iterator[str]:
-    for language in languages():
+    """Give how a plan with a pole is headed in each language."""
+    for language in languages() if plan.plan in POLES else ():
         if f"sheet.{plan.plan}" in words(language):
             yield word(language, f"sheet.{plan.plan}", position=plan.position)
 

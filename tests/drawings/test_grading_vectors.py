@@ -24,7 +24,7 @@ from tests.rows import over
 
 HAND, PX = Allowances(), 96 / 25.4
 EVERYDAY = ("fan",)
-CROWDED = ("toggle-press",)
+CROWDED = ("toggle-press", "jaw-crusher", "squeezer")
 SCENES = [
     "fan", "flywheel", "four-masses", "four-bar-balance", "six-link-balance", "engine-full", "engine-partial",
     "engine-share", "four-cylinder-bank", "lanchester", "shaper-loaded", "jaw-crusher", "squeezer", "toggle-press",
