@@ -32,11 +32,6 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="run whole, and alone, what the everyday run makes a part of")
     how = "with --whole: every so many of its rows, and ten times as many of its single tests"
     parser.addoption("--every", type=int, default=1, help=how)
-        "--every",
-        type=int,
-        default=1,
-        help="with --whole: every so many of its rows, and ten times as many of its single tests",
-    )
 
 
 def pytest_configure(config: pytest.Config) -> None:

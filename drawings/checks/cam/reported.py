@@ -52,12 +52,12 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     yield from chapters.ordered(text, told)
 
 
-def headline(study: Study) -> Callable[[str], bool]:
-    """Give what tells whether a line says the main sizes of all cams."""
+def headline(study: Study) -> Callable[[str], bool] | None:
+    """Give what tells whether a line says the main sizes of all cams; None where no cam has any to be found."""
     drafting = precise(drafting_of(study.scene))
     notes = (DueNotes(found, drafting) for found in study.comparison("cam").analysis.cams)
     due = "; ".join(_plain(line) for one in notes for line in one.sizes())
-    return lambda line: tells(line, due, (SAID,), KNOWN)
+    return (lambda line: tells(line, due, (SAID,), KNOWN)) if due else None
 
 
 @dataclass(frozen=True)
