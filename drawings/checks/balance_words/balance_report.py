@@ -40,11 +40,11 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     yield from _ReportedBalance(study).faults(text)
 
 
-def headline(study: Study) -> Callable[[str], bool]:
-    """Give what tells whether a line says what is put on the links, and what it costs."""
+def headline(study: Study) -> Callable[[str], bool] | None:
+    """Give what tells whether a line says what is put on the links, and what it costs; None where nothing is."""
     own = BalanceSentences(_ReportedBalance(study).expected, SAID)
     due = [Sentence(in_report(note)) for note in (*own.put_on(), *own.price())]
-    return lambda line: is_line(line, due)
+    return (lambda line: is_line(line, due)) if due else None
 
 
 @dataclass(frozen=True)

@@ -44,12 +44,12 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     yield from chapters.faults(text, language, [*heads, "left_out", "bank_left_out"])
 
 
-def headline(study: Study) -> Callable[[str], bool]:
-    """Give what tells whether a line says what compensates a bank's forces, or which orders vanish by themselves."""
+def headline(study: Study) -> Callable[[str], bool] | None:
+    """Give what tells whether a line says what compensates a bank's forces, or which orders vanish; None of neither."""
     expected = Expected(study["bank"].task, study.comparison("bank"))
     own = BankSentences(expected, drafting_of(study.scene), DIGITS, in_report)
     due = [*own.compensators()] or [*own.vanishing()]
-    return lambda line: is_line(line, due)
+    return (lambda line: is_line(line, due)) if due else None
 
 
 def _listed(sentences: Iterator[Sentence] | Sequence[Sentence]) -> list[Sentence]:
