@@ -74,7 +74,8 @@ class Details(NamedTuple):
         for turned in (order, order[::-1]):
             run = [*turned, *turned]
             for k in (k for k, name in enumerate(turned) if name in own and run[k + 1] not in own):
-                last = next((j for j in range(k + 1, len(run)) if abs(self.known[run[j]]) > self.slack), k)
+                ahead = (j for j in range(k + 1, len(run)) if run[j] in sides and run[j] not in own)
+                last = next((j for j in ahead if abs(self.known[run[j]]) > self.slack), k)
                 due |= {*run[k + 1 : last + 1]}
         return due - own
 
