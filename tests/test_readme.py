@@ -46,7 +46,7 @@ def test_what_is_checked_of_a_clone_is_what_the_readme_says() -> None:
     checks = shown.removeprefix(told).splitlines()
     folders = "geometry plans drawings tests"
     assert checks == [
-        "python -m pytest --whole --every 40",
+        "python -m pytest --whole --every 80",
         f"python -m ruff check {folders}",
         f"python -m ruff format --check {folders}",
         "python -m mypy",
