@@ -19,6 +19,7 @@ from plans.words.words import message
 STRIP = (("original", 25), ("signed", 35), ("replaces", 25), ("duplicate", 25), ("signed", 35))
 PRINTED, WIDE = 5, 12  # mm: how wide what is printed stands, and the whole strip
 LEVEL, RIGHT, LEFT, OVER = 0.0, 90.0, -90.0, 180.0  # deg: lettering is level, read from a side, upside down
+WHOLE = 360.0  # deg
 REPEATED = (70, 14)  # mm: graph 26
 BELOW = {"copied": (110, 70), "format": (40, 40)}  # graphs 31 and 32: mm from the field's right end, and their width
 CUT = "…"
@@ -74,7 +75,7 @@ def _told(left: list[Text], cell: Field, sheet: SheetTable, key: str, turn: floa
 
 def _said(left: list[Text], cell: Field, due: str, turn: float) -> Iterator[Wrong]:
     """Hold what stands in a graph, turned as it must be, and strike it off what is left; too long, it may be cut."""
-    own = [one for one in left if one.rotation == turn and _in(cell, one.at)]
+    own = [one for one in left if (one.rotation - turn) % WHOLE == 0 and _in(cell, one.at)]
     left[:] = [one for one in left if one not in own]
     seen, whole = "".join(one.plain for one in own).replace(" ", ""), due.replace(" ", "")
     head, cut, _ = seen.partition(CUT)
