@@ -87,7 +87,7 @@ def test_a_mistake_of_any_curve_is_named_and_costs_once(row: dict[str, Any]) -> 
 
 
 @pytest.mark.rest
-@over("scene", ["planer", "press", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
+@over("scene", ["planer", "press", "compressor", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
 def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str) -> None:
     figures = curve_task(scene).figures
     for slip, accepted in ((0.2, 20), (2.0, 0)):

@@ -27,6 +27,7 @@ from drawings.grading.curves.asked_figure import (
 from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.dynamics_courses import BEARING, CUT, Turned
 from drawings.grading.curves.own_sheet import OwnSheet, items
+from drawings.grading.curves.run_figures import bare_speeds, tachogram
 from plans.study import Study
 from plans.words.words import Message, because
 
@@ -42,6 +43,8 @@ def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     sheet = _Sheet(own, Expected(task, comparison.analysis), Expected(task, comparison.exact))
     yield from sheet.graphs()
     yield from sheet.loop()
+    yield from bare_speeds(own, sheet.expected, sheet.exact)
+    yield from tachogram(own, comparison.construction.run, comparison.exact.run)
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.drawn_plan import Arrow
 from drawings.paper.strokes import Group, Line
 from drawings.paper.walk import groups, texts
-from plans.model.dynamics import TURN
 
+ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
 FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
 NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
 SHIFTED = 0.3  # of what a graph is out by where it stands, and it is less out a position beside: it is shifted
@@ -80,7 +80,7 @@ def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     if asked.kind != ORDINATES or asked.paper is None or own is None:
         return None
     written = _written(seen, own)
-    step = _step(own, written)
+    step = _step(own, written, asked.paper.turn)
     if step is None:
         return None
     found = [one for frame in _frames(asked, own) for one in _read(seen, asked, frame, step)]
@@ -137,12 +137,12 @@ def _written(seen: SeenSheet, own: Blank) -> dict[str, float]:
     return found
 
 
-def _step(own: Blank, written: dict[str, float]) -> float | None:
+def _step(own: Blank, written: dict[str, float], turn: float | None) -> float | None:
     """Give the scale along the abscissa: that which is written, else a turn has as many positions as ticks."""
-    stated = written.get("φ") or written.get("x")
-    if stated or len(own.ticks) < 2:
-        return stated or None
-    return TURN / len(own.ticks) / float(np.median(np.diff(own.ticks)))
+    stated = next((written[letter] for letter in ABSCISSAS if letter in written), None)
+    if stated or turn is None or len(own.ticks) < 2:
+        return stated
+    return turn / len(own.ticks) / float(np.median(np.diff(own.ticks)))
 
 
 def _fitted(asked: FigureAsked, high: Sizes) -> float:
