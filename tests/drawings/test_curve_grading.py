@@ -16,7 +16,7 @@ from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.curves.form_figure import axes
+from drawings.grading.curves.form_axes import axes
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.marking import Marking
 from drawings.grading.told import lines
@@ -87,7 +87,7 @@ def test_a_mistake_of_any_curve_is_named_and_costs_once(row: dict[str, Any]) -> 
 
 
 @pytest.mark.rest
-@over("scene", ["planer", "press", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
+@over("scene", ["planer", "press", "compressor", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
 def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str) -> None:
     figures = curve_task(scene).figures
     for slip, accepted in ((0.2, 20), (2.0, 0)):
