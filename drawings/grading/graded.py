@@ -26,6 +26,7 @@ from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.onlooker import Onlooker
 from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.polygons.free_plan import free_plans
+from drawings.grading.polygons.scheme_arcs import arc_verdicts
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
@@ -163,4 +164,5 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
         yield from arrow_verdicts(seen, plan, by)
+        yield from arc_verdicts(seen, plan)
         yield from drawing_faults(seen.leaf, labels, plan)
