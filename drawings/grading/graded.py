@@ -124,10 +124,19 @@ def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
-    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed)
+    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, dict(_vectors(found.plans)))
     own = [one for figures in found.figures.values() for one in figures]
     shown = Shown(found.plans, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)
+
+
+def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:
+    """Give the vectors of plans that are of no position, by their names."""
+    for plan in plans:
+        for one in plan.asked.vectors if plan.asked.position is None else ():
+            value = plan.value(one.letters)
+            if value is not None:
+                yield one.name, value
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:
