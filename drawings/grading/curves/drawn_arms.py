@@ -47,7 +47,6 @@ def arm_at(leaf: Leaf, plan: str, letter: str) -> tuple[complex, complex] | None
     if far >= NEAREST:
         return None
     lines = [one for one in flat(strokes) if isinstance(one, Line)]
-    arms = [
-        ends for one in lines for ends in ((one.start, one.end), (one.end, one.start)) if abs(ends[1] - mass) <= PLACED
-    ]
+    both = [ends for one in lines for ends in ((one.start, one.end), (one.end, one.start))]
+    arms = [ends for ends in both if abs(ends[1] - mass) <= PLACED]
     return max(arms, key=lambda ends: abs(ends[1] - ends[0]), default=None)
