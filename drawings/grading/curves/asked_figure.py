@@ -95,6 +95,7 @@ class FigureAsked:
     loose: frozenset[int] = frozenset()  # places that the curve need not reach: no velocity is known there
     why: Message | None = None
     returns: bool = False  # whether it goes there and back over its axis
+    arms: tuple[str, ...] = ()  # the letters of masses whose arms it is of
     rings: tuple[int, ...] = ()  # in which ring each of its bearings is drawn, from the outermost, 1
 
     @property
