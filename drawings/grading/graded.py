@@ -8,7 +8,6 @@ from functools import partial
 from hashlib import sha256
 from typing import NamedTuple
 
-from drawings.checks.labelled import labels_of
 from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
@@ -20,6 +19,7 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
+from drawings.grading.form_places import form_places
 from drawings.grading.judgement import Judge
 from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
@@ -28,6 +28,7 @@ from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.polygons.free_plan import free_plans
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
 from drawings.grading.segments import figures, segments
+from drawings.grading.spelling import spelled_labels
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
@@ -149,15 +150,16 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
     own = [figure_of(one) for one in figures(lines)]
     there = {plan.asked.place for plan in marked}
     left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
-    words, labels = list(texts(seen.leaf.groups)), [one for own in labels_of(seen.leaf.groups).values() for one in own]
-    polygons = tuple(free_plans(left, lines, words, labels))
+    words, places = list(texts(seen.leaf.groups)), form_places(seen.leaf)
+    labels = [one for own in spelled_labels(seen.leaf.groups).values() for one in own]
+    polygons = tuple(free_plans(left, lines, words, labels, places))
     here |= {plan.asked.sheet for plan in polygons}  # a lever looks as the plan of another sheet does
     others = [one for one in left if not here or one.sheet in here]
-    return (*whole, *polygons, *lettered_plans(others, own, words))
+    return (*whole, *polygons, *lettered_plans(others, own, words, places))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
-    labels = labels_of(seen.leaf.groups)
+    labels = spelled_labels(seen.leaf.groups)
     for plan in drawn:
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)

@@ -14,7 +14,7 @@ import numpy as np
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Values
 from drawings.grading.curves.figure_records import figures_asked
 from drawings.original.originals import Original, Originals
-from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.students import task
 
@@ -87,10 +87,27 @@ def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Gro
     if group.data.get("plan") == asked.plan and own in places:
         by = complex(moves[places[own]])
         return replace(group, strokes=tuple(_marked(one, asked, by, along) for one in group.strokes))
+    if asked.rings and group.name.startswith("ring-") and group.name[5:].isdigit():
+        return _ring(group, asked, moves)
     strokes = tuple(_group(one, asked, moves, along) if isinstance(one, Group) else one for one in group.strokes)
     if group.name == asked.plan and asked.paper is not None:
         strokes = tuple(_curve(one, asked, moves, along) for one in strokes)
     return replace(group, strokes=strokes)
+
+
+def _ring(group: Group, asked: FigureAsked, moves: Values) -> Group:
+    """Turn the rays of a ring about its centre."""
+    own = iter(np.flatnonzero(np.array(asked.rings) == int(group.name[5:]) + 1).tolist())
+    centre = next(one.centre for one in group.strokes if isinstance(one, Arc))
+
+    def turned(one: Stroke) -> Stroke:
+        place = next(own, None) if isinstance(one, Line) else None
+        if place is None or not isinstance(one, Line):
+            return one
+        ray = cmath.rect(1, cmath.phase((asked.true[place] + moves[place]) / asked.true[place]))
+        return replace(one, start=centre + (one.start - centre) * ray, end=centre + (one.end - centre) * ray)
+
+    return replace(group, strokes=tuple(turned(one) for one in group.strokes))
 
 
 def _marked(one: Stroke, asked: FigureAsked, by: complex, along: float) -> Stroke:

@@ -16,7 +16,7 @@ from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.curves.form_figure import axes
+from drawings.grading.curves.form_axes import axes
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.marking import Marking
 from drawings.grading.told import lines

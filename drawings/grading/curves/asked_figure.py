@@ -94,6 +94,8 @@ class FigureAsked:
     stepped: bool = False  # whether each value is laid off from the one before it
     loose: frozenset[int] = frozenset()  # places that the curve need not reach: no velocity is known there
     why: Message | None = None
+    returns: bool = False  # whether it goes there and back over its axis
+    rings: tuple[int, ...] = ()  # in which ring each of its bearings is drawn, from the outermost, 1
 
     @property
     def scale(self) -> float:

@@ -131,7 +131,7 @@ def _on_axis(
         beside[place] = (start / along).real
     shift = median(beside.values())
     shift = shift if abs(shift) > PLACED else 0.0
-    gone = _read(_graph(asked, seen, moved), seen, (values, arrows), mu, shift)
+    gone = frozenset() if asked.returns else _read(_graph(asked, seen, moved), seen, (values, arrows), mu, shift)
     aside = frozenset(place for place, off in beside.items() if abs(off - shift) > PLACED)
     return DrawnFigure(asked, values, arrows, written, shift, aside, gone)
 

@@ -11,6 +11,7 @@ from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
+from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
 from drawings.grading.curves.form_figure import from_form
 from drawings.grading.verdict import Verdict
@@ -20,7 +21,7 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
     own: dict[str, list[DrawnFigure]] = {}
     for one in asked:
-        drawn = from_marks(one, seen) or from_form(one, seen)
+        drawn = from_marks(one, seen) or from_rings(one, seen) or from_form(one, seen)
         if drawn is not None:
             own.setdefault(one.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
