@@ -40,12 +40,16 @@ class Corner(NamedTuple):
 
 
 class Corners(NamedTuple):
-    """The corners of the links of a figure, with what is filled in it, its hinges' circles, its factor of symbols."""
+    """The corners of the links of a figure, with what is filled in it, its hinges' circles, its factor of symbols.
+
+    Among links that are `alone`, without arrows, every triangle is the filling of a corner.
+    """
 
     corners: Sequence[Corner]
     fills: Sequence[Fill]
     rings: Sequence[Circle]
     size: float
+    alone: bool = False
 
     def missing(self) -> bool:
         """Tell whether a corner that must be filled is not."""
@@ -53,8 +57,8 @@ class Corners(NamedTuple):
         return not all(any(self._fills(fill, one) for fill in self.fills) for one in due)
 
     def stray(self) -> bool:
-        """Tell whether something is filled about a hinge that is no corner; a rod's own block may fill more of it."""
-        rounded = [fill for fill in self.fills if len(fill.points) > SHARP]
+        """Tell whether something is filled that is no corner; a rod's own block may fill more of it."""
+        rounded = [fill for fill in self.fills if self.alone or len(fill.points) > SHARP]
         return not all(any(self._fills(fill, one) for one in self.corners) for fill in rounded)
 
     def _radii(self, one: Corner) -> tuple[float, ...]:
