@@ -12,8 +12,8 @@ from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.polygons.polygon_faults import letters, open_sides
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.verdict import Verdict
-from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, texts
 from plans.checks.hand.quantity import SLIP
@@ -111,7 +111,7 @@ def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator
     places = {letter: spot for letter, spot in plan.places.items() if letter}
     titles = {one.end: one.title for one in plan.asked.vectors if not one.start and one.title}
     for letter, spot in places.items():
-        near = distance(labels.get(_plain(titles.get(letter, letter)), ()), [spot])
+        near = distance(labels.get(spelled(titles.get(letter, letter)), ()), [spot])
         if near > CLOSED and any(_takes(labels, places, letter, other) for other in places):
             yield _of(plan, verdict.SWAPPED, letter)
         elif near > NEAR:
@@ -122,7 +122,7 @@ def _takes(labels: Mapping[str, Sequence[Label]], places: Mapping[str, complex],
     """Tell whether two letters stand each at the other's place, and not at its own."""
     if letter == other or abs(places[letter] - places[other]) <= CLOSED:
         return False
-    ours, theirs = labels.get(_plain(letter), ()), labels.get(_plain(other), ())
+    ours, theirs = labels.get(spelled(letter), ()), labels.get(spelled(other), ())
     here, there = [places[letter]], [places[other]]
     crossed = distance(ours, there), distance(theirs, here)
     return max(crossed) <= NEAR and crossed[0] < distance(ours, here) and crossed[1] < distance(theirs, there)
@@ -132,10 +132,6 @@ def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
     for ends, arrow in plan.arrows.items():
         if not all(0 <= one.real <= leaf.width and 0 <= one.imag <= leaf.height for one in (arrow.end,)):
             yield _of(plan, verdict.OUTSIDE, ends[1])
-
-
-def _plain(letter: str) -> str:
-    return Text(0j, letter if "{" in letter else with_index(letter)).plain
 
 
 def _of(plan: DrawnPlan, kind: str, letter: str = "") -> Verdict:

@@ -21,6 +21,7 @@ ASIDE, UNREAD = "aside", "unread"
 SHIFTED, LEVEL, IDLE, UNDRIVEN = "shifted", "level", "idle", "undriven"
 AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
 SIDE, BACKWARDS, BASE = "side", "backwards", "base"
+STRAIGHT, FLYWHEEL, UNSET = "straight", "flywheel", "unset"
 # Of how it is drawn.
 UNSCALED, OPEN, UNLETTERED, SWAPPED, OUTSIDE = "unscaled", "open", "unlettered", "swapped", "outside"
 APART = "apart"
@@ -30,7 +31,21 @@ SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE = "sign", "decade", "degrees", "
 ILLEGIBLE, UNTABLED = "illegible", "untabled"
 
 GOOD: Final = (RIGHT, FOLLOWS)
-OF_CURVES: Final = (SHIFTED, LEVEL, IDLE, UNDRIVEN, AXES, EXCHANGED, PHASES, SIDE, BACKWARDS, BASE)
+OF_CURVES: Final = (
+    SHIFTED,
+    LEVEL,
+    IDLE,
+    UNDRIVEN,
+    AXES,
+    EXCHANGED,
+    PHASES,
+    SIDE,
+    BACKWARDS,
+    BASE,
+    STRAIGHT,
+    FLYWHEEL,
+    UNSET,
+)
 OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
 UNGRADED: Final = (DEAD, UNREAD, SMALL, ILLEGIBLE, UNTABLED)

@@ -15,8 +15,11 @@ from drawings.eye.sheet import see
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.curves.form_figure import axes
+from drawings.grading.curves.form_axes import axes
+from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
+from drawings.grading.drawn_plan import Arrow
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.marking import Marking
 from drawings.grading.told import lines
@@ -87,7 +90,7 @@ def test_a_mistake_of_any_curve_is_named_and_costs_once(row: dict[str, Any]) -> 
 
 
 @pytest.mark.rest
-@over("scene", ["planer", "press", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
+@over("scene", ["planer", "press", "compressor", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
 def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str) -> None:
     figures = curve_task(scene).figures
     for slip, accepted in ((0.2, 20), (2.0, 0)):
@@ -137,6 +140,17 @@ def test_curves_without_marks_and_axes_are_not_read() -> None:
     graded = grade(bare.encode(), (), HAND, own.figures)
     assert graded.outcome == REJECTED
     assert graded.reason is not None and "plandraft form" in str(graded.reason)
+
+
+def test_a_compensator_follows_the_force_that_the_polygon_was_drawn_with() -> None:
+    asked = curve_task("lanchester").figure("compensator-1")
+    course, forces = asked.course, {"F_I": 150 + 60j, "F_-I": 190 + 0j}
+    assert course is not None
+    values = course({name: np.array([force]) for name, force in forces.items()})
+    drawn = DrawnFigure(asked, values, dict.fromkeys((0, 1), Arrow(0j, 1j)))
+    for vectors, due in ((forces, "follows"), ({}, "wrong")):
+        told = figure_verdicts({asked.sheet: (drawn,)}, (asked,), (), (), lambda one: allowed_of(one, HAND, 0), vectors)
+        assert [(one.name, one.kind) for one in told] == [("m_I", due), ("m_-I", "right")]
 
 
 def test_what_follows_is_told_by_its_name_alone() -> None:

@@ -83,6 +83,8 @@ def test_what_is_said_first_is_held_to_the_analysis() -> None:
         ("|a_B|max = 9.4748", "|a_B|max = 9.4749"),
         ("|M_bal|max = 24 N·m", "|M_bal|max = 25 N·m"),
         ("H = 0.12 m, ", ""),
+        ("output: link", "output: slot"),
+        ("\nH = ", "\nthe crank turns once a minute\nH = "),
     ):
         assert right in told
         assert list(faults([told.replace(right, wrong)], study)) != []
@@ -99,6 +101,7 @@ def test_no_number_that_is_said_of_a_technique_can_be_another(name: str) -> None
     assert list(faults([*before, line], study)) == []
     assert list(faults(before, study)) != []
     assert list(faults([*before, line, line], study)) != []
+    assert [str(one) for one in faults([*before, line, "another"], study)] == ["another (against the analysis)"]
     numbers = [found for found in re.finditer(r"(?<![\w.])\d+\.\d+", line) if float(found[0])]
     assert numbers
     for found in numbers:

@@ -19,6 +19,8 @@ from plans.model.motion import Complexes
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
 DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
+GEAR, OF_SHAFTS = 1.25, 0.15  # radius of a gear in that of its mass; in the distance of a couple's shafts at the least
+COVERED = 0.4  # of a gear's radius: a mass nearer to its shaft is drawn farther out, and its arm is not to scale
 SEEN = 1 / 1000  # of the largest order of one mechanism: less is no longer than a line is wide, and bears no figure
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
@@ -211,6 +213,17 @@ class Expected:
     def carried(one: Compensator) -> bool:
         """Tell whether the crank itself carries the mass: it alone turns, and as fast as the crank."""
         return one.asked.order == 1 and one.against_angle is None is not one.with_angle
+
+    def nominal(self, one: Compensator, told: bool) -> bool:
+        """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
+        own = [body.moment / one.asked.mass for body in self.bodies(one) if not body.coupled] if one.asked.mass else []
+        if not own:
+            return True
+        offset = 0.0 if self.carried(one) else abs(one.asked.offset)
+        shafts = one.asked.shafts if one.couple_angle is not None and one.asked.shafts else 0.0
+        gear = max(GEAR * max(own), offset / 2, OF_SHAFTS * shafts)
+        over = min(own) - COVERED * gear
+        return told if abs(over) <= 2 * self.slack_of(one) / (one.asked.mass or 1.0) + LINE * gear else over < 0
 
     def line(self, one: Compensator) -> complex:
         """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""

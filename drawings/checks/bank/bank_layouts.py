@@ -54,8 +54,9 @@ class _Layout(View):
 
     @property
     def scaled(self) -> bool:
-        """Whether the arms are told to be to scale."""
-        return not any(self.drafting.word("arms nominal") in text for text in self.strokes.texts)
+        """Whether the arms must be to scale."""
+        told = any(self.drafting.word("arms nominal") in text for text in self.strokes.texts)
+        return not self.expected.nominal(self.found, told)
 
     def faults(self) -> Iterator[Wrong]:
         shafts = dict[str, complex]()

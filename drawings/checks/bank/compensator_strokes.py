@@ -13,6 +13,8 @@ from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.labelled import along
+from drawings.checks.line_kind import DASHED, MAIN, Kind
+from drawings.checks.line_kind import FULL as FULL_LINE
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
@@ -51,7 +53,7 @@ class CompensatorStrokes:
     def unscaled(self) -> bool:
         """Whether the arms are not to scale."""
         told = any(self.by.word("arms nominal") in text for text in self.strokes.texts)
-        return self.found.asked.mass is None or told
+        return self.expected.nominal(self.found, told)
 
     def faults(self) -> Iterator[Wrong]:
         """Hold the heading, the shaft, each mass, and the lines that they stand on."""
@@ -99,7 +101,8 @@ class CompensatorStrokes:
         arm = ink.take(Line, partial(_ends, at=mass.centre), wrong)
         if arm is None:
             return []
-        if bool(arm.style.dash) != (body.coupled or self.unscaled):
+        kind = Kind((MAIN,), DASHED if body.coupled or self.unscaled else FULL_LINE)
+        if not kind.takes(arm, self.by.hand):
             ink.wrong.append(on("line_named", self.part.name, name=body.name))
         _on_shaft(ink, arm.start, 1 if body.turns * self.expected.task.speed > 0 else -1, body.speed)
         if not body.coupled and not self.carried:

@@ -25,7 +25,7 @@ RATIO, ANGLE = 4, 3  # decimals of the time ratio, and of a swing in degrees
 KNOWN = 1e-9  # of a number, that both roads may differ by
 BEGUN = re.compile(r"[Hψ] = |K = |\|.+\|\w+ = ")  # how each number that is said first begins
 
-# Of a study to what tells whether a line is what a technique says of it; to None where rounding or a gap decides.
+# Of a study to what tells whether a line is what a technique says of it; to None where none is sure to be said.
 SENTENCES: Final[Mapping[str, str]] = {
     "dynamics": "drawings.checks.dynamics.report_told:headline",
     "balance": "drawings.checks.balance_words.balance_report:headline",
@@ -33,6 +33,12 @@ SENTENCES: Final[Mapping[str, str]] = {
     "rotor": "drawings.checks.rotor.reported:headline",
     "cyclogram": "drawings.checks.cyclogram.reported:headline",
     "cam": "drawings.checks.cam.reported:headline",
+}
+OPEN: Final = ("dynamics", "rotor")  # whose sentence rounding or a gap may leave open; that of others is then not due
+# Of a study to the lines that are said as they stand.
+WHOLE: Final[Mapping[str, str]] = {
+    "linkage": "drawings.checks.note.motion_lines:said_first",
+    "forces": "drawings.checks.note.force_note:said_first",
 }
 KINDS: Final = {"balance": "balancing"}  # of sheets, by techniques whose names are others
 
@@ -62,7 +68,7 @@ class Due(NamedTuple):
 
 
 def faults(lines: Iterable[str], study: Study) -> Iterator[Wrong]:
-    """See that each number that is said first is due, and that each that is due is said once."""
+    """See that each line and number that is said first is due, and that each that is due is said once."""
     told = [*lines]
     said = [part for line in told for one in line.splitlines() for part in one.split(", ") if BEGUN.match(part)]
     due = [*_motion(study)] if "linkage" in study.techniques else []
@@ -71,15 +77,28 @@ def faults(lines: Iterable[str], study: Study) -> Iterator[Wrong]:
     for one in due:
         if sum(one.tells(part) for part in said) != 1:
             yield message("wrong.missing", name=one.before.partition(" = ")[0])
-    yield from _sentences(told, study)
+    yield from _sentences([one for line in told for one in line.splitlines()], study)
 
 
 def _sentences(said: Sequence[str], study: Study) -> Iterator[Wrong]:
-    """See that what each technique says in a sentence is said once, as the analysis has it."""
-    for name in (one for one in study.techniques if one in SENTENCES):
-        tells = named(SENTENCES[name])(study)
+    """See that what each technique says in a sentence is said once, as the analysis has it, and nothing else is."""
+    names = [one for one in study.techniques if one in SENTENCES]
+    sentences = [named(SENTENCES[name])(study) for name in names]
+    for name, tells in zip(names, sentences, strict=True):
         if tells is not None and sum(map(tells, said)) != 1:
             yield message("wrong.missing", name=term(study.scene.sheet.language, "kind", KINDS.get(name, name)))
+    left_open = sum(tells is None and name in OPEN for name, tells in zip(names, sentences, strict=True))
+    whole = [*_whole(study)]
+    yield from (message("wrong.missing", name=one) for one in whole if said.count(one) != 1)
+    others = [one for one in said if one not in whole and not any(tells and tells(one) for tells in sentences)]
+    strange = [one for one in others if not all(BEGUN.match(part) for part in one.split(", "))]
+    yield from (message("wrong.told", text=one) for one in strange[left_open:])
+
+
+def _whole(study: Study) -> Iterator[str]:
+    """Give the lines that stand as they are: the output, and loads of one stroke that reverse within it."""
+    for name in (one for one in study.techniques if one in WHOLE):
+        yield from named(WHOLE[name])(study)
 
 
 def _motion(study: Study) -> Iterator[Due]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from drawings.checks.documents import extra_graphs
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import word
-from drawings.page.page import BLOCK, EXTRA
+from drawings.page.page import BLOCK
 from drawings.paper.formats import BLOCKS, BORDERS, Field, lies, size_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Leaf, Line, Polyline, Text
@@ -61,7 +62,8 @@ def faults(leaf: Leaf, scene: Scene, kind: str, subtitle: str, scale: str) -> It
     size, (left, other) = size_of(sheet.format, way), BORDERS[sheet.standard]
     if max(abs(leaf.width - size[0]), abs(leaf.height - size[1])) > QUANTUM:
         yield message("wrong.paper", format=sheet.format)
-    if not _framed(leaf, Field(left, other, size[0] - other, size[1] - other)):
+    field = Field(left, other, size[0] - other, size[1] - other)
+    if not _framed(leaf, field):
         yield message("wrong.frame")
     yield from _ruler(leaf, sheet.language)
     corner = complex(size[0] - other - BLOCKS[sheet.standard][0], other)
@@ -76,9 +78,7 @@ def faults(leaf: Leaf, scene: Scene, kind: str, subtitle: str, scale: str) -> It
     if sheet.standard == "GOST":
         yield from _form(leaf, corner)
         yield from _printed(leaf, corner, sheet.language)
-        told = {text.plain for one in groups(leaf.groups) if one.name == EXTRA for text in texts((one,))}
-        if word(sheet.language, "format", format=sheet.format) not in told:
-            yield message("wrong.paper", format=sheet.format)
+        yield from extra_graphs.faults(leaf, field, sheet, sheet.designated(kind))
 
 
 def _framed(leaf: Leaf, field: Field) -> bool:

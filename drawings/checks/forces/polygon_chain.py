@@ -127,11 +127,15 @@ class PolygonChain:
             yield from (spot for spot in (line.start, line.end) if abs(spot - end) > FINE)
 
     def _consecutive(self) -> Iterator[Wrong]:
-        """Hold that sides follow one another as the equation has them, the first after the last."""
+        """Hold that sides follow one another as the equation has them."""
+        yield from (on("corner_of", self.plan, name=name) for name in self.out_of_turn())
+
+    def out_of_turn(self) -> Iterator[str]:
+        """Give the sides that do not follow those before them in the equation, the first after the last."""
         told = [name for name in self.order if name in self._drawn]
         for one, after in zip(told, (*told[1:], *told[:1]), strict=True):
             if len(told) > 1 and not self._meet(self._corners[one].end, self._corners[after].start):
-                yield on("corner_of", self.plan, name=after)
+                yield after
 
     def _directions(self) -> Iterator[Wrong]:
         """Hold the lines of known direction: along each of two sides that close the polygon, past their meeting."""

@@ -41,7 +41,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
     moving = [link for link in mechanism.links if link != FRAME]
     due = [one for link in moving for one in corners_of(mechanism, link, plan.laid.on, blocks)]
     fills = [one for one in strokes if isinstance(one, Fill)]
-    held = Corners([one for one in due if np.isfinite(one.at)], fills, rings, size)
+    held = Corners([one for one in due if np.isfinite(one.at)], fills, rings, size, True)
     if held.missing() or held.stray():
         yield on("rigid", POSITIONS.plan)
 

@@ -70,10 +70,10 @@ class CutNote(CutEquationsCheck):
     def _measured(self, name: str, between: tuple[str, ...]) -> bool:
         """Tell whether a reaction is measured on the force plan by its scale, where one is drawn."""
         size = abs(self._forces_by_name[name].value) if name in self._forces_by_name else 0.0
-        measured = self.scale is not None and name.startswith("R_") and size > self.floor.force
-        if not measured or not between:
-            return not between and not (measured and size > 2 * self.floor.force)
-        assert self.scale is not None  # it is measured
+        if self.scale is None or not name.startswith("R_"):
+            return not between
+        if not between:
+            return size <= 2 * self.floor.force
         slack = self.floor.force / self.scale
         length, _, scale = between[0].partition(r" \cdot ")
         return reads(length, size / self.scale, slack, DIGITS) and reads(scale, self.scale, 0.0, DIGITS)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -11,11 +12,16 @@ from drawings.checks.note.force_lines import ForceLines
 from drawings.checks.note.lines import part
 from drawings.checks.verify_friction import report_of
 from drawings.checks.wrong import Wrong
+from drawings.lettering.words import number
+from plans.forces.reversals import reversals
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING
 from plans.study import Study
 from plans.words.words import message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+
+WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # that a load may be made to act on instead
 
 
 def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Wrong]:
@@ -37,3 +43,12 @@ def report_faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]])
     due = word(study.scene.sheet.language, "report.forces_drawn", positions=", ".join(map(str, shown)))
     if due not in text.splitlines():
         yield message("wrong.missing", name=due)
+
+
+def said_first(study: Study) -> Iterator[str]:
+    """Give the lines that are said first of forces beside their numbers: loads whose output reverses in a stroke."""
+    language = study.scene.sheet.language
+    for load, rests in reversals(study["forces"]):
+        angles = ", ".join(f"{number(math.degrees(one), language)}°" for one in rests)
+        parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
+        yield word(language, "verdict.reverses", **parts, angles=angles)

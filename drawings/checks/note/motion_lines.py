@@ -44,6 +44,20 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
                 yield message("wrong.missing", name=rounded(line))
 
 
+def said_first(study: Study) -> Iterator[str]:
+    """Give the line that is said first of a motion beside its numbers."""
+    yield output_line(study["linkage"])
+
+
+def output_line(study: LinkageStudy) -> str:
+    """Say which link is the output, and who chose it."""
+    out, last = study.output, study.groups[-1:]
+    framed = any(pair.giver == FRAME for group in last for pair in group.outer_pairs)
+    how = "named" if study.mechanism.output is not None else "framed" if framed else "last"
+    key = f"report.output_{how}{'_point' if out.point else ''}"
+    return word(study.language, key, link=out.link, point=out.point)
+
+
 def _plain(line: str) -> str:
     return line.strip().replace("{,}", ",")
 
@@ -135,7 +149,7 @@ class _Due(NamedTuple):
     def _travel(self) -> Iterator[str]:
         """Tell the output, its extremes by analysis, the pressure angles."""
         found = self.study.extreme_positions
-        yield self._say("output", output=self._output()[1:])
+        yield self._say("output", output=output_line(self.study)[1:])
         extremes = None if found is None else self.comparison.road.extremes(self.study.output)
         if found is not None and extremes is not None:
             way = "by_notches" if found.notched else "by_velocity"
@@ -150,13 +164,6 @@ class _Due(NamedTuple):
             seen = interval(self.study.sweep, group, self.study.nodes)
             low, high = (self._degrees(angle) for angle in (seen.low, seen.high))
             yield self._say("pressure", group=group.label, low=low, high=high)
-
-    def _output(self) -> str:
-        """Say which link is the output, and who chose it."""
-        out, last = self.study.output, self.study.groups[-1:]
-        framed = any(pair.giver == FRAME for group in last for pair in group.outer_pairs)
-        how = "named" if self.study.mechanism.output is not None else "framed" if framed else "last"
-        return self._say(f"output_{how}{'_point' if out.point else ''}", link=out.link, point=out.point)
 
     def _swing(self, size: str, degrees: str) -> str:
         return self._say("swing", stroke=size, degrees=degrees)

@@ -13,7 +13,9 @@ from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on
 from drawings.paper.strokes import Fill, Group, Line
 from drawings.paper.walk import groups
+from plans.linkage.letters import POLES
 from plans.model.dyad import Dyad
+from plans.model.motion import Complexes
 from plans.model.order import ORDERS, VELOCITIES
 from plans.words.words import Message
 
@@ -28,6 +30,7 @@ def faults(laid: LaidVectorPlan) -> Iterator[Message]:
         return
     yield from _heads(laid)
     yield from _starts(laid)
+    yield from _results(laid)
     yield from _directions(laid)
 
 
@@ -65,6 +68,18 @@ def _starts(laid: LaidVectorPlan) -> Iterator[Message]:
             yield on("start", laid.plan, name=one.name)
 
 
+def _results(laid: LaidVectorPlan) -> Iterator[Message]:
+    """See that each vector from the pole is drawn with the main pen, but those to mass centres."""
+    assert laid.figure is not None
+    centres = _centres(laid)
+    for one in groups((laid.figure,)):
+        line = one.strokes[0] if one.data.get("kind") == "vector" else None
+        if isinstance(line, Line) and one.data["name"].partition(" ")[0] == POLES[laid.plan]:
+            main = line.style.width == laid.drafting.hand.main
+            if not main and not (np.abs(line.end - centres) <= laid.near).any():
+                yield on("line_kind", laid.plan)
+
+
 def _directions(laid: LaidVectorPlan) -> Iterator[Message]:
     """See that each group's point is met by both lines on which the analysis has it, and that no other line stands."""
     assert laid.figure is not None
@@ -87,10 +102,16 @@ def _lengthened(start: complex, end: complex) -> tuple[complex, complex]:
 
 def _sides(laid: LaidVectorPlan, drawn: Segments) -> Flags:
     """Tell which lines end in the image of a mass centre: sides of the figure that is similar to its link."""
+    images = _centres(laid)
+    starts, ends = ((np.abs(one[:, None] - images) <= laid.near).any(axis=1) for one in drawn)
+    return np.asarray(starts | ends)
+
+
+def _centres(laid: LaidVectorPlan) -> Complexes:
+    """Give the images of the mass centres on paper."""
     order = next(k for k, one in enumerate(ORDERS) if one.plan == laid.plan)
-    images = np.array([laid.on(laid.expected.centre(*mass, order)) for mass in laid.centres.values()], dtype=complex)
-    ends = (np.abs(one[:, None] - images) <= laid.near for one in drawn)
-    return np.asarray(np.logical_or(*(one.any(axis=1) for one in ends)))
+    own = (laid.expected.centre(*mass, order) for mass in laid.centres.values())
+    return np.array([laid.on(one) for one in own], dtype=complex)
 
 
 def _lines(figure: Group) -> Iterator[tuple[complex, complex]]:

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.hand_error import EVEN
+from plans.model.dynamics import TURN
 from plans.words.words import Message
 
 Values: TypeAlias = npt.NDArray[np.complex128]
@@ -56,12 +57,13 @@ class Mistake(NamedTuple):
 class Paper(NamedTuple):
     """Where a graph lies on our own sheet, mm: its axis, the foot of each ordinate on it, and where along it that is.
 
-    The last are in true units: angles turned, or a way.
+    The last are in true units: angles turned, or a way; `turn` is so many of them as a turn has, if they are angles.
     """
 
     axis: tuple[complex, complex]
     feet: Values
     along: Sizes
+    turn: float | None = TURN
 
 
 @dataclass(frozen=True)
@@ -92,6 +94,9 @@ class FigureAsked:
     stepped: bool = False  # whether each value is laid off from the one before it
     loose: frozenset[int] = frozenset()  # places that the curve need not reach: no velocity is known there
     why: Message | None = None
+    returns: bool = False  # whether it goes there and back over its axis
+    arms: tuple[str, ...] = ()  # the letters of masses whose arms it is of
+    rings: tuple[int, ...] = ()  # in which ring each of its bearings is drawn, from the outermost, 1
 
     @property
     def scale(self) -> float:

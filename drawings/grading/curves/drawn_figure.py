@@ -50,7 +50,7 @@ def from_marks(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     own = {one.place: marks[one.name, one.position] for one in asked.items if (one.name, one.position) in marks}
     if not own:
         return None
-    scale, written = _written(asked, seen)
+    scale, written = scales_on(asked, seen)
     arrows = {place: _arrow(mark, seen) for place, mark in own.items()}
     values = np.full(len(asked.true), complex(np.nan, np.nan))
     for place, mark in own.items():
@@ -77,7 +77,7 @@ def _beside(asked: FigureAsked, seen: SeenSheet, values: Values, arrows: Mapping
             yield place
 
 
-def _written(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
+def scales_on(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
     """Give the scales that stand over a figure, ours where none stand; and whether all do."""
     group = group_named(seen.leaf.groups, asked.plan)
     due = {letter: mu for letter, mu in asked.scales.items() if letter}
@@ -131,7 +131,7 @@ def _on_axis(
         beside[place] = (start / along).real
     shift = median(beside.values())
     shift = shift if abs(shift) > PLACED else 0.0
-    gone = _read(_graph(asked, seen, moved), seen, (values, arrows), mu, shift)
+    gone = frozenset() if asked.returns else _read(_graph(asked, seen, moved), seen, (values, arrows), mu, shift)
     aside = frozenset(place for place, off in beside.items() if abs(off - shift) > PLACED)
     return DrawnFigure(asked, values, arrows, written, shift, aside, gone)
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 import numpy as np
 
@@ -30,8 +31,9 @@ class Drawn:
 class FigureJudge:
     """Judges the figures of a sheet in the order in which they follow from one another."""
 
-    def __init__(self, asked: Sequence[FigureAsked]) -> None:
-        self.own = Drawn(values={one.key: one.true for one in asked}, right={one.key for one in asked})
+    def __init__(self, asked: Sequence[FigureAsked], vectors: Mapping[str, complex] = MappingProxyType({})) -> None:
+        known = {name: np.array([value]) for name, value in vectors.items()}
+        self.own = Drawn(values={one.key: one.true for one in asked} | known, right={one.key for one in asked})
 
     def verdicts(self, drawn: DrawnFigure, allowed: Sizes) -> Iterator[Verdict]:
         """Judge one figure, and keep it for those that go on from it."""

@@ -23,13 +23,18 @@ REVERSED = (verdict.INERTIA, verdict.UPWARD, verdict.REACTION, verdict.REVERSED)
 
 def arrows_on(leaf: Leaf, plan: str, position: int | None) -> dict[str, Arrow]:
     """Give the arrows of forces on the figure of a scheme or a lever by their names; of two of one name none."""
-    figure = f"{plan.replace('scheme ', FIGURE)}-{position}"
     found: dict[str, list[Arrow]] = {}
-    for one in groups(tuple(group for group in groups(leaf.groups) if group.name == figure)):
+    for one in groups(figures_of(leaf, plan, position)):
         shaft = one.strokes[0] if one.strokes else None
         if one.data.get("kind") == "force" and isinstance(shaft, Line):
             found.setdefault(one.data.get("name", ""), []).append(_headed(shaft, one))
     return {name: own[0] for name, own in found.items() if len(own) == 1}
+
+
+def figures_of(leaf: Leaf, plan: str, position: int | None) -> tuple[Group, ...]:
+    """Give the figures on a sheet that are of a scheme, or of a lever, in a position."""
+    figure = f"{plan.replace('scheme ', FIGURE)}-{position}"
+    return tuple(group for group in groups(leaf.groups) if group.name == figure)
 
 
 def _headed(shaft: Line, group: Group) -> Arrow:
@@ -65,11 +70,13 @@ def _phase(vector: complex) -> float:
 
 
 def once(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
-    """Give verdicts where a force that is shown the wrong way on its scheme loses nothing more in its polygon."""
-    shown = {(one.position, one.name) for one in verdicts if one.plan.startswith("scheme ") and one.kind in REVERSED}
+    """Give verdicts where a force or a moment shown the wrong way on its scheme loses nothing more in a polygon."""
+    wrong = (*REVERSED, verdict.COUPLE)
+    shown = {(one.position, one.name) for one in verdicts if one.plan.startswith("scheme ") and one.kind in wrong}
     for one in verdicts:
-        again = one.kind in REVERSED and not one.plan.startswith("scheme ") and (one.position, one.name) in shown
-        yield one._replace(kind=verdict.FOLLOWS) if again else one
+        again = one.kind in REVERSED and (one.position, one.name) in shown
+        again |= one.kind == verdict.COUPLE and (one.position, one.of) in shown
+        yield one._replace(kind=verdict.FOLLOWS) if again and not one.plan.startswith("scheme ") else one
 
 
 def senses_of(leaf: Leaf, plan: str, position: int | None, known: Mapping[str, complex]) -> dict[str, complex]:
