@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from functools import lru_cache
 from itertools import zip_longest
 
 from drawings.checks.reading import reads
@@ -38,10 +39,16 @@ def tells(text: str, true: str, digits: Collection[int], share: float = 0.0) -> 
     >>> tells("J = 36.7 at 24", "J = 36.70337 at 24", (4,)), tells("J = 36.8 at 24", "J = 36.70337 at 24", (4,))
     (True, False)
     """
-    if _NUMBER.sub("#", text) != _NUMBER.sub("#", true):
+    if _words(text) != _words(true):
         return False
     pairs = zip_longest(_NUMBER.findall(text), _NUMBER.findall(true), fillvalue="")
     return all(_holds(one, other, digits, share) for one, other in pairs)
+
+
+@lru_cache(maxsize=4096)  # each line of a sheet is held to each that it might be
+def _words(text: str) -> str:
+    """Give what a text says but for its numbers."""
+    return _NUMBER.sub("#", text)
 
 
 def rounded(text: str) -> str:

@@ -109,6 +109,7 @@ def test_a_sheet_and_a_report_speak_it(tongue: Callable[..., subprocess.Complete
     assert f"{MARK}Velocity {MARK}plan" in "".join(path.read_text("utf-8") for path in shown.parent.glob("*.svg"))
 
 
+@pytest.mark.rest
 def test_comparison_and_explain_speak_it(tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path) -> None:
     done = tongue(("compare", scene), ("explain", scene, "a_B"), ("explain", scene, "M_bal", "--all"))
     assert (done.returncode, done.stderr) == (0, "")
