@@ -61,7 +61,7 @@ def number(texts: Sequence[Text], unit: str = "") -> Written | None:
     >>> number([Text(0j, "30°15'")], "°"), number([Text(0j, "0.0000 9.99")])
     (Written(value=30.25, rounding=0.008333333333333333), None)
     """
-    plain = plainly(" ".join(map(_levelled, texts)))
+    plain = plainly(" ".join(map(levelled, texts)))
     if (angle := _ANGLE.fullmatch(plain)) is not None:
         return _angle(angle, unit)
     found = _WRITTEN.fullmatch(plain)
@@ -101,5 +101,6 @@ def _angle(found: re.Match[str], unit: str) -> Written:
     return Written((-value if found["sign"] else value) * times, half * times)
 
 
-def _levelled(text: Text) -> str:
+def levelled(text: Text) -> str:
+    """Write a text with a ^ before what is raised over a ten."""
     return "".join(f"^{run.text}" if run.level > 0 and "10" in text.plain else run.text for run in text.runs)

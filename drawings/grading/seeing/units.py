@@ -86,6 +86,15 @@ def in_unit(own: str, due: str) -> float | None:
     return next(sizes, None)
 
 
+def in_system(own: str) -> float | None:
+    """Give what a unit is worth in metres, kilograms and seconds; None where it is not understood.
+
+    >>> in_system("kN·m"), in_system("foot")
+    (1000.0, None)
+    """
+    return next((one.size for one in _readings(_bare(own))), None)
+
+
 def _bare(unit: str) -> str:
     """Write a unit as it is seen, with one sign for products."""
     plain = folded(re.sub(r"[{}]", "", unit).strip().rstrip(".,;"))
