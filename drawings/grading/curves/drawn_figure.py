@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, heights, through
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, foot, heights, through
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.seeing.written_scale import stated_scales
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
@@ -37,6 +37,21 @@ class DrawnFigure:
     aside: frozenset[int] = field(default_factory=frozenset)
     apart: frozenset[int] = field(default_factory=frozenset)
     free: bool = False  # whether it was drawn on the axes of a form, without marks
+    lines: tuple[Values, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
+
+    def off(self, due: Values) -> Sizes:
+        """Give how far what is drawn is from what is due, true units; NaN of what is not drawn."""
+        if not self.lines:
+            return self.asked.off(self.values, due)
+        apart = np.min([away(line, due) for line in self.lines], axis=0)
+        return np.where(self.there, apart, np.nan)
+
+    def nearest(self, due: Values) -> Values:
+        """Give the values of a figure that is read off lines where these are nearest to what is due."""
+        found = self.values.copy()
+        for k in np.flatnonzero(self.there).tolist():
+            found[k] = foot(self.lines, complex(due[k]))
+        return found
 
     @property
     def there(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
