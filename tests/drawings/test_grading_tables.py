@@ -150,6 +150,21 @@ def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path
     assert (most, most - won) == (0.25 * (21 * 4 + 12 * 4) + 2 * 4, 2 + 0.125)
 
 
+def test_feedback_frames_a_table_that_is_empty() -> None:
+    own = table_task("shaper")
+    table, leaf = own.table("output"), tables_of(own.originals.sheets[0])
+    source = written(leaf, table, dict.fromkeys(table.cells, ""))
+    graded = grade(source, (), HAND, (), own.tables)
+    text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
+    (frame,) = re.findall(r'<polygon points="([^"]*)"', text)
+    spots = [complex(*map(float, spot.split(","))) for spot in frame.split()]
+    boxes = [cell.box for key, cell in cells_of(leaf, table).items() if key in table.cells]
+    assert min(spot.real for spot in spots) == pytest.approx(min(box.left for box in boxes), abs=1e-3)
+    assert max(spot.real for spot in spots) == pytest.approx(max(box.right for box in boxes), abs=1e-3)
+    assert leaf.height - min(spot.imag for spot in spots) == pytest.approx(max(box.high for box in boxes), abs=1e-3)
+    assert leaf.height - max(spot.imag for spot in spots) == pytest.approx(min(box.low for box in boxes), abs=1e-3)
+
+
 def test_feedback_marks_the_cell_and_tells_no_value() -> None:
     own = table_task("shaper")
     source = made(own, next(one for one in MISTAKES if one["says"] == ["ω_4 (by plan) sign"]))
