@@ -70,9 +70,7 @@ def _rounded(laid: Leaf, there: Leaf) -> Leaf:
                 found = next((one for one in texts if _same_place(stroke, one, even)), None)
                 if found is not None:
                     return replace(stroke, at=found.at, rotation=found.rotation)
-                return replace(
-                    stroke, at=next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at)
-                )
+                return replace(stroke, at=next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at))
             case Fill() | Arc():
                 return next((one for one in shapes if _same(stroke, one, even)), stroke)
             case Polyline((start, end), False):
