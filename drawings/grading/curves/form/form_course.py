@@ -11,7 +11,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import FigureAsked, Sizes, Values
 from drawings.grading.curves.drawn_curve import PLACED, chains
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form_axes import AXES, FRAME, Blank, axes, written_at
+from drawings.grading.curves.form.form_axes import AXES, FRAME, Blank, axes, written_at
 from drawings.grading.drawn_plan import Arrow
 from drawings.paper.strokes import Line
 from drawings.paper.walk import flat
