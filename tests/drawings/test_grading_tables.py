@@ -96,6 +96,7 @@ def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
     return replace(leaf, groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
 
 
+@pytest.mark.rest
 def test_of_a_blank_form_all_cells_are_missing() -> None:
     own = table_task("shaper")
     leaf = form_of(own.originals.study)["kinematics"][0]
@@ -121,6 +122,7 @@ def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
     assert [" ".join((one.name, one.kind)) for one in graded.wrong if one.kind != "missing"] == ["v_D (by plan) wrong"]
 
 
+@pytest.mark.rest
 @over("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
 def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None:
     own = table_task("shaper")

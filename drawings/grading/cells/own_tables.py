@@ -140,7 +140,7 @@ class _Own:
     def _value(self, key: Key) -> float | None:
         """Read a cell; what is no number asks for none."""
         found = number(self.cells[key][0].texts) if key in self.cells else None
-        return None if found is None else found.value
+        return None if found is None or not found.understood else found.value
 
     def _is_told(self, key: Key) -> bool:
         """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""

@@ -105,6 +105,12 @@ class FigureAsked:
         return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
 
     @property
+    def stated(self) -> dict[str, str]:
+        """The letters that its scales are written with, and their units: that of its values is known."""
+        last = tuple(self.scales)[-1]
+        return {letter: self.unit if letter == last and not self.on_paper else "" for letter in self.scales if letter}
+
+    @property
     def places(self) -> npt.NDArray[np.intp]:
         """The places that are asked for."""
         return np.array([one.place for one in self.items], dtype=np.intp)
