@@ -76,6 +76,7 @@ class Verdict(NamedTuple):
     at: tuple[complex, complex] | None = None
     letters: tuple[str, str] = ("", "")
     of: str = ""  # in which quantity the mistake is, if not in this one
+    frames: tuple[tuple[complex, ...], ...] = ()  # corners on paper, mm: of a cell, or about all of a table's
 
     @property
     def good(self) -> bool:

@@ -15,8 +15,8 @@ from drawings.grading.curves.drawn_arms import from_arms
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
-from drawings.grading.curves.form_figure import from_form
-from drawings.grading.curves.form_line import line_on_form
+from drawings.grading.curves.form.form_figure import from_form
+from drawings.grading.curves.form.form_line import line_on_form
 from drawings.grading.verdict import Verdict
 
 

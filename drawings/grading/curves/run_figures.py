@@ -24,7 +24,6 @@ from plans.words.words import because
 READ: Final = MappingProxyType(
     {0.25: ("t_1/4", "(3t_{0}+t_{1})/4"), 0.5: ("t_1/2", "(t_{0}+t_{1})/2"), 0.75: ("3t_1/4", "(t_{0}+3t_{1})/4")}
 )
-DEGREES: Final = 360.0
 ROUNDS: Final = 32  # each brings the mean speed nearer by more than half: inertias differ by less than that
 
 
@@ -89,14 +88,14 @@ def bare_speeds(own: OwnSheet, expected: Expected, exact: Expected) -> Iterator[
     first, turned = next(iter(marks.values())), expected.cycle.turned
     divisions, sure = expected.task.divisions, exact.account.before
     places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
-    paper = own.paper(BEFORE, np.degrees(turned), dict(enumerate(places)))
+    paper = own.paper(BEFORE, turned, dict(enumerate(places)))
     behind = (SURPLUS, INERTIA) if own.vectors(SURPLUS) and own.vectors(INERTIA) else ()
     yield FigureAsked(
         key=BEFORE, plan=BEFORE, sheet=own.name, unit=first.unit, scales={"ω": first.scale},
         items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
         true=np.asarray(1j * before.omega), slack=np.abs(before.omega - (before if sure is None else sure).omega),
         error=np.full(len(turned), PRICKED), kind=ORDINATES, mistakes=tuple(_flywheeled(expected)),
-        paper=None if paper is None else paper._replace(turn=DEGREES), why=because("speed_by_energy"),
+        paper=paper, why=because("speed_by_energy"),
         behind=behind, course=Bare(before) if behind else None,
     )  # fmt: skip
 

@@ -11,7 +11,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import FigureAsked, Values
 from drawings.grading.curves.drawn_curve import chains, foot
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form_axes import AXES, FRAME, axes, every_axes, written_at
+from drawings.grading.curves.form.form_axes import AXES, FRAME, axes, every_axes, written_at
 from drawings.grading.drawn_plan import Arrow
 from drawings.paper.strokes import Circle, Group, Line
 from drawings.paper.walk import flat, groups
@@ -61,7 +61,7 @@ def _on_axes(asked: FigureAsked, seen: SeenSheet) -> Place | None:
         return None
     every = every_axes(seen)
     near = (one for one in _drawn(seen) if min(every, key=lambda name: every[name].away(one)) == asked.plan)
-    return Place(own.origin, written_at(seen, own), tuple(near))
+    return Place(own.origin, written_at(seen, own, asked.stated), tuple(near))
 
 
 def _in_place(asked: FigureAsked, seen: SeenSheet) -> Place | None:
