@@ -23,13 +23,18 @@ REVERSED = (verdict.INERTIA, verdict.UPWARD, verdict.REACTION, verdict.REVERSED)
 
 def arrows_on(leaf: Leaf, plan: str, position: int | None) -> dict[str, Arrow]:
     """Give the arrows of forces on the figure of a scheme or a lever by their names; of two of one name none."""
-    figure = f"{plan.replace('scheme ', FIGURE)}-{position}"
     found: dict[str, list[Arrow]] = {}
-    for one in groups(tuple(group for group in groups(leaf.groups) if group.name == figure)):
+    for one in groups(_figures(leaf, plan, position)):
         shaft = one.strokes[0] if one.strokes else None
         if one.data.get("kind") == "force" and isinstance(shaft, Line):
             found.setdefault(one.data.get("name", ""), []).append(_headed(shaft, one))
     return {name: own[0] for name, own in found.items() if len(own) == 1}
+
+
+def _figures(leaf: Leaf, plan: str, position: int | None) -> tuple[Group, ...]:
+    """Give the groups that bear the name of a scheme or a lever."""
+    figure = f"{plan.replace('scheme ', FIGURE)}-{position}"
+    return tuple(group for group in groups(leaf.groups) if group.name == figure)
 
 
 def _headed(shaft: Line, group: Group) -> Arrow:
@@ -40,8 +45,14 @@ def _headed(shaft: Line, group: Group) -> Arrow:
 
 
 def arrow_verdicts(seen: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterator[Verdict]:
-    """Judge the arrows of a figure: each has the direction of its force."""
+    """Judge the arrows of a figure: each has the direction of its force.
+
+    Where an editor has taken the figure apart nothing tells which of the arrows of a name is of it.
+    """
     asked = plan.asked
+    if asked.senses and not _figures(seen.leaf, asked.plan, asked.position):
+        yield Verdict(asked.plan, asked.position, "", verdict.UNGROUPED)
+        return
     drawn = arrows_on(seen.leaf, asked.plan, asked.position) if asked.senses else {}
     for name, true in asked.senses.items():
         arrow = drawn.get(name)
