@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.plan_names import plan_named
-from drawings.grading.spelling import spelled
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.told import plan_told
 from geometry.errors import DraftError
 from plans.words.words import Message, languages, message, term

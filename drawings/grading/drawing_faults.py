@@ -12,7 +12,7 @@ from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.polygons.polygon_faults import letters, open_sides
-from drawings.grading.spelling import spelled
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, texts

@@ -13,6 +13,7 @@ from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
 from drawings.grading.graded import Graded
+from drawings.grading.seeing.page_units import shown
 from drawings.grading.told import Hints, gathered, plain_name, without_values
 from drawings.grading.verdict import Verdict
 from plans.words.words import word
@@ -37,7 +38,7 @@ def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: 
         for k, line in enumerate(notes)
     )
     whole = width + 2 * MARGIN + BREADTH * size * LETTERS
-    picture = base64.b64encode(source).decode("ascii")
+    picture = base64.b64encode(shown(source, graded.box)).decode("ascii")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{whole:.2f}mm" height="{tall:.2f}mm" '
         f'viewBox="0 0 {whole:.2f} {tall:.2f}"><rect width="100%" height="100%" fill="#ffffff"/>'

@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 from drawings.grading.asked import PlanAsked
 from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.polygons.scheme_arcs import COUPLE
 from geometry.board import Mark
-from plans.words.words import Message, message
+from plans.words.words import Message, because, message
 
 Steps = Mapping[tuple[str, int | None, str], tuple[Message, ...]]
 
@@ -25,6 +26,7 @@ def hints(plan: PlanAsked) -> Iterator[tuple[str, tuple[Hint, ...]]]:
     for one in plan.vectors:
         if one.found is not None:
             yield one.name, tuple(_steps(max(one.found.span, key=lambda mark: mark.number)))
+    yield from ((name, (Hint(plan.plan, because("inertia_moment")),)) for name in plan.turns if name.startswith(COUPLE))
 
 
 def curve_hints(figures: Iterable[FigureAsked]) -> Iterator[tuple[str, tuple[Hint, ...]]]:

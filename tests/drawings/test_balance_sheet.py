@@ -44,6 +44,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("case", first([(name, *paper) for paper in PAPERS for name in SCENES]))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
@@ -90,6 +91,7 @@ def test_a_planted_fault_withholds_a_russian_sheet(fault: DrawingFault, tmp_path
             checked(leaf, study, tmp_path)
 
 
+@pytest.mark.rest
 def test_what_is_on_no_sheet_of_a_set_is_missed() -> None:
     study, seen = study_of("engine", "A4"), Measured((), ())
     own = [(seen, leaf) for leaf in leaves(study)]

@@ -145,6 +145,7 @@ def test_the_plain_pen_draws_the_same_strokes() -> None:
     assert len(list(letter.iter(f"{SVG}polyline"))) == len(outline(Text(0j, "A")))
 
 
+@pytest.mark.rest
 def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
     ready = lettered(paper[1].leaves[0])
 

@@ -77,6 +77,7 @@ def checked(leaf: Leaf, sheet: str, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(SHEETS[sheet][1], study=study))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "case",
     first(
@@ -147,6 +148,7 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     assert "against the analysis" not in said(told.value, "ru")
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "fault",
     [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections import Counter
+from copy import copy
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,9 +14,11 @@ import pytest
 
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
 from drawings.grading.marking import points_of, read_marking
+from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
@@ -55,6 +58,33 @@ def test_a_mistake_in_a_table_of_another_technique_is_named(row: dict[str, Any])
 def named(row: dict[str, Any]) -> None:
     own = table_task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
+
+
+@pytest.mark.parametrize(("head", "says"), [("by plan", "1.517"), ("by analysis", "1.517")])
+def test_a_cell_that_we_print_wrongly_is_not_the_truth(head: str, says: str) -> None:
+    """The analysis tells what a cell must say: the scene's own sheet is wrong then, and no student."""
+    own = table_task("shaper")
+    table, sheet = own.table("values"), own.originals.sheets[0]
+    key = key_of(table, "vB", head, 2)
+    leaf = printed(tables_of(sheet), cells_of(sheet.leaf, table)[key].texts, "2.517")
+    originals = copy(own.originals)
+    originals.__dict__ |= {"sheets": (sheet._replace(leaf=leaf),), "_drawn": {}, "_seen": {}}
+    tables = tables_asked(originals)
+    asked = next(one for one in tables if one.sought == table.sought).cells[key]
+    assert asked.true == pytest.approx((float(says),), abs=5e-4)
+    wrong = grade(svg(leaf), (), HAND, (), tables).wrong
+    assert [one.name for one in wrong] == [f"v_B ({head})"]
+
+
+def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
+    """Print a number in place of some texts."""
+
+    def again(one: Stroke) -> Stroke:
+        if isinstance(one, Group):
+            return replace(one, strokes=tuple(map(again, one.strokes)))
+        return replace(one, content=number) if isinstance(one, Text) and one in texts else one
+
+    return replace(leaf, groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
 
 
 def test_of_a_blank_form_all_cells_are_missing() -> None:

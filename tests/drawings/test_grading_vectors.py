@@ -15,7 +15,7 @@ from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import PASS, grade
 from drawings.grading.verdict import UNGROUPED
-from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
+from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
 from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
@@ -96,6 +96,15 @@ def shown_back(arrow: Group) -> Group:
     return replace(arrow, strokes=(replace(line, end=2 * line.start - line.end), *again))
 
 
+def turned_back(couple: Group) -> Group:
+    """Draw the arc of a couple with its head at its other end."""
+    arc, head = couple.strokes
+    assert isinstance(arc, Arc) and isinstance(head, Fill)
+    way = (arc.at(0.5) - arc.centre) / arc.radius
+    points = tuple(arc.centre + way**2 * (spot - arc.centre).conjugate() for spot in head.points)
+    return replace(couple, strokes=(arc, head._replace(points=points)))
+
+
 def _is_arrow(group: Group, name: str) -> bool:
     return (group.data.get("kind"), group.data.get("name")) == ("force", name)
 
@@ -106,6 +115,8 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
     letters = {one.name: written(one.letter) for one in plan.vectors}
     if isinstance(stroke, Group) and row.get("arrow") and _is_arrow(stroke, names[0]):
         return shown_back(stroke)
+    if isinstance(stroke, Group) and (stroke.data.get("kind"), stroke.data.get("name")) == ("couple", row.get("arc")):
+        return None if row["how"] == "not shown" else turned_back(stroke)
     if isinstance(stroke, Group) and (stroke.data.get("plan"), stroke.data.get("name")) == (plan.plan, names[0]):
         if row["how"] in ("missing", "left out"):
             return None

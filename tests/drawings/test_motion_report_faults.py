@@ -30,6 +30,7 @@ def told(scene: str) -> list[str]:
     return [str(fault) for fault in faults(report(study, leaves), study, leaves)]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("scene", first(["shaper", "conveyor", "oscillating-cylinder", "walking-leg"]))
 def test_a_report_says_what_the_analysis_gives(scene: str) -> None:
     assert told(scene) == []

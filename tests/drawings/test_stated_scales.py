@@ -140,6 +140,7 @@ def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_a
         forces.leaves(study)
 
 
+@pytest.mark.rest
 def test_the_angle_of_the_kinematic_diagrams_has_the_scale_that_is_stated(tmp_path: Path) -> None:
     study = Study(scene_of("[sheet.scale]\nangle = 0.04\n"))
     leaf = next(leaf for leaf in kinematics.leaves(study) if leaf.metadata["diagrams"])

@@ -144,6 +144,7 @@ def _with(machine, weights):
         yield body.link, mass, (body.mass * body.centre + sum(one.mass * one.centre for one in added)) / mass
 
 
+@pytest.mark.rest
 def test_a_parallelogram_is_balanced_as_any_four_bar() -> None:
     """Where links stay parallel the directions depend on each other; the counterweights are those of any lengths."""
     case = four_bar()

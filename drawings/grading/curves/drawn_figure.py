@@ -11,7 +11,7 @@ import numpy as np
 from drawings.checks.graphs.scale_line import written_scales
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, heights, through
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, foot, heights, through
 from drawings.grading.drawn_plan import Arrow
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
@@ -37,6 +37,21 @@ class DrawnFigure:
     aside: frozenset[int] = field(default_factory=frozenset)
     apart: frozenset[int] = field(default_factory=frozenset)
     free: bool = False  # whether it was drawn on the axes of a form, without marks
+    lines: tuple[Values, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
+
+    def off(self, due: Values) -> Sizes:
+        """Give how far what is drawn is from what is due, true units; NaN of what is not drawn."""
+        if not self.lines:
+            return self.asked.off(self.values, due)
+        apart = np.min([away(line, due) for line in self.lines], axis=0)
+        return np.where(self.there, apart, np.nan)
+
+    def nearest(self, due: Values) -> Values:
+        """Give the values of a figure that is read off lines where these are nearest to what is due."""
+        found = self.values.copy()
+        for k in np.flatnonzero(self.there).tolist():
+            found[k] = foot(self.lines, complex(due[k]))
+        return found
 
     @property
     def there(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
@@ -50,7 +65,7 @@ def from_marks(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     own = {one.place: marks[one.name, one.position] for one in asked.items if (one.name, one.position) in marks}
     if not own:
         return None
-    scale, written = _written(asked, seen)
+    scale, written = scales_on(asked, seen)
     arrows = {place: _arrow(mark, seen) for place, mark in own.items()}
     values = np.full(len(asked.true), complex(np.nan, np.nan))
     for place, mark in own.items():
@@ -77,7 +92,7 @@ def _beside(asked: FigureAsked, seen: SeenSheet, values: Values, arrows: Mapping
             yield place
 
 
-def _written(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
+def scales_on(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float], bool]:
     """Give the scales that stand over a figure, ours where none stand; and whether all do."""
     group = group_named(seen.leaf.groups, asked.plan)
     due = {letter: mu for letter, mu in asked.scales.items() if letter}

@@ -13,8 +13,8 @@ from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.form_places import FormPlace, place_of
 from drawings.grading.lettered_plan import FAR, HEADING, LEAST, Likeness, misfit, position_named, turn_of
 from drawings.grading.polygons.pairing import paired
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.segments import Segment
-from drawings.grading.spelling import spelled
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Box, Text
 

@@ -12,7 +12,7 @@ from drawings.checks.labelled import Label, along, distance
 from drawings.grading import verdict
 from drawings.grading.asked import Asked
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
-from drawings.grading.spelling import spelled
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SEEN
 
