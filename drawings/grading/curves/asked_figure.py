@@ -104,6 +104,11 @@ class FigureAsked:
         return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
 
     @property
+    def largest(self) -> float:
+        """The largest of its values that are known, true units: at a dead centre one may be none."""
+        return float(np.nanmax(np.abs(self.true), initial=0.0))
+
+    @property
     def places(self) -> npt.NDArray[np.intp]:
         """The places that are asked for."""
         return np.array([one.place for one in self.items], dtype=np.intp)
