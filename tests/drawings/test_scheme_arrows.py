@@ -23,7 +23,8 @@ def kind(force: str, turned: float, by: Allowances) -> str:
     asked = PlanAsked("scheme 2-3", 9, "forces", "N", (), {}, senses={force: -1j})
     start = 100 + 100j
     arrow = Group((Line(start, start - 20j * cmath.rect(1.0, turned)),), data={"kind": "force", "name": force})
-    seen = see(svg(Leaf(200.0, 200.0, (Group((arrow,), "scheme-2-3-9"),))))
+    rod = Line(start, start + 40)
+    seen = see(svg(Leaf(200.0, 200.0, (Group((rod, arrow), "scheme-2-3-9"),))))
     (said,) = arrow_verdicts(seen, DrawnPlan(asked, {}, 1.0, {}, True), by)
     return said.kind
 
