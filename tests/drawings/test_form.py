@@ -79,6 +79,7 @@ def spellings(number: float) -> Iterator[str]:
         yield f"{number:.{digits - 1}e}".split("e")[0].replace(".", "").rstrip("0")
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("path", first(IN_TURN))
 def test_no_result_is_written_on_a_form(path: Path) -> None:
     study, leaves = form(path)

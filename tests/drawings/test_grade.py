@@ -148,6 +148,7 @@ def test_every_technique_is_graded_and_one_that_is_not_would_be_told() -> None:
     assert ungraded(task("slider-crank").originals, {}) == ("kinematics", "forces")
 
 
+@pytest.mark.rest
 def test_a_sheet_of_another_task_is_rejected(folder: Path, capsys: Capture) -> None:
     assert cli.main(["grade", str(GALLERY / "feed-cam.toml"), str(folder / "ann.svg")]) == 5
     assert "plandraft form" in capsys.readouterr().out

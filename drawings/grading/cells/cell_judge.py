@@ -67,6 +67,8 @@ class CellJudge:
         written = number(seen.texts, cell.unit)
         if written is None:
             return self._said(key, verdict.WRONG)
+        if not written.understood:
+            return self._said(key, verdict.ILLEGIBLE)
         off = min(_apart(written.value, true, cell.unit) for true in cell.true)
         if off <= self._allowed(cell, written):
             return self._said(key, verdict.RIGHT, off)

@@ -24,7 +24,7 @@ def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     own = axes(seen, asked.plan)
     if asked.paper is None or own is None:
         return None
-    written = written_at(seen, own)
+    written = written_at(seen, own, asked.stated)
     across, up = (written.get(letter) for letter in asked.scales)
     lines = [one - own.origin for one in _lines(seen, own)]
     if across is None or up is None or not lines:

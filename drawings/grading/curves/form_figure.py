@@ -35,7 +35,7 @@ def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
         return None
     if asked.returns:
         return course_on_form(asked, seen)
-    written = written_at(seen, own)
+    written = written_at(seen, own, dict.fromkeys(ABSCISSAS, "") | asked.stated)
     step = _step(own, written, asked.paper.turn)
     if step is None:
         return None

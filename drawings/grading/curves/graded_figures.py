@@ -16,6 +16,7 @@ from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
 from drawings.grading.curves.form_figure import from_form
+from drawings.grading.curves.form_line import line_on_form
 from drawings.grading.verdict import Verdict
 
 
@@ -37,7 +38,7 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
 def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     if asked.rings or asked.arms:
         return from_rings(asked, seen) if asked.rings else from_arms(asked, seen)
-    return from_marks(asked, seen) or from_form(asked, seen)
+    return from_marks(asked, seen) or from_form(asked, seen) or line_on_form(asked, seen)
 
 
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
@@ -65,10 +66,15 @@ def figure_verdicts(
         for one in due if found or sheet in sheets else ():
             if one.key in there:
                 yield from judge.verdicts(there[one.key], allowed(one))
-            elif (found and (one.kind == ORDINATES or not any(drawn.free for drawn in found))) or sheet in marked:
+            elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or sheet in marked:
                 yield from _missing(one)
             else:
                 yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)
+
+
+def _is_graph(asked: FigureAsked) -> bool:
+    """Tell whether a figure has axes of its own on a form, and would be read there."""
+    return asked.kind == ORDINATES and asked.paper is not None
 
 
 def _missing(asked: FigureAsked) -> Iterator[Verdict]:
