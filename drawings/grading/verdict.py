@@ -47,7 +47,7 @@ OF_CURVES: Final = (
     FLYWHEEL,
     UNSET,
 )
-OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
+OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, *OF_CURVES)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
 UNGRADED: Final = (DEAD, UNREAD, UNGROUPED, SMALL, ILLEGIBLE, UNTABLED)
 OF_CELLS: Final = (SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE)
@@ -59,6 +59,8 @@ KINDS: Final = (
     UNGROUPED,
     *OF_CURVES, *OF_CELLS, ILLEGIBLE, UNTABLED,
 )  # fmt: skip
+# By which a quantity is wrong that may keep a share of its points.
+OF_QUANTITIES: Final = tuple(kind for kind in KINDS if kind not in (*GOOD, *OF_PLANS, *OF_DRAWING, *UNGRADED))
 
 
 class Verdict(NamedTuple):

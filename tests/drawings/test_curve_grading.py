@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from drawings.checks.dynamics.load_law import Branch, branches
 from drawings.eye.sheet import see
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
-from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.curves.asked_figure import Values
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_records import figures_asked
@@ -34,6 +35,7 @@ from tests.gallery import SCENES
 from tests.rows import over
 
 HAND = Allowances()
+SHARE = Allowances(Allowance(share=0.02))
 CASES = Path(__file__).parents[1] / "cases"
 MISTAKES = tomllib.loads((CASES / "curve_mistakes.toml").read_text("utf-8"))["mistake"]
 # One of a linkage and one of a cam are made in the everyday run.
@@ -54,7 +56,7 @@ def right(scene: str) -> None:
 def ours_are_right(own: CurveTask) -> None:
     for sheet in own.originals.sheets:
         due = [one for one in own.figures if one.sheet == sheet.name]
-        for by in (HAND, Allowances(EXACT)) if due else ():
+        for by in (HAND, Allowances(EXACT), SHARE) if due else ():
             graded = grade(own.originals.drawn(sheet), (), by, own.figures)
             assert (graded.outcome, graded.wrong) == (PASS, ()), sheet.name
             assert len(graded.verdicts) == sum(len(one.items) for one in due)
@@ -74,6 +76,13 @@ def test_our_own_graphs_of_every_scene_are_right(scene: str) -> None:
 def test_a_curve_may_end_before_a_dead_centre() -> None:
     originals = Originals(CASES / "alarms" / "curve-short-of-a-dead-centre.toml")
     ours_are_right(CurveTask(originals, figures_asked(originals)))
+
+
+def test_a_share_is_of_the_largest_value_that_is_known() -> None:
+    figure = curve_task("slider-crank").figures[0]
+    known = replace(figure, true=np.where(np.arange(len(figure.true)) == 0, np.nan, figure.true))
+    allowed = allowed_of(known, SHARE, 0.0)
+    assert (allowed >= 0.02 * np.abs(figure.true[1:]).max()).all()
 
 
 def found(row: dict[str, Any]) -> None:

@@ -65,8 +65,9 @@ def arrow_verdicts(seen: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterator
 
 
 def _kind(name: str, arrow: Arrow, true: complex, by: Allowances, coarse: float) -> str:
-    length = abs(arrow.vector)
-    allowed = by.by.share or DEVIATIONS * max(by.by.slip, coarse) * (2 / length + 1 / EDGE) if length else 0.0
+    # No arrow that is not to scale is the largest of a plan: where a share is allowed, the slip of a fair hand is.
+    length, slip = abs(arrow.vector), max(by.to(name).slip, coarse)
+    allowed = DEVIATIONS * slip * (2 / length + 1 / EDGE) if length else 0.0
     off = abs(math.remainder(_phase(arrow.vector) - _phase(true), math.tau))
     if off <= allowed:
         return verdict.RIGHT
