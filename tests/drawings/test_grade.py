@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import re
+import time
 import tomllib
 from functools import partial
 from hashlib import sha256
@@ -95,6 +96,26 @@ def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(tmp_path: Path, monkeypat
     graded = [one for _, one in roll.grade_all(paths, broken)]
     assert [one.outcome for one in graded] == [OURS, REJECTED, REJECTED, PASS]
     assert [one.reason and one.reason.key for one in graded] == ["grade.bug", "grade.memory", "grade.late", None]
+
+
+def waits(source: bytes) -> Graded:
+    """Wait beside others, where a sheet says so for ever; one that has waited before is graded at once."""
+    before = Path(source.decode())
+    if before.suffix == ".never" or not before.exists():
+        before.touch()
+        time.sleep(600)
+    return Graded(PASS)
+
+
+@pytest.mark.rest  # the seconds of patience go by in it, though nothing works
+def test_a_sheet_that_had_to_wait_is_tried_once_more_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(roll, "PATIENCE", 2.0)
+    paths = [tmp_path / name for name in ("busy.svg", "never.svg", "again.svg")]
+    for path, before in zip(paths, ("one.busy", "two.never", "three.busy"), strict=True):
+        path.write_bytes(str(tmp_path / before).encode())
+    graded = [one for _, one in roll.grade_all(paths, waits, workers=3)]
+    assert [one.outcome for one in graded] == [PASS, REJECTED, PASS]
+    assert graded[1].reason is not None and graded[1].reason.key == "grade.late"
 
 
 def test_each_sheet_has_a_feedback_sheet_of_its_own(tmp_path: Path, capsys: Capture) -> None:
