@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.lettered_plan import spelled
 from drawings.grading.plan_names import plan_named
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.told import plan_told
 from geometry.errors import DraftError
 from plans.words.words import Message, languages, message, term

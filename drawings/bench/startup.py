@@ -12,7 +12,8 @@ from pathlib import Path
 from plans.bench.clock import Times, interleaved
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not
-DRAW = "from drawings.commands.cli import run; run()"
+DRAW = "from drawings.commands.process import run; run()"
+MADE = 0, 4  # exit codes of what was drawn, whole or with gaps
 IMPORTS = "import numpy, svgwrite"
 
 
@@ -21,9 +22,8 @@ def startup(scene: Path, rounds: int) -> tuple[Times, Times, Times]:
     with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
         commands = ([DRAW, "draw", os.fspath(scene.resolve()), "-o", folder], [IMPORTS], ["pass"])
         runs = [_process(folder, *command) for command in commands]
-        for (
-            run
-        ) in runs:  # the first runs of all compile the modules, as installing them does, and fill the cache of files
+        # The first runs of all compile the modules, as installing them does, and fill the cache of files.
+        for run in runs:
             run()
         draw, imports, nothing = interleaved(runs, rounds, float("inf"))
     return draw, imports, nothing
@@ -34,4 +34,10 @@ def _process(folder: str, *arguments: str) -> Callable[[], object]:
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     environment |= {"PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONPYCACHEPREFIX": folder}
     command = [sys.executable, "-c", *arguments]
-    return lambda: subprocess.run(command, env=environment, capture_output=True, check=False)
+    return lambda: _made(subprocess.run(command, env=environment, capture_output=True, check=False))
+
+
+def _made(ended: subprocess.CompletedProcess[bytes]) -> None:
+    """Let no time be told of a run that made nothing."""
+    if ended.returncode not in MADE:
+        ended.check_returncode()

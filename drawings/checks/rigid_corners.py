@@ -66,27 +66,28 @@ class Corners(NamedTuple):
         sides = (one.at for one in self.corners if one.due and not one.ringed)
         return any(abs(fill.points[0] - at) <= ROUNDED for at in sides)
 
-    def _radius(self, one: Corner) -> float:
-        """Give the radius of the hinge about a corner; the smaller circle of a mass centre there is none."""
-        hinges = [ring for ring in self.rings if one.ringed and ring.radius > HINGE * self.size - ROUNDED]
-        return max((ring.radius for ring in hinges if abs(ring.centre - one.at) < ring.radius), default=0.0)
+    def _radii(self, one: Corner) -> tuple[float, ...]:
+        """Give the radii of the hinge about a corner: with the smaller circle of a mass centre there, and without."""
+        about = [ring.radius for ring in self.rings if one.ringed and abs(ring.centre - one.at) < ring.radius]
+        hinges = [radius for radius in about if radius > HINGE * self.size - ROUNDED]
+        return max(hinges, default=0.0), max(about, default=0.0)
 
-    def _reach(self, one: Corner) -> float:
-        """Give how far along its lines a corner is filled, mm."""
-        depth = self._radius(one) + GUSSET * self.size
+    def _reach(self, one: Corner, radius: float) -> float:
+        """Give how far along its lines a corner about a circle is filled, mm."""
+        depth = radius + GUSSET * self.size
         return depth * min(1 / max(math.cos(one.half), 1 / (2 * LEG)), LEG)
 
     def _shown(self, one: Corner) -> bool:
-        """Tell whether a corner is surely not too wide to be filled."""
-        beyond = self._reach(one) * math.cos(one.half) - self._radius(one)
+        """Tell whether a corner is surely not too wide to be filled, whichever circle is about it."""
+        beyond = min(self._reach(one, radius) * math.cos(one.half) - radius for radius in self._radii(one))
         return one.half > EDGE and beyond > (SHALLOW + EDGE) * GUSSET * self.size
 
     def _fills(self, fill: Fill, one: Corner) -> bool:
         """Tell whether a filling is of a corner: its outermost places lie on the corner's lines, as far as is due."""
-        reach = self._reach(one)
-        ends = one.at + one.first * reach, one.at + one.second * reach
         outer = fill.points[-2:]
-        turned = (ends, ends[::-1])
+        reaches = {self._reach(one, radius) for radius in self._radii(one)}
+        ends = [(one.at + one.first * reach, one.at + one.second * reach) for reach in reaches]
+        turned = (*ends, *(own[::-1] for own in ends))
         return any(max(abs(a - b) for a, b in zip(outer, own, strict=True)) <= 2 * ROUNDED for own in turned)
 
 

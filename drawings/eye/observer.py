@@ -53,12 +53,17 @@ class Observer:
         self.paper = Viewport(0.0, 0.0, STAY, ())
         self.root = _Open(Frame("svg", STAY, Look(), None), {})
 
+    def opened(self, attributes: Mapping[str, str]) -> Viewport:
+        """See the paper that a root lays what is drawn on."""
+        self.paper = viewport(attributes)
+        return self.paper
+
     def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
         """See an element begin."""
         one = _Open(frame, attributes)
         self.open.append(one)
         if len(self.open) == 1:
-            self.root, self.paper = one, viewport(attributes)
+            self.root = one
         elif frame.tag in UNREAD or frame.tag == "svg":
             self._leave_aside(f"<{frame.tag}>")
         elif frame.tag and (own := next(effects(attributes), "")):

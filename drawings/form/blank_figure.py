@@ -110,7 +110,7 @@ def draw(laid: LaidFigure, own: Fixed, room: Picture, spot: Spot, drafting: Draf
         letters = [(place.on(0j), laid.pole["name"], OFF)] if laid.pole else []
     data = {
         "kind": "place",
-        "plan": laid.pole.get("plan", laid.name),
+        **laid.of,
         "scale": numeral(spot.scale.mu),
         "unit": laid.unit,
     }

@@ -34,7 +34,8 @@ class Heading(NamedTuple):
 class LaidFigure(NamedTuple):
     """A figure of the task: what it is, its heading, its pole's data, letter and unit of its scale, its place.
 
-    `reach` is how far the place goes from the pole to the left, down, right and up, in true units, rounded up coarsely.
+    `of` is the plan and position that its marks are of. `reach` is how far the place goes from the pole to the left,
+    down, right and up, in true units, rounded up coarsely.
     """
 
     name: str
@@ -45,6 +46,7 @@ class LaidFigure(NamedTuple):
     unit: str
     reach: tuple[float, float, float, float]
     axes: tuple[str, ...]  # the letters of a graph's ordinate and abscissa
+    of: Mapping[str, str]
 
     @property
     def scales(self) -> tuple[str, ...]:
@@ -110,7 +112,8 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
     reach = _reach(ink, at, float(data["scale"]), parts)
     axes = _axes([text for text in _loose(group) if LETTER.fullmatch(_level(text))][:2])
     pole = poles[0].data if poles else {}
-    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes)
+    of = {key: data[key] for key in ("plan", "position") if key in data}
+    yield LaidFigure(group.name, what, heading, pole, scale[2], data["unit"], reach, axes, of)
 
 
 def _loose(group: Group) -> list[Text]:

@@ -13,6 +13,7 @@ from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
 from drawings.grading.graded import Graded
+from drawings.grading.seeing.page_units import shown
 from drawings.grading.told import Hints, gathered, plain_name, without_values
 from drawings.grading.verdict import Verdict
 from plans.words.words import word
@@ -37,7 +38,7 @@ def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: 
         for k, line in enumerate(notes)
     )
     whole = width + 2 * MARGIN + BREADTH * size * LETTERS
-    picture = base64.b64encode(source).decode("ascii")
+    picture = base64.b64encode(shown(source, graded.box)).decode("ascii")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{whole:.2f}mm" height="{tall:.2f}mm" '
         f'viewBox="0 0 {whole:.2f} {tall:.2f}"><rect width="100%" height="100%" fill="#ffffff"/>'
@@ -63,6 +64,8 @@ def _notes(path: Path, wrong: Sequence[Verdict], hints: Hints, language: str) ->
 
 def _mark(number: int, one: Verdict, height: float) -> str:
     assert one.at is not None  # asked of what has a place
+    if one.frames and not one.name:
+        return "".join(f'<polygon points="{_points(frame, height)}"/>' for frame in one.frames)
     (start, end), round_ = one.at, one.kind in verdict.OF_DRAWING
     if round_ or start == end:
         return f'<circle cx="{end.real:.3f}" cy="{height - end.imag:.3f}" r="{2 * RADIUS}"/>'
@@ -70,6 +73,10 @@ def _mark(number: int, one: Verdict, height: float) -> str:
         f'<line id="wrong-{number}" x1="{start.real:.3f}" y1="{height - start.imag:.3f}" '
         f'x2="{end.real:.3f}" y2="{height - end.imag:.3f}"/>'
     )
+
+
+def _points(frame: Sequence[complex], height: float) -> str:
+    return " ".join(f"{spot.real:.3f},{height - spot.imag:.3f}" for spot in frame)
 
 
 def _numbers(wrong: Sequence[Verdict], height: float) -> str:

@@ -8,7 +8,6 @@ from functools import partial
 from hashlib import sha256
 from typing import NamedTuple
 
-from drawings.checks.labelled import labels_of
 from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
@@ -20,13 +19,17 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
+from drawings.grading.form_places import form_places
 from drawings.grading.judgement import Judge
-from drawings.grading.legible import legible
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
-from drawings.grading.onlooker import Onlooker
 from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.polygons.free_plan import free_plans
+from drawings.grading.polygons.scheme_arcs import arc_verdicts
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
+from drawings.grading.seeing.legible import legible
+from drawings.grading.seeing.onlooker import Onlooker
+from drawings.grading.seeing.page_units import in_millimetres
+from drawings.grading.seeing.spelling import spelled_labels
 from drawings.grading.segments import figures, segments
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
@@ -46,6 +49,7 @@ class Graded(NamedTuple):
     digest: str = ""  # of the bytes: the same file from two students is told
     scene: str = ""  # the checksum of the scene that it says it is of
     drawn: tuple[DrawnPlan, ...] = ()  # the plans that were found, without their records
+    box: str = ""  # the viewBox that a sheet without one was read in, if not in pixels
 
     @property
     def wrong(self) -> tuple[Verdict, ...]:
@@ -88,10 +92,8 @@ def grade(
 
 
 def _graded(source: bytes, task: _Task) -> Graded:
-    onlooker = Onlooker()
     try:
-        seen = see(source, onlooker)
-        seen = seen._replace(leaf=legible(seen.leaf))
+        seen, onlooker = _seen(source)
     except SheetRefused as refused:
         return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
     tables = tables_drawn(seen, task.tables)
@@ -108,8 +110,20 @@ def _graded(source: bytes, task: _Task) -> Graded:
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
     scene = str(seen.leaf.metadata.get("scene", ""))
-    graded = Graded(PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans))
+    graded = Graded(
+        PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans), box=onlooker.box
+    )
     return graded._replace(outcome=FAIL) if graded.wrong else graded
+
+
+def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
+    """See what can be read of a sheet, in mm where its page does not say that its units are others."""
+    onlooker = Onlooker()
+    seen = see(source, onlooker)
+    if onlooker.boxless and in_millimetres(seen.written):
+        onlooker = Onlooker(unit=1.0)
+        seen = see(source, onlooker)
+    return seen._replace(leaf=legible(seen.leaf)), onlooker
 
 
 def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
@@ -123,10 +137,19 @@ def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
-    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed)
+    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, dict(_vectors(found.plans)))
     own = [one for figures in found.figures.values() for one in figures]
     shown = Shown(found.plans, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)
+
+
+def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:
+    """Give the vectors of plans that are of no position, by their names."""
+    for plan in plans:
+        for one in plan.asked.vectors if plan.asked.position is None else ():
+            value = plan.value(one.letters)
+            if value is not None:
+                yield one.name, value
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:
@@ -149,18 +172,20 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
     own = [figure_of(one) for one in figures(lines)]
     there = {plan.asked.place for plan in marked}
     left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
-    words, labels = list(texts(seen.leaf.groups)), [one for own in labels_of(seen.leaf.groups).values() for one in own]
-    polygons = tuple(free_plans(left, lines, words, labels))
+    words, places = list(texts(seen.leaf.groups)), form_places(seen.leaf)
+    labels = [one for own in spelled_labels(seen.leaf.groups).values() for one in own]
+    polygons = tuple(free_plans(left, lines, words, labels, places))
     here |= {plan.asked.sheet for plan in polygons}  # a lever looks as the plan of another sheet does
     others = [one for one in left if not here or one.sheet in here]
-    return (*whole, *polygons, *lettered_plans(others, own, words))
+    return (*whole, *polygons, *lettered_plans(others, own, words, places))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:
-    labels = labels_of(seen.leaf.groups)
+    labels = spelled_labels(seen.leaf.groups)
     for plan in drawn:
         beside = [one for one in drawn if one.asked.position == plan.asked.position]
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
         yield from arrow_verdicts(seen, plan, by)
+        yield from arc_verdicts(seen, plan)
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -7,16 +7,17 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
 from typing import NamedTuple
 
+from drawings.checks.labelled import off
 from drawings.eye.alike import folded
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
+from drawings.grading.form_places import FormPlace, place_of
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.segments import JOINED, Segment
 from drawings.lettering.extent import bounds
-from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Text
 from plans.linkage.letters import POLES
 from plans.words.words import languages, word, words
@@ -28,7 +29,14 @@ LEAST = 2  # letters that a figure has in common with a plan
 ARROW, BACKWARD = 10.0, 0.9  # mm that an arrow between two letters is worth, and its share if it is drawn back to front
 ROUNDS = 40  # of bringing letters elsewhere: a plan has some fifteen
 _POSITION = re.compile(r"(?:position|положени\w+|pos\.?|пол\.?)\s*№?\s*(\d{1,4})", re.IGNORECASE)
-_NAMES = {"pi": "π"}
+
+
+class Likeness(NamedTuple):
+    """How unlike a plan some arrows are: if they stand at another's place, how much they lack, how ill they fit."""
+
+    elsewhere: bool
+    lacks: int
+    misfit: float
 
 
 class Figure(NamedTuple):
@@ -55,9 +63,11 @@ def figure_of(own: Sequence[Segment]) -> Figure:
     return Figure(own, spots)
 
 
-def lettered_plans(asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text]) -> Iterator[DrawnPlan]:
-    """Find plans among figures: each is the one plan that its letters, its heading or its shape say."""
-    found = sorted(_candidates(asked, figures, texts), key=lambda one: one[0])
+def lettered_plans(
+    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text], places: Sequence[FormPlace] = ()
+) -> Iterator[DrawnPlan]:
+    """Find plans among figures: each is the one plan that its place, its letters, its heading or its shape say."""
+    found = sorted(_candidates(asked, figures, texts, places), key=lambda one: one[0])
     taken, placed = set[int](), set[object]()
     for _, k, plan in found:
         if k not in taken and plan.asked.place not in placed:
@@ -84,19 +94,21 @@ def _joins(line: Segment, start: complex, end: complex) -> bool:
 
 
 def _candidates(
-    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text]
-) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
-    """Give what each figure may be, where no heading says otherwise: how many letters it lacks, and how ill it fits."""
+    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text], places: Sequence[FormPlace]
+) -> Iterator[tuple[Likeness, int, DrawnPlan]]:
+    """Give what each figure may be, where no heading says otherwise, and how like that it is."""
     headings = {plan.plan: own_headings(plan, asked, texts) for plan in asked}
     for k, figure in enumerate(figures):
+        there = place_of(figure.spots, places)
         for plan in asked:
+            here = there if there is not None and there.plan == plan.place else None
             position = position_named(figure.away, headings[plan.plan])
             names = _named(plan, figure, texts)
             if len(names) < LEAST or POLES.get(plan.plan) not in names:
                 continue
-            drawn = _drawn(plan, figure, names, texts)
-            if position is None or position == plan.position:
-                yield (float(len(plan.letters) - len(names)), misfit(drawn)), k, drawn
+            drawn = _drawn(plan, figure, names, texts, here)
+            if here is not None or position is None or position == plan.position:
+                yield Likeness(there != here, len(plan.letters) - len(names), misfit(drawn)), k, drawn
 
 
 def own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Text]) -> list[Text]:
@@ -179,19 +191,9 @@ def _others(names: Mapping[str, complex], near: Mapping[tuple[str, complex], flo
         yield moved
 
 
-@lru_cache(maxsize=1024)
-def spelled(letter: str) -> str:
-    """Write a letter as anybody may write it: without the marks of levels, as it looks.
-
-    >>> spelled("n_A"), spelled("n_{A}") == spelled("nA"), spelled("pi") == spelled("π")
-    ('nA', True, True)
-    """
-    plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
-    plain = re.sub(r"[_{}^\s]", "", plain)
-    return folded(_NAMES.get(plain, plain))
-
-
-def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts: Sequence[Text]) -> DrawnPlan:
+def _drawn(
+    plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts: Sequence[Text], place: FormPlace | None
+) -> DrawnPlan:
     """Give the plan that a figure is: its arrows between its letters, laid as its letters are upright."""
     ends = [(figure.nearest(one.start), figure.nearest(one.end)) for one in figure.arrows]
     arrows = {}
@@ -201,7 +203,8 @@ def _drawn(plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts:
             arrows[one.letters] = Arrow(names[one.start], names[one.end])
         elif wanted[::-1] in ends:
             arrows[one.letters] = Arrow(names[one.end], names[one.start])
-    near = [(figure.away(text), mu) for text, mu in scales_written(texts, plan)]
+    away = figure.away if place is None else place.away
+    near = [(away(text), mu) for text, mu in scales_written(texts, plan)]
     bare = DrawnPlan(plan, arrows, 1.0, names, False)
     fits = [mu for _, mu in near if math.isclose(mu, bare.fitted, rel_tol=FITS)]  # a plan may be far from its heading
     scale = min(near)[1] if near and min(near)[0] <= HEADING else next(iter(fits), None)
@@ -237,5 +240,4 @@ def misfit(drawn: DrawnPlan) -> float:
 
 
 def _distance(text: Text, spot: complex) -> float:
-    left, low, right, high = bounds(text)
-    return abs(spot - complex(min(max(spot.real, left), right), min(max(spot.imag, low), high)))
+    return off(spot, bounds(text))

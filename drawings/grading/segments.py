@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from drawings.grading.onlooker import BEGIN, END
+from drawings.grading.seeing.onlooker import BEGIN, END
 from drawings.paper.strokes import Fill, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat
 

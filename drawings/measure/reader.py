@@ -147,7 +147,7 @@ class _Reader:
             raise SheetRefused("root", tag=tag[:_SAID], space=_SVG)
         if "transform" in properties(attributes):
             raise SheetRefused("root_transform")
-        paper = viewport(attributes)
+        paper = viewport(attributes) if self.witness is None else self.witness.opened(attributes)
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
         self.frames.append(Frame(tag, paper.placing, Look().below(tag, properties(attributes)), None))
 

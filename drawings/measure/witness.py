@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
 from drawings.measure.transform import Affine
+from drawings.measure.viewport import Viewport
 from drawings.measure.visibility import Look
 from plans.words.words import Message
 
@@ -21,6 +22,9 @@ class Frame(NamedTuple):
 
 class Witness(Protocol):
     """Who looks on while a sheet is read, element by element, within the reader's limits."""
+
+    def opened(self, attributes: Mapping[str, str]) -> Viewport:
+        """Give the paper that a root lays what is drawn on."""
 
     def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
         """See an element begin; one that is no SVG has no tag."""

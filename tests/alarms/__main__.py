@@ -1,9 +1,10 @@
 """False alarms of the self-check: `python -m tests.alarms --mechanisms 500 --seed 1 --workers 2`.
 
 Random loaded mechanisms are drawn with the self-check in both languages, by both standards, on paper from A1 to A4, and
-with `--gallery` all scenes of the gallery and of tests/cases/alarms in both languages on all four. None of them may be
-withheld, and none crash; a scene that is refused has no sheet that could be. Each that is withheld or crashes is
-written into `--folder`. `--only 17` draws that mechanism alone.
+with `--neighbours` scenes near those of the gallery, of all techniques, and with `--gallery` these themselves and those
+of tests/cases/alarms in both languages on all four. None of them may be withheld, and none crash; a scene that is
+refused has no sheet that could be. Each that is withheld or crashes is written into `--folder`. `--only 17` draws the
+one of that number alone.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from pathlib import Path
 
 from tests.alarms.drawing import ALARMS, CRASHED, DRAWN, REFUSED, SLOW, WITHHELD, Outcome, drawings
 from tests.alarms.machines import PAPER, machine, papered
+from tests.alarms.neighbours import neighbour
 from tests.gallery import SCENES
 
 CASES = Path(__file__).parents[1] / "cases" / "alarms"
@@ -26,7 +28,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Draw the scenes that are asked for; give 1 if any is withheld or crashes."""
     wanted = _wanted(arguments)
     numbers = range(wanted.first, wanted.first + wanted.mechanisms) if wanted.only is None else [wanted.only]
-    random = ((f"machine-{wanted.seed}-{k}", machine(wanted.seed, k)) for k in numbers)
+    kind, made = ("neighbour", neighbour) if wanted.neighbours else ("machine", machine)
+    random = ((f"{kind}-{wanted.seed}-{k}", made(wanted.seed, k)) for k in numbers)
     outcomes = []
     for one in drawings([*(gallery() if wanted.gallery else random)], wanted.workers):
         outcomes.append(one)
@@ -63,6 +66,7 @@ def _wanted(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="draws other ones")
     parser.add_argument("--workers", type=int, default=2, metavar="N", help="processes")
     parser.add_argument("--only", type=int, metavar="NUMBER", help="one of them")
+    parser.add_argument("--neighbours", action="store_true", help="neighbours of the gallery's scenes instead")
     parser.add_argument("--gallery", action="store_true", help="the gallery and earlier alarms instead")
     parser.add_argument("--folder", type=Path, default=Path("out/alarms"), metavar="DIR", help="for what is withheld")
     return parser.parse_args(arguments)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from tests.alarms.drawing import CRASHED, WITHHELD, drawing
 from tests.alarms.machines import machine, papered
+from tests.alarms.neighbours import neighbour
+from tests.gallery import SCENES
 from tests.parts import first
 
 SOON = "ram-pushed-evenly"  # the scene that is drawn in the shortest time
@@ -27,6 +30,23 @@ def test_an_earlier_alarm_is_drawn(path: Path) -> None:
 def test_a_random_mechanism_is_drawn_or_refused(number: int) -> None:
     one = drawing((f"machine-{number}", machine(1, number)))
     assert not one.alarm, one.told
+
+
+@pytest.mark.rest
+@pytest.mark.parametrize("number", first(range(len(SCENES))))
+def test_a_neighbour_of_a_scene_is_drawn_or_refused(number: int) -> None:
+    one = drawing((f"neighbour-{number}", neighbour(1, number)))
+    assert not one.alarm, one.told
+
+
+def test_a_neighbour_differs_in_what_is_measured_alone() -> None:
+    same = neighbour(1, 0), neighbour(1, 0)
+    own, other = (tomllib.loads(text) for text in (SCENES[0].read_text(encoding="utf-8"), same[0]))
+    assert same[0] == same[1]
+    assert own.keys() == other.keys()
+    first, changed = own["cam"][0], other["cam"][0]
+    assert first["follower"]["lift"] != changed["follower"]["lift"]
+    assert [one["kind"] for one in first["phases"]] == [one["kind"] for one in changed["phases"]]
 
 
 def test_what_is_withheld_or_crashes_is_an_alarm(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,11 +16,13 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from drawings import VERSION
 from drawings.bench import force_sheet, plain_pen, plot, record, session, sheet, startup
 from drawings.bench.force_sheet import FORCES_BY_HAND
 from drawings.bench.session import Order
 from drawings.commands import bench as command
 from drawings.commands import cli
+from drawings.commands.parser import parser
 from drawings.files import atomic_files
 from drawings.lettering.lettering import lettered, outline
 from drawings.paper.limits import QUANTUM
@@ -85,6 +88,7 @@ def paper() -> tuple[Ground, sheet.DrawnSheets]:
     return found, sheet.road(found).run()
 
 
+@pytest.mark.rest
 def test_what_is_measured_back_is_out_by_no_more_than_the_paper(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
     """The ends of a vector are rounded to the sheet's last decimal: its error is a quantum times the plan's scale."""
     found, drawn = paper
@@ -142,6 +146,7 @@ def test_the_plain_pen_draws_the_same_strokes() -> None:
     assert len(list(letter.iter(f"{SVG}polyline"))) == len(outline(Text(0j, "A")))
 
 
+@pytest.mark.rest
 def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
     ready = lettered(paper[1].leaves[0])
 
@@ -167,7 +172,12 @@ def test_a_sheet_that_is_refused_is_left_out_with_its_reason() -> None:
 
 def test_a_start_up_draws_the_scene_in_processes_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     ran: list[list[str]] = []
-    monkeypatch.setattr(startup.subprocess, "run", lambda line, **_: ran.append(line))
+
+    def run(line: list[str], **_: object) -> subprocess.CompletedProcess[bytes]:
+        ran.append(line)
+        return subprocess.CompletedProcess(line, 4)
+
+    monkeypatch.setattr(startup.subprocess, "run", run)
     times = startup.startup(GALLERY / "shaper.toml", 2)
     assert [len(each.seconds) for each in times] == [2, 2, 2]
     assert all(line[0] == sys.executable for line in ran)
@@ -177,6 +187,17 @@ def test_a_start_up_draws_the_scene_in_processes_of_its_own(monkeypatch: pytest.
         "pass",
     ]  # once to compile, twice to be timed
     assert ran[0][3:5] == ["draw", str((GALLERY / "shaper.toml").resolve())]
+
+
+def test_a_start_up_that_draws_nothing_has_no_time(tmp_path: Path) -> None:
+    with pytest.raises(subprocess.CalledProcessError):
+        startup.startup(tmp_path / "no.toml", 1)
+
+
+def test_the_program_of_the_start_up_is_plandraft() -> None:
+    line = [sys.executable, "-c", startup.DRAW, "--version"]
+    told = subprocess.run(line, capture_output=True, text=True, check=True, timeout=60).stdout
+    assert told == f"plandraft {VERSION}\n"
 
 
 @pytest.fixture(scope="module")
@@ -345,7 +366,7 @@ def test_an_old_plot_outlives_a_failure_of_the_new_one(
 
 
 def order(*words: str) -> Order:
-    return command.order(cli.parser().parse_args(["bench", "scene.toml", *words]))
+    return command.order(parser().parse_args(["bench", "scene.toml", *words]))
 
 
 def test_words_of_the_command_line_go_before_those_of_quick() -> None:

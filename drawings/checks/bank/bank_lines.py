@@ -172,9 +172,10 @@ def _graph(measured: Measured, part: Group, expected: Expected, by: Drafting, pl
     for plan, values in rows.items():
         _course(ink, values, zero, (across, mu), plan == plans[0])
         if len(plans) > 1:
-            k = int(np.abs(values).argmax())
-            top = zero + k * TURN / (len(values) - 1) / across + 1j * float(values[k]) / mu
-            ink.letter(bank_curves.CURVES[plan][1], [top], on("letter", part.name, name=bank_curves.CURVES[plan][1]))
+            name, even = bank_curves.CURVES[plan][1], 2 * expected.allowed[bank_curves.CURVES[plan][0]]
+            tops = np.flatnonzero(np.abs(values) >= np.abs(values).max() - even)  # of a pure harmonic, several
+            spots = [zero + int(k) * TURN / (len(values) - 1) / across + 1j * float(values[k]) / mu for k in tops]
+            ink.letter(name, spots, on("letter", part.name, name=name))
     yield from ink.faults()
 
 

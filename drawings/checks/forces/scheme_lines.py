@@ -83,13 +83,8 @@ class SchemeLines:
         return Corners(due, list(self.laid.strokes.of(Fill)), rings, self._size(rings))
 
     def _rings(self) -> Iterator[Circle]:
-        """Give the circles that corners begin beyond; at a point of a mass centre they begin at the point itself."""
-        named = [name for link in self.bill.links for name in self._points(link)]
-        points = [one for one in named if one not in self.mechanism.hinges and not is_centre(one)]
-        spots = [self.laid.on(self.bill.place(name)) for name in points]
-        for one in self.laid.strokes.circles:
-            if one.style.width > 0 and one.style.fill != "none" and all(abs(one.centre - at) > FINE for at in spots):
-                yield one
+        """Give the circles that corners begin beyond, those of mass centres with them."""
+        return (one for one in self.laid.strokes.circles if one.style.width > 0 and one.style.fill != "none")
 
     def _size(self, rings: list[Circle]) -> float:
         """Give the factor of the sizes of symbols, by a hinge."""

@@ -26,6 +26,7 @@ from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.cyclogram_figures import bars
 from drawings.grading.curves.figure_judge import SHORT
 from drawings.grading.curves.own_sheet import OwnSheet, items
+from drawings.grading.curves.ring_figures import rings
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from plans.cyclogram.rows import EVERY
 from plans.study import Study
@@ -39,7 +40,9 @@ def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     cams = {one.cam.name: one for one in study.comparison("cam").analysis.cams}
     name = own.leaf.metadata.get("cam")
     if name == EVERY:
-        yield from bars(own, cam_rows([one.cam for one in cams.values()]), 0.0)
+        turning = [one.cam for one in cams.values() if not one.cam.translates]
+        yield from bars(own, cam_rows(turning), 0.0)
+        yield from rings(own, cam_rows(turning), turning[0].sense)
     if name in cams:
         sheet = _Sheet(own, CamCourses(Expected(cams[name], study["cam"].drawings[name])))
         yield from sheet.laws()
@@ -158,6 +161,7 @@ class _Sheet:
             DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
             course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
             slack=self._sized(), why=because("cam_laid"), mistakes=tuple(self._wrong_sizes()),
+            curved=tuple(range(len(self.cam.turned))),
         )  # fmt: skip
 
     def _laid_by_hand(self, plan: str, *laws: str) -> Sizes:
@@ -238,7 +242,7 @@ class _Sheet:
             POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
             behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
             error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
-            why=because("cam_back"),
+            why=because("cam_back"), curved=tuple(range(count)),
         )  # fmt: skip
         turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
         for name, mistakes in (("K", ()), ("O_1", (turned,))):

@@ -12,6 +12,7 @@ from drawings.checks.cyclogram.due_rows import rows as machine_rows
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import CHAIN, PRICKED, FigureAsked, Item, Mistake, Values
 from drawings.grading.curves.own_sheet import OwnSheet
+from drawings.grading.curves.ring_figures import rings
 from plans.model.cyclogram import Row
 from plans.study import Study
 
@@ -19,7 +20,9 @@ from plans.study import Study
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the bars of a machine's cyclogram (row of the table of records)."""
     found = study.comparison("cyclogram").analysis
-    yield from bars(own, machine_rows(found, study["cyclogram"].cams), found.positions[0].turned)
+    rows = machine_rows(found, study["cyclogram"].cams)
+    yield from bars(own, rows, found.positions[0].turned)
+    yield from rings(own, rows, found.sense)
 
 
 def bars(own: OwnSheet, rows: Sequence[Row], begin: float) -> Iterator[FigureAsked]:

@@ -26,7 +26,9 @@ from drawings.grading.curves.asked_figure import (
 )
 from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.dynamics_courses import BEARING, CUT, Turned
+from drawings.grading.curves.load_figures import load_diagrams
 from drawings.grading.curves.own_sheet import OwnSheet, items
+from drawings.grading.curves.run_figures import bare_speeds, tachogram
 from plans.study import Study
 from plans.words.words import Message, because
 
@@ -37,11 +39,14 @@ WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_c
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of dynamics (row of the table of records)."""
     comparison, task = study.comparison("dynamics"), study["dynamics"].task
+    yield from load_diagrams(own, study["dynamics"].statics, comparison.motion.road.extremes)
     if comparison.analysis.cycle is None:
         return
     sheet = _Sheet(own, Expected(task, comparison.analysis), Expected(task, comparison.exact))
     yield from sheet.graphs()
     yield from sheet.loop()
+    yield from bare_speeds(own, sheet.expected, sheet.exact)
+    yield from tachogram(own, comparison.construction.run, comparison.exact.run)
 
 
 @dataclass(frozen=True)
@@ -162,6 +167,7 @@ class _Sheet:
             why=because("loop_point"),
             behind=(SURPLUS, INERTIA),
             course=turn.loop,
+            curved=tuple(range(len(true))),
             mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
         )
 

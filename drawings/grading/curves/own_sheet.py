@@ -52,9 +52,12 @@ class OwnSheet(NamedTuple):
             return None
         (first, one), (last, other) = min(own.items()), max(own.items())
         step = (other.start - one.start) / (abscissas[last] - abscissas[first])
-        feet = one.start + step * (abscissas - abscissas[first])
-        axis = self._axis(plan, np.asarray(feet, dtype=np.complex128))
-        return None if axis is None else Paper(axis, np.asarray(feet, dtype=np.complex128), abscissas)
+        return self.over(plan, np.asarray(one.start + step * (abscissas - abscissas[first])), abscissas)
+
+    def over(self, plan: str, feet: Values, abscissas: Sizes) -> Paper | None:
+        """Give where a graph lies whose ordinates have some feet; None where they stand on no line of it."""
+        axis = self._axis(plan, feet)
+        return None if axis is None else Paper(axis, feet, abscissas)
 
     def ruled(self, plan: str, feet: Values) -> Paper | None:
         """Give where bars lie that begin at some places: the longest line of their figure is their axis."""
@@ -63,9 +66,7 @@ class OwnSheet(NamedTuple):
         longest = max(lines, key=lambda one: abs(one.end - one.start), default=None)
         return None if longest is None else Paper((longest.start, longest.end), feet, np.zeros(len(feet)))
 
-    def _axis(
-        self, plan: str, feet: np.ndarray[tuple[int, ...], np.dtype[np.complex128]]
-    ) -> tuple[complex, complex] | None:
+    def _axis(self, plan: str, feet: Values) -> tuple[complex, complex] | None:
         """Give the longest line that all feet of a graph stand on."""
         group = group_named(self.leaf.groups, plan)
         lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
@@ -77,7 +78,7 @@ class OwnSheet(NamedTuple):
 WRITTEN = 1e-3  # of a scale: three digits are written at the least
 
 
-def _through(line: Line, feet: np.ndarray[tuple[int, ...], np.dtype[np.complex128]]) -> bool:
+def _through(line: Line, feet: Values) -> bool:
     along = (line.end - line.start) / abs(line.end - line.start)
     return bool((np.abs(((feet - line.start) / along).imag) <= FLUSH).all())
 

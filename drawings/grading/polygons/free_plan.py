@@ -10,8 +10,10 @@ from drawings.checks.labelled import Label, along, off
 from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
-from drawings.grading.lettered_plan import FAR, HEADING, LEAST, misfit, position_named, spelled, turn_of
+from drawings.grading.form_places import FormPlace, place_of
+from drawings.grading.lettered_plan import FAR, HEADING, LEAST, Likeness, misfit, position_named, turn_of
 from drawings.grading.polygons.pairing import paired
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.segments import Segment
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Box, Text
@@ -25,20 +27,29 @@ class Cluster(NamedTuple):
 
     arrows: Sequence[Segment]
 
+    @property
+    def ends(self) -> list[complex]:
+        """Both ends of each arrow."""
+        return [end for one in self.arrows for end in (one.start, one.end)]
+
     def away(self, text: Text) -> float:
         """Give how far a text is from the nearest arrow, mm."""
         return min(_distance(bounds(text), one) for one in self.arrows)
 
 
 def free_plans(
-    asked: Sequence[PlanAsked], lines: Sequence[Segment], texts: Sequence[Text], labels: Sequence[Label]
+    asked: Sequence[PlanAsked],
+    lines: Sequence[Segment],
+    texts: Sequence[Text],
+    labels: Sequence[Label],
+    places: Sequence[FormPlace] = (),
 ) -> Iterator[DrawnPlan]:
     """Find polygons: each cluster of arrows is the one plan whose letters stand beside them."""
     wanted = [plan for plan in asked if plan.lettered and all(one.letter for one in plan.vectors)]
     if not wanted:
         return
     clusters = [Cluster(own) for own in _clusters([one for one in lines if one.headed])]
-    found = sorted(_candidates(wanted, clusters, texts, labels), key=lambda one: one[0])
+    found = sorted(_candidates(wanted, clusters, (texts, labels), places), key=lambda one: one[0])
     taken, placed = set[int](), set[object]()
     for _, k, plan in found:
         if k not in taken and plan.asked.place not in placed:
@@ -64,22 +75,30 @@ def _near(one: Segment, other: Segment, spots: Mapping[int, Sequence[complex]]) 
 
 
 def _candidates(
-    asked: Sequence[PlanAsked], clusters: Sequence[Cluster], texts: Sequence[Text], labels: Sequence[Label]
-) -> Iterator[tuple[tuple[float, float], int, DrawnPlan]]:
-    """Give what each cluster may be: how many vectors it lacks, and how ill it fits."""
+    asked: Sequence[PlanAsked],
+    clusters: Sequence[Cluster],
+    written: tuple[Sequence[Text], Sequence[Label]],
+    places: Sequence[FormPlace],
+) -> Iterator[tuple[Likeness, int, DrawnPlan]]:
+    """Give what each cluster may be, where no heading says otherwise, and how like that it is."""
     for k, cluster in enumerate(clusters):
-        position = position_named(cluster.away, texts)
+        position = position_named(cluster.away, written[0])
+        there = place_of(cluster.ends, places)
         for plan in asked:
-            if position is not None and position != plan.position:
+            here = there if there is not None and there.plan == plan.place else None
+            if here is None and position not in (None, plan.position):
                 continue
-            drawn = _drawn(plan, cluster, texts, labels)
+            drawn = _drawn(plan, cluster, *written, here)
             if len(drawn.arrows) >= max(LEAST, len(plan.vectors) / 2):  # a scheme has some of the letters too
-                yield (float(len(drawn.lacking)), misfit(drawn)), k, drawn
+                yield Likeness(there != here, len(drawn.lacking), misfit(drawn)), k, drawn
 
 
-def _drawn(plan: PlanAsked, cluster: Cluster, texts: Sequence[Text], labels: Sequence[Label]) -> DrawnPlan:
+def _drawn(
+    plan: PlanAsked, cluster: Cluster, texts: Sequence[Text], labels: Sequence[Label], place: FormPlace | None
+) -> DrawnPlan:
     names = {spelled(one.letter): one for one in plan.vectors if one.corners}
-    near = [(cluster.away(text), mu) for text, mu in scales_written(texts, plan)]
+    away = cluster.away if place is None else place.away
+    near = [(away(text), mu) for text, mu in scales_written(texts, plan)]
     scale = min(near)[1] if near and min(near)[0] <= HEADING else None
     turn = turn_of([text for text in texts if spelled(text.plain) in names], cluster.away)
     arrows = _named(names, cluster, labels, (scale or 0.0) * turn)

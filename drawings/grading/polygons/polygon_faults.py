@@ -12,10 +12,9 @@ from drawings.checks.labelled import Label, along, distance
 from drawings.grading import verdict
 from drawings.grading.asked import Asked
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
+from drawings.grading.seeing.spelling import spelled
 from drawings.grading.verdict import Verdict
-from drawings.lettering.indices import with_index
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Text
 
 LANE = 60.0  # mm: a side that is drawn further beside its place is not there
 BESIDE = 3.0  # mm by which a letter must be nearer to another's arrow: lanes are so far apart
@@ -91,7 +90,7 @@ def letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan, near: float)
     for one, spots in shown:
         if any(_crossed(labels, (one, spots), other) for other in shown):
             yield _said(plan, one, verdict.SWAPPED)
-        elif not distance(labels.get(_plain(one), ()), spots) <= near:
+        elif not distance(labels.get(spelled(one.letter), ()), spots) <= near:
             yield _said(plan, one, verdict.UNLETTERED)
 
 
@@ -106,14 +105,10 @@ def _crossed(
     labels: Mapping[str, Sequence[Label]], one: tuple[Asked, list[complex]], other: tuple[Asked, list[complex]]
 ) -> bool:
     """Tell whether the letters of two arrows stand close to each other's, and further from their own."""
-    ours, theirs = labels.get(_plain(one[0]), ()), labels.get(_plain(other[0]), ())
+    ours, theirs = labels.get(spelled(one[0].letter), ()), labels.get(spelled(other[0].letter), ())
     crossed = distance(ours, other[1]), distance(theirs, one[1])
     kept = distance(ours, one[1]), distance(theirs, other[1])
     return all(there + BESIDE < here for there, here in zip(crossed, kept, strict=True))
-
-
-def _plain(one: Asked) -> str:
-    return Text(0j, one.letter if "{" in one.letter else with_index(one.letter)).plain
 
 
 def _said(plan: DrawnPlan, one: Asked, kind: str) -> Verdict:

@@ -8,8 +8,10 @@ from types import MappingProxyType
 from drawings.eye.ink import Ink, length
 from drawings.eye.observer import Observer, _Open
 from drawings.eye.typeset import EM
+from drawings.grading.seeing.page_units import boxed_in, stated
 from drawings.lettering.lettering import lacking, text_width
 from drawings.measure.pathdata import number
+from drawings.measure.viewport import Viewport
 from drawings.measure.visibility import declarations
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Run, Stroke, Text
@@ -20,11 +22,23 @@ SHARES = MappingProxyType({"middle": 0.5, "end": 1.0})  # of a text that lie bef
 
 
 class Onlooker(Observer):
-    """Sees the elements of a sheet one by one; `heads` are the ends with an arrowhead, of strokes by their ids."""
+    """Sees the elements of a sheet one by one; `heads` are the ends with an arrowhead, of strokes by their ids.
 
-    def __init__(self) -> None:
+    `unit` is how many mm the units of a page are that does not say it, where this is known; `box` is the viewBox that
+    it is given then.
+    """
+
+    def __init__(self, unit: float = 0.0) -> None:
         super().__init__()
         self.heads: dict[int, frozenset[str]] = {}
+        self.unit, self.box, self.boxless = unit, "", False
+
+    def opened(self, attributes: Mapping[str, str]) -> Viewport:
+        """See the paper that a root lays what is drawn on, in the units that its editor meant."""
+        own = boxed_in(attributes, self.unit) if self.unit else stated(attributes)
+        self.boxless = "viewBox" not in own
+        self.box = "" if "viewBox" in attributes else own.get("viewBox", "")
+        return super().opened(own)
 
     def leave(self) -> None:
         """See the innermost element end; what an editor writes in a part of a text is of that text."""

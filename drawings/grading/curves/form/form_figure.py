@@ -2,39 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.graphs.scale_line import written_scales
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.curves.drawn_curve import PLACED, Frame, chains, heights
 from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.curves.form.form_axes import AXES, FRAME, Blank, axes, every_axes, written_at
+from drawings.grading.curves.form.form_course import course_on_form
 from drawings.grading.drawn_plan import Arrow
-from drawings.paper.strokes import Group, Line
-from drawings.paper.walk import groups, texts
-from plans.model.dynamics import TURN
 
-FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
-NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
+ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
 SHIFTED = 0.3  # of what a graph is out by where it stands, and it is less out a position beside: it is shifted
-
-
-class Blank(NamedTuple):
-    """The axes of a graph on a form: their origin, the ends of both, the ticks along the abscissa, mm."""
-
-    origin: complex
-    right: float
-    top: float
-    ticks: Sequence[float]
-
-    def away(self, curve: Values) -> float:
-        """Give how far a curve is from the axes, mm: about their origin's level, and to either side of their length."""
-        middle = complex(curve.real.mean(), np.abs(curve.imag - self.origin.imag).mean())
-        aside = max(self.origin.real - middle.real, middle.real - 2 * self.right + self.origin.real, 0.0)
-        return float(np.hypot(aside, middle.imag))
 
 
 class ReadCurve(NamedTuple):
@@ -46,41 +28,15 @@ class ReadCurve(NamedTuple):
     shifts: dict[float, Sizes]
 
 
-def axes(seen: SeenSheet, plan: str) -> Blank | None:
-    """Give the axes of a graph on a form; None where there are none."""
-    return _every(seen).get(plan)
-
-
-def _every(seen: SeenSheet) -> dict[str, Blank]:
-    """Give all axes of a form by the plans that they are for."""
-    own = ((one.data.get("plan", ""), _blank(one)) for one in groups(seen.leaf.groups) if one.data.get("kind") == AXES)
-    return {plan: blank for plan, blank in own if blank is not None}
-
-
-def _blank(group: Group) -> Blank | None:
-    lines = [one for one in group.strokes if isinstance(one, Line)]
-    if not lines:
-        return None
-    across = max(lines, key=lambda one: abs((one.end - one.start).real))
-    upright = max(lines, key=lambda one: abs((one.end - one.start).imag))
-    origin = complex(upright.start.real, across.start.imag)
-    ticks = sorted(one.start.real for one in lines if one not in (across, upright) and _crosses(one, origin))
-    return Blank(origin, max(across.start.real, across.end.real), max(upright.start.imag, upright.end.imag), ticks)
-
-
-def _crosses(line: Line, origin: complex) -> bool:
-    """Tell whether a line is a tick of the abscissa."""
-    upright = abs((line.end - line.start).real) <= PLACED
-    return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
-
-
 def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     """Give a graph by the curve that is drawn on its axes; None where there are no axes, or no curve on them."""
     own = axes(seen, asked.plan)
     if asked.kind != ORDINATES or asked.paper is None or own is None:
         return None
-    written = _written(seen, own)
-    step = _step(own, written)
+    if asked.returns:
+        return course_on_form(asked, seen)
+    written = written_at(seen, own, dict.fromkeys(ABSCISSAS, "") | asked.stated)
+    step = _step(own, written, asked.paper.turn)
     if step is None:
         return None
     found = [one for frame in _frames(asked, own) for one in _read(seen, asked, frame, step)]
@@ -120,29 +76,19 @@ def _read(seen: SeenSheet, asked: FigureAsked, frame: Frame, step: float) -> Ite
 
 def _curves(seen: SeenSheet, plan: str) -> Iterator[Values]:
     """Give the curves that are nearer to the axes of a graph than to any others."""
-    every = _every(seen)
+    every = every_axes(seen)
     strokes = [one for one in seen.leaf.groups if one.data.get("kind") != AXES and one.name != FRAME]
     for one in chains(strokes):
         if min(every, key=lambda name: every[name].away(one)) == plan:
             yield one
 
 
-def _written(seen: SeenSheet, own: Blank) -> dict[str, float]:
-    """Give the scales that are written nearest to the axes, by their letters."""
-    head = complex((own.origin.real + own.right) / 2, own.top)
-    found: dict[str, float] = {}
-    for text in sorted(texts(seen.leaf.groups), key=lambda one: abs(one.at - head)):
-        if abs(text.at - head) <= NEAR:
-            found = written_scales(Group((text,))) | found
-    return found
-
-
-def _step(own: Blank, written: dict[str, float]) -> float | None:
+def _step(own: Blank, written: dict[str, float], turn: float | None) -> float | None:
     """Give the scale along the abscissa: that which is written, else a turn has as many positions as ticks."""
-    stated = written.get("φ") or written.get("x")
-    if stated or len(own.ticks) < 2:
-        return stated or None
-    return TURN / len(own.ticks) / float(np.median(np.diff(own.ticks)))
+    stated = next((written[letter] for letter in ABSCISSAS if letter in written), None)
+    if stated or turn is None or len(own.ticks) < 2:
+        return stated
+    return turn / len(own.ticks) / float(np.median(np.diff(own.ticks)))
 
 
 def _fitted(asked: FigureAsked, high: Sizes) -> float:

@@ -1,0 +1,123 @@
+"""The record of the run of a machine: its tachogram, its speeds without the flywheel (тахограмма, без маховика)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+
+from drawings.checks.dynamics.bare_strokes import BEFORE
+from drawings.checks.dynamics.dynamics_expected import INERTIA, KNOWN, SURPLUS, Expected
+from drawings.checks.dynamics.tachogram_strokes import TACHOGRAM
+from drawings.grading import verdict
+from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
+from drawings.grading.curves.own_sheet import OwnSheet
+from plans.analytic.dynamics.corners import energy_at
+from plans.model.dynamics import TURN, Speeds
+from plans.model.run import STEADY, Run
+from plans.words.words import because
+
+# Shares of a stage at which its curve is read, by how the instants there are written: of the first, of any other.
+READ: Final = MappingProxyType(
+    {0.25: ("t_1/4", "(3t_{0}+t_{1})/4"), 0.5: ("t_1/2", "(t_{0}+t_{1})/2"), 0.75: ("3t_1/4", "(t_{0}+3t_{1})/4")}
+)
+
+
+def tachogram(own: OwnSheet, constructed: Run | None, exact: Run | None) -> Iterator[FigureAsked]:
+    """Give the tachogram of a sheet: the speeds where its stages end, and between, off the curve."""
+    marks = {one.name: one for one in own.measured.vectors if one.plan == TACHOGRAM}
+    scales = own.scales(TACHOGRAM)
+    if not marks or constructed is None or exact is None or not {"t", "ω"} <= scales.keys():
+        return
+    instants = dict(_instants(constructed))
+    due = {name: instants[name] for name in instants if name in marks or not _ends(name)}
+    names, t = list(due), np.array(list(due.values()))
+    true, drawn = (np.interp(t, *_rising(run)) for run in (exact, constructed))
+    first = next(name for name in names if name in marks)
+    zero = marks[first].start - instants[first] / scales["t"]
+    paper = own.over(TACHOGRAM, np.asarray(zero + t / scales["t"]), t)
+    # An instant is pricked too: on a steep curve it moves the speed that is read there.
+    steep = np.abs(np.interp(t, constructed.t, constructed.epsilon)) * scales["t"] / scales["ω"]
+    yield FigureAsked(
+        key=TACHOGRAM, plan=TACHOGRAM, sheet=own.name, unit=marks[first].unit,
+        scales={"t": scales["t"], "ω": scales["ω"]},
+        items=tuple(Item(name, None, k, f"ω({name})") for k, name in enumerate(names)),
+        true=np.asarray(1j * true), slack=np.abs(true - drawn), error=PRICKED * np.hypot(1.0, steep), kind=ORDINATES,
+        paper=None if paper is None else paper._replace(turn=None), why=because("run_stage"),
+        mistakes=tuple(_straight(exact, names, t)),
+    )  # fmt: skip
+
+
+def _ends(name: str) -> bool:
+    """Tell whether a place of a tachogram is the end of a stage, whose ordinate is drawn."""
+    return name.removeprefix("t_").isdigit()
+
+
+def _instants(run: Run) -> Iterator[tuple[str, float]]:
+    """Give the instants at which a tachogram is held, s, by their names in their order."""
+    ends = [0.0, *(float(run.t[stage.last]) for stage in run.stages)]
+    for k, (start, end) in enumerate(pairwise(ends), 1):
+        if run.stages[k - 1].name != STEADY:  # there the speed swings, and is read at both ends alone
+            for share, (first, other) in READ.items():
+                yield first if k == 1 else other.format(k - 1, k), start + share * (end - start)
+        yield f"t_{k}", end
+
+
+def _rising(run: Run) -> tuple[Sizes, Sizes]:
+    """Give the instants of a run with their speeds, one of both where two stages meet."""
+    kept = np.append(np.diff(run.t) > 0, True)
+    return run.t[kept], run.omega[kept]
+
+
+def _straight(run: Run, names: list[str], t: Sizes) -> Iterator[Mistake]:
+    """Give a tachogram whose stages are straight, as if their moments were constant."""
+    at = [k for k, name in enumerate(names) if _ends(name)]
+    ends = np.concatenate(([0.0], t[at]))
+    yield Mistake(verdict.STRAIGHT, np.asarray(1j * np.interp(t, ends, np.interp(ends, *_rising(run)))))
+
+
+def bare_speeds(own: OwnSheet, expected: Expected, exact: Expected) -> Iterator[FigureAsked]:
+    """Give the graph of the speeds without the flywheel."""
+    marks, before = own.vectors(BEFORE), expected.account.before
+    if not marks or before is None:
+        return
+    first, turned = next(iter(marks.values())), expected.cycle.turned
+    divisions, sure = expected.task.divisions, exact.account.before
+    places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
+    paper = own.paper(BEFORE, turned, dict(enumerate(places)))
+    behind = (SURPLUS, INERTIA) if own.vectors(SURPLUS) and own.vectors(INERTIA) else ()
+    yield FigureAsked(
+        key=BEFORE, plan=BEFORE, sheet=own.name, unit=first.unit, scales={"ω": first.scale},
+        items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
+        true=np.asarray(1j * before.omega), slack=np.abs(before.omega - (before if sure is None else sure).omega),
+        error=np.full(len(turned), PRICKED), kind=ORDINATES, mistakes=tuple(_flywheeled(expected)),
+        paper=paper, why=because("speed_by_energy"),
+        behind=behind, course=Bare(before) if behind else None,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Bare:
+    """The speeds without the flywheel as they follow from surplus energies and inertias."""
+
+    true: Speeds
+
+    def __call__(self, own: Mapping[str, Values]) -> Values:
+        """Find the energy at which the mean of the least and the greatest speed is what it must be."""
+        surplus, inertia = own[SURPLUS].imag, own[INERTIA].real + self.true.inertia
+        due = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
+        energy = energy_at(due, surplus, inertia)
+        if energy is None:  # with such energies the machine would stop: nothing follows from them
+            return np.full(len(surplus), complex(np.nan, np.nan))
+        omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)
+        return np.asarray(1j * omega)
+
+
+def _flywheeled(expected: Expected) -> Iterator[Mistake]:
+    """Give the speeds with the flywheel, drawn where those without it are asked for."""
+    if expected.omega is not None:
+        yield Mistake(verdict.FLYWHEEL, np.asarray(1j * expected.omega))

@@ -1,0 +1,44 @@
+"""Students who draw on the form of a scene, as an editor draws: arrows with markers, letters in a font."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+
+from drawings.form.blank_file import blank_file
+from drawings.form.form import form_of
+from drawings.grading.asked import PlanAsked
+from drawings.grading.form_places import FormPlace, form_places
+from drawings.paper.strokes import Leaf
+from tests.drawings.students import task, true_places
+
+MARKER = '<defs><marker id="head" orient="auto"><path d="M0 0L5 2"/></marker></defs>'
+
+
+@cache
+def form_leaf(scene: str) -> Leaf:
+    """Give the first sheet of the form of a scene of the gallery."""
+    return next(iter(form_of(task(scene).originals.study).values()))[0]
+
+
+def on_form(leaf: Leaf, plans: Iterable[PlanAsked], scale: float) -> bytes:
+    """Draw plans at their poles on a form."""
+    places = {one.plan: one for one in form_places(leaf)}
+    own = "".join(_plan(plan, places[plan.place], scale, leaf.height) for plan in plans)
+    return blank_file(leaf).replace(b"</svg>", f"{MARKER}{own}</svg>".encode())
+
+
+def _plan(plan: PlanAsked, place: FormPlace, scale: float, high: float) -> str:
+    assert place.pole is not None
+    spots = {letter: place.pole + value / scale for letter, value in true_places(plan).items()}
+    at = {letter: complex(spot.real, high - spot.imag) for letter, spot in spots.items()}
+    lines = (
+        f'<path style="stroke:#000;fill:none;stroke-width:0.7;marker-end:url(#head)" '
+        f'd="M {at[one.start].real:.4f},{at[one.start].imag:.4f} L {at[one.end].real:.4f},{at[one.end].imag:.4f}"/>'
+        for one in plan.vectors
+    )
+    letters = (
+        f'<text x="{spot.real + 1:.2f}" y="{spot.imag - 1:.2f}" style="font-size:3.5px">{letter}</text>'
+        for letter, spot in at.items()
+    )
+    return "".join((*lines, *letters))

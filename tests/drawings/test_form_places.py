@@ -1,0 +1,54 @@
+"""Plans drawn on a form are told by the place that it gives each of them, whatever stands nearer to them."""
+
+from __future__ import annotations
+
+import pytest
+
+from drawings.grading.allowance import Allowances
+from drawings.grading.form_places import FormPlace, form_places, place_of
+from drawings.grading.graded import grade
+from drawings.paper.strokes import Text
+from tests.drawings.form_students import form_leaf, on_form
+from tests.drawings.students import task
+
+SCALE = 0.25  # of the shaper's acceleration plans, (m/s2)/mm, as its form states it
+
+
+@pytest.mark.rest
+def test_a_plan_on_a_form_is_the_one_that_its_pole_is_for() -> None:
+    """Each of the two plans stands nearer to the heading of the other, which is over the next place below."""
+    own = task("shaper")
+    plans = [plan for plan in own.plans if plan.plan == "accelerations"]
+    graded = grade(on_form(form_leaf("shaper"), plans, SCALE), own.plans, Allowances())
+    said = {(one.position, one.kind) for one in graded.verdicts if one.plan == "accelerations"}
+    assert said == {(2, "right"), (9, "right")}
+
+
+@pytest.mark.rest
+def test_each_place_of_a_form_says_of_which_plan_and_position_it_is() -> None:
+    places = {one.plan for one in form_places(form_leaf("shaper-loaded"))}
+    assert {("forces-4-5", 2), ("forces-2-3", 2), ("lever", 2), ("hodograph-0-3", None)} <= places
+
+
+UPPER = FormPlace(("velocities", 2), 30 + 70j, 0 + 50j, 100 + 100j)
+LOWER = FormPlace(("velocities", 9), 30 + 20j, 0j, 100 + 40j)
+
+
+@pytest.mark.parametrize(
+    ("ends", "place"),
+    [
+        ([30.5 + 70j, 60 + 42j, 70 + 30j], UPPER),  # begun at its pole, though most of it lies in the other
+        ([50 + 30j, 60 + 20j, 70 + 45j], LOWER),
+        ([150 + 30j, 160 + 20j], None),
+    ],
+)
+def test_arrows_are_of_the_place_of_their_pole_or_else_of_the_corners_about_them(
+    ends: list[complex], place: FormPlace | None
+) -> None:
+    assert place_of(ends, [UPPER, LOWER]) == place
+
+
+def test_a_heading_is_of_the_place_that_it_stands_over() -> None:
+    heading = Text(50 + 45j, "μ_v = 0.02", 5.0, "middle")
+    assert LOWER.away(heading) < UPPER.away(heading)
+    assert UPPER.away(Text(50 + 60j, "μ_v = 0.02", 5.0, "middle")) == 0.0
