@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import ast
 from collections import Counter
 from collections.abc import Iterator
-from functools import cache
 from pathlib import Path
 
 import pytest
 
+from tests.own_text import parsed
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent
@@ -88,31 +87,9 @@ def within(module: str, package: str) -> bool:
     return module == package or module.startswith(f"{package}.")
 
 
-def imports(node: ast.AST, late: bool = False) -> Iterator[tuple[str, int, bool]]:
-    """Give the imports of a file: module, line, and whether it waits for a function or only serves the types."""
-    for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.expr):  # no statement stands within an expression
-            continue
-        if isinstance(child, ast.Import):
-            yield from ((name.name, child.lineno, late) for name in child.names)
-        elif isinstance(child, ast.ImportFrom):
-            yield "." * child.level + (child.module or ""), child.lineno, late
-            # `from plans import group` imports a module as `import plans.group` does
-            yield from ((f"{child.module}.{name.name}", child.lineno, late) for name in child.names if not child.level)
-        else:
-            types = isinstance(child, ast.If) and ast.unparse(child.test) == "TYPE_CHECKING"
-            yield from imports(child, late or types or isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef))
-
-
-@cache
-def imported(text: str) -> tuple[tuple[str, int, bool], ...]:
-    """Give the imports of a file's text, which is read once for all that is asked of it."""
-    return tuple(imports(ast.parse(text)))
-
-
 def faults(path: str, text: str) -> Iterator[str]:
     """Give the imports of a file that its place forbids."""
-    for module, line, late in imported(text):
+    for module, line, late in parsed(text).imports:
         where = f"{path}:{line}: {module}"
         for folder, barred in FORBIDDEN.items():
             if path.startswith(folder) and any(within(module, package) for package in barred):
@@ -245,7 +222,7 @@ def room_of(module: str) -> str | None:
 def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
     """Give the imports of a file from a room that does not stand in a row below its own."""
     own = room_of(module_of(path))
-    for module, _, _ in imported(text):
+    for module, _, _ in parsed(text).imports:
         other = room_of(module)
         if own and other and own != other and ROWS[other] >= ROWS[own]:
             yield path, module
@@ -253,7 +230,7 @@ def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
 
 def known_to(path: str) -> set[str]:
     """Give our own files that a file imports, late and for the types alike."""
-    places = (module.replace(".", "/") for module, _, _ in imported((ROOT / path).read_text("utf-8")))
+    places = (module.replace(".", "/") for module, _, _ in parsed((ROOT / path).read_text("utf-8")).imports)
     return {file for place in places for file in (f"{place}.py", f"{place}/__init__.py") if file in FILES} - {path}
 
 

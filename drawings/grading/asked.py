@@ -66,6 +66,7 @@ class PlanAsked(NamedTuple):
     board: str = ""
     symbol: str = ""
     senses: Mapping[str, complex] = {}  # of arrows that are not to scale; a process hands it on, as it does no proxy
+    turns: Mapping[str, int] = {}  # of arcs of moments: +1 counter-clockwise
 
     @property
     def place(self) -> Place:
@@ -120,7 +121,7 @@ def _of_sheet(originals: Originals, sheet: Original, kinds: Mapping[str, str]) -
             board = record.boards.get(place[0], place[0])
             behind = {name: own[place[1]] for name, own in record.plans.items() if place[1] in own}
             yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)._replace(
-                senses=record.senses.get(place[0], {})
+                senses=record.senses.get(place[0], {}), turns=record.turns.get(place[0], {})
             )
 
 

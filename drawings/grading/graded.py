@@ -24,6 +24,7 @@ from drawings.grading.judgement import Judge
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.polygons.free_plan import free_plans
+from drawings.grading.polygons.scheme_arcs import arc_verdicts
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
 from drawings.grading.seeing.legible import legible
 from drawings.grading.seeing.onlooker import Onlooker
@@ -136,10 +137,19 @@ def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
-    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed)
+    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, dict(_vectors(found.plans)))
     own = [one for figures in found.figures.values() for one in figures]
     shown = Shown(found.plans, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)
+
+
+def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:
+    """Give the vectors of plans that are of no position, by their names."""
+    for plan in plans:
+        for one in plan.asked.vectors if plan.asked.position is None else ():
+            value = plan.value(one.letters)
+            if value is not None:
+                yield one.name, value
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:
@@ -177,4 +187,5 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
         yield from arrow_verdicts(seen, plan, by)
+        yield from arc_verdicts(seen, plan)
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -8,8 +8,9 @@ from typing import Final, NamedTuple
 from drawings.grading.asked import PlanAsked
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.plan_names import plan_named
+from drawings.grading.polygons.scheme_arcs import COUPLE
 from geometry.board import Mark
-from plans.words.words import Message, message
+from plans.words.words import Message, because, message
 
 # How the record names lines that no letter names, and the keys of their words.
 LINES: Final = {"guide of": "guide", "slot of": "slot", "stone": "stone", "line of action": "action"}
@@ -28,6 +29,7 @@ def hints(plan: PlanAsked) -> Iterator[tuple[str, tuple[Hint, ...]]]:
     for one in plan.vectors:
         if one.found is not None:
             yield one.name, tuple(_steps(max(one.found.span, key=lambda mark: mark.number)))
+    yield from ((name, (Hint(plan.plan, because("inertia_moment")),)) for name in plan.turns if name.startswith(COUPLE))
 
 
 def curve_hints(figures: Iterable[FigureAsked]) -> Iterator[tuple[str, tuple[Hint, ...]]]:

@@ -89,15 +89,17 @@ class Judge:
         if self._follows(one, value):
             return self._said(verdict.FOLLOWS, one, off)
         slip = self._nearest(one, value, one.found.slips) if one.found is not None else None
-        if slip is None and one.found is not None and not self._near(one, -value):
-            slip = self._nearest(one, value, tuple(mistaken(one.found.span.end, self.own)))
+        if slip is None and one.found is not None:
+            # What is simply turned round may lie near one of them: it is that one only where it is twice as near.
+            than = abs(value + one.true) / 2 if self._near(one, -value) else math.inf
+            slip = self._nearest(one, value, tuple(mistaken(one.found.span.end, self.own)), than)
         if slip is not None:
             return self._said(slip.kind, one, off)._replace(of=slip.of)
         return self._said(self._kind(one, value), one, off)
 
-    def _nearest(self, one: Asked, value: complex, own: tuple[Slip, ...]) -> Slip | None:
-        """Give the mistake that a vector is drawn by, the nearest of those that are known of it."""
-        near = [slip for slip in own if abs(value - slip.value) <= self.allowed[one.letters]]
+    def _nearest(self, one: Asked, value: complex, own: tuple[Slip, ...], than: float = math.inf) -> Slip | None:
+        """Give the mistake that a vector is drawn by, the nearest of those that are known of it and nearer `than`."""
+        near = [slip for slip in own if abs(value - slip.value) <= min(self.allowed[one.letters], than)]
         return min(near, key=lambda slip: abs(value - slip.value), default=None)
 
     def _kind(self, one: Asked, value: complex) -> str:

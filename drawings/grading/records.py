@@ -38,13 +38,14 @@ class Record(NamedTuple):
     """What a technique tells of a sheet: its vectors, and which plans the sheet has to what scales, by position.
 
     `boards` are the subjects of the record on which plans are drawn that have names of their own, `senses` the
-    directions of arrows that are not to scale, by plan and name.
+    directions of arrows that are not to scale, by plan and name, `turns` the senses of arcs.
     """
 
     found: Mapping[Letters, Found]
     plans: Mapping[str, Mapping[int | None, float]]
     boards: Mapping[str, str] = MappingProxyType({})
     senses: Mapping[str, Mapping[str, complex]] = MappingProxyType({})
+    turns: Mapping[str, Mapping[str, int]] = MappingProxyType({})
 
 
 # By technique: of a study and a leaf to the record of that sheet.

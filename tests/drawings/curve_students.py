@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Values
+from drawings.grading.curves.drawn_arms import arm_at
 from drawings.grading.curves.figure_records import figures_asked
 from drawings.original.originals import Original, Originals
-from drawings.paper.strokes import Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.students import task
 
@@ -89,10 +90,38 @@ def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Gro
         return replace(group, strokes=tuple(_marked(one, asked, by, along) for one in group.strokes))
     if asked.rings and group.name.startswith("ring-") and group.name[5:].isdigit():
         return _ring(group, asked, moves)
+    if asked.arms and group.name == asked.plan:
+        return _arms(group, asked, moves)
     strokes = tuple(_group(one, asked, moves, along) if isinstance(one, Group) else one for one in group.strokes)
     if group.name == asked.plan and asked.paper is not None:
         strokes = tuple(_curve(one, asked, moves, along) for one in strokes)
     return replace(group, strokes=strokes)
+
+
+def _arms(group: Group, asked: FigureAsked, moves: Values) -> Group:
+    """Move masses with their arms and letters."""
+    whole = Leaf(0.0, 0.0, (group,))
+    for letter, by in zip(asked.arms, moves.tolist(), strict=True):
+        arm = arm_at(whole, asked.plan, letter)
+        assert arm is not None
+        whole = replace(whole, groups=(_carried(whole.groups[0], arm[1], letter, by),))
+    return whole.groups[0]
+
+
+def _carried(group: Group, mass: complex, letter: str, by: complex) -> Group:
+    def moved(one: Stroke) -> Stroke:
+        match one:
+            case Group():
+                return _carried(one, mass, letter, by)
+            case Circle() if abs(one.centre - mass) < 1e-3:
+                return replace(one, centre=one.centre + by)
+            case Line() if abs(one.end - mass) < 1e-3:
+                return replace(one, end=one.end + by)
+            case Text() if one.plain == letter:
+                return replace(one, at=one.at + by)
+        return one
+
+    return replace(group, strokes=tuple(map(moved, group.strokes)))
 
 
 def _ring(group: Group, asked: FigureAsked, moves: Values) -> Group:

@@ -119,6 +119,7 @@ def _along(one: Line, other: Line) -> bool:
     return abs(((other.end - other.start) / (one.end - one.start)).imag) * abs(one.end - one.start) < 1e-6
 
 
+@pytest.mark.rest
 def test_a_disc_and_a_sector_are_drawn_to_scale_and_told() -> None:
     own = leaves(study(FOUR_BAR, FULL + counterweight("on = 3", "mass = 8") + SECTOR, "A3"))
     (mu,) = {
@@ -151,6 +152,7 @@ def test_a_mechanism_that_is_balanced_already_has_no_second_scheme_and_no_arrow(
     assert "∠, °" in cells(own, "counterweights")
 
 
+@pytest.mark.rest
 def test_the_share_is_chosen_where_its_curve_is_lowest(engine) -> None:
     own = marks(engine, "shares")
     for name, least in own.items():

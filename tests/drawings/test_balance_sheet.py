@@ -44,6 +44,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("case", first([(name, *paper) for paper in PAPERS for name in SCENES]))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
@@ -75,7 +76,7 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
             checked(leaf, study, tmp_path)
     assert fault.says in str(told.value)
     assert told.value.exit_code == 5
-    own = re.sub("«[^»]*»", "", said(told.value, "ru"))  # what a sheet says is quoted
+    own = re.sub("«[^»]*»|: .* в пояснениях", "", said(told.value, "ru"))  # what a sheet says is quoted
     unread = "не удаётся измерить" in own  # why a sheet cannot be read is told in English
     assert unread or not re.search(r"\b(the|is|on|in|for|against)\b", own)
 
@@ -90,6 +91,7 @@ def test_a_planted_fault_withholds_a_russian_sheet(fault: DrawingFault, tmp_path
             checked(leaf, study, tmp_path)
 
 
+@pytest.mark.rest
 def test_what_is_on_no_sheet_of_a_set_is_missed() -> None:
     study, seen = study_of("engine", "A4"), Measured((), ())
     own = [(seen, leaf) for leaf in leaves(study)]

@@ -55,6 +55,7 @@ def all_checked(study: Study, folder: Path) -> list[Measured]:
     return [checked(leaf, study, folder) for leaf in leaves(study)]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("case", first([(name, *paper) for paper in PAPERS for name in SCENES]))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)

@@ -88,6 +88,7 @@ def paper() -> tuple[Ground, sheet.DrawnSheets]:
     return found, sheet.road(found).run()
 
 
+@pytest.mark.rest
 def test_what_is_measured_back_is_out_by_no_more_than_the_paper(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
     """The ends of a vector are rounded to the sheet's last decimal: its error is a quantum times the plan's scale."""
     found, drawn = paper
@@ -145,6 +146,7 @@ def test_the_plain_pen_draws_the_same_strokes() -> None:
     assert len(list(letter.iter(f"{SVG}polyline"))) == len(outline(Text(0j, "A")))
 
 
+@pytest.mark.rest
 def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
     ready = lettered(paper[1].leaves[0])
 

@@ -98,6 +98,7 @@ def test_the_plot_is_the_same_for_the_same_numbers() -> None:
     assert plot.svg(invented()) == plot.svg(invented())
 
 
+@pytest.mark.rest
 def test_the_plot_is_black_and_white_and_shows_every_technique() -> None:
     content = plot.svg(invented()).decode("utf-8")
     root = ElementTree.fromstring(content)

@@ -147,6 +147,7 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
     assert "against the analysis" not in said(told.value, "ru")
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "fault",
     [

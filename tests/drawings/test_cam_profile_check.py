@@ -44,6 +44,7 @@ def checked(leaf: Leaf, found: CamFound, folder: Path) -> None:
     verify(path, leaf, partial(check, found=found, drafting=drafting_of(SCENE)))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("name", first(EVERY))
 def test_what_is_drawn_agrees_with_the_analysis(name: str, tmp_path: Path) -> None:
     checked(*made(name), tmp_path)

@@ -86,6 +86,7 @@ def test_radii_are_measured_back(name: str) -> None:
         assert abs(seen[number].value - (end - start)) < 2 * measured(name).quantum * seen[number].scale
 
 
+@pytest.mark.rest
 def test_as_many_rows_as_the_paper_takes() -> None:
     assert list(table("groove"))[:3] == ["0", "5", "10"]
     assert len(table("groove")) == 72
@@ -145,6 +146,7 @@ def test_letters_are_clear_of_all_lines(case: tuple[str, str, str]) -> None:
         assert list(unlettered(leaf)) == []
 
 
+@pytest.mark.rest
 def test_several_cams_have_a_sheet_each() -> None:
     leaves = sheets(scene(), [made("groove")[0], made("wedge")[0]])
     assert [leaf.metadata["number"] for leaf in leaves] == [1, 2]

@@ -138,6 +138,7 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(shaper: 
     assert beside.read_text("utf-8").startswith("# Crank shaper: kinematics\n")
 
 
+@pytest.mark.rest
 def test_the_output_is_told_and_who_chose_it(run: Run, shaper: Done, tmp_path: Path) -> None:
     report = (shaper.folder / "shaper-report.md").read_text("utf-8")
     chosen = "utput: link 5 by its point D, the last link on the frame; [output] names another\n"
@@ -166,6 +167,7 @@ def test_a_following_sheet_of_an_earlier_run_is_named(over_older: Done) -> None:
     assert left.read_text("utf-8") == "old"
 
 
+@pytest.mark.rest
 def test_draw_replaces_an_older_sheet(over_older: Done) -> None:
     assert over_older.code == 0
     assert sealed((over_older.folder / "plain-kinematics.svg").read_bytes())
@@ -392,6 +394,7 @@ def spoilt(stroke: Stroke, spoil: Callable[[Line, dict[str, str]], Group], done:
     return replace(stroke, strokes=tuple(spoilt(part, spoil, done) for part in stroke.strokes))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("spoil", first([shifted, reversed_, dropped, misnamed, stretched, named_twice]))
 def test_a_sheet_with_one_wrong_vector_is_withheld(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch, spoil: Callable[[Line, dict[str, str]], Group]
@@ -605,6 +608,7 @@ def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.rest
 def test_texts_are_left_to_the_viewer_where_the_scene_says_so(run: Run, tmp_path: Path) -> None:
     scene = tmp_path / "plain.toml"
     scene.write_text(PLAIN.read_text("utf-8") + 'positions = 2\n[sheet]\nlettering = "text"\n', "utf-8")
@@ -622,6 +626,7 @@ def test_a_group_without_a_sketch_ends_with_3_and_what_to_add(run: Run, tmp_path
     assert "sketch" in err
 
 
+@pytest.mark.rest
 @over("scene", CATALOGUE)
 def test_a_scene_of_the_catalogue_ends_the_command_as_its_header_says(run: Run, scene: Path) -> None:
     expected = re.search(r"# expect (\d+)", scene.read_text("utf-8", "replace"))
@@ -675,6 +680,7 @@ def test_a_folder_is_made_with_all_those_above_it(shaper: Done) -> None:
     assert (shaper.folder / "shaper-kinematics.svg").exists()
 
 
+@pytest.mark.rest
 def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -769,9 +775,13 @@ def test_a_closed_stdout_ends_with_7_and_one_line() -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_terminal_without_greek_letters_ends_no_command(tmp_path: Path) -> None:
+@pytest.mark.rest
+def test_a_terminal_without_greek_letters_does_not_end_draw(tmp_path: Path) -> None:
     done = process("draw", PLAIN, "-o", tmp_path, PYTHONIOENCODING="ascii")
     assert done.returncode == 0, done.stderr
+
+
+def test_a_terminal_without_greek_letters_ends_no_command() -> None:
     done = process("explain", PLAIN, "a_B", "--json", PYTHONIOENCODING="ascii")
     assert "π" in {step["name"] for step in json.loads(done.stdout)}
 

@@ -91,7 +91,7 @@ def lines(content: Contents, one: Composition) -> list[Field]:
 
 
 @given(anything(), some.sampled_from(PAGES))
-@examples(2, 40)
+@examples(1, 40)
 def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
     sheets = compose(content, page)
     for one in sheets:
@@ -195,6 +195,7 @@ def test_a_table_longer_than_a_sheet_is_continued_on_the_next(count: int) -> Non
     assert sum(rows) == 150 * count and len(rows) > 1
 
 
+@pytest.mark.rest
 def test_figures_of_a_long_set_go_on_sheets_that_are_filled_alike() -> None:
     panels = [panel for k in range(12) for panel in group(k, 0.3, 0.2 + 0.02 * k)]
     counts = [len(one.spots) for one in compose(Contents(tuple(panels), (), SAID), Page("A2"))]
@@ -206,6 +207,7 @@ def test_a_heading_wider_than_the_paper_is_told() -> None:
         compose(Contents((Panel(figure("scheme", 1.0, 1.0, heading=300.0)),)), Page("A4"))
 
 
+@pytest.mark.rest
 def test_composing_takes_little_time() -> None:
     panels, times = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)], []
     for _ in range(3):

@@ -156,6 +156,7 @@ def test_the_pole_distance_joins_both_scales(paper: str) -> None:
 CASES = [("A1", "en", 1), ("A1", "ru", 1), ("A2", "ru", 2), ("A3", "en", 2), ("A3", "ru", 2)]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("case", first(CASES))
 def test_sheets_are_few_and_no_letter_touches_a_line(case: tuple[str, str, int]) -> None:
     paper, language, count = case

@@ -52,6 +52,7 @@ def test_a_run_leaves_load_and_table_beside_the_graphs() -> None:
     assert second.metadata["figures"] == ["flywheel_sketch", "before", "tachogram"]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("language", first(["ru", "en"]))
 def test_captions_stay_inside_the_frame_of_a_small_sheet(language: str) -> None:
     study, found = sheet("A4", language, ASKED + MOTOR)

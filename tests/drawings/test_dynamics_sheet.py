@@ -100,6 +100,7 @@ diagram = { travel = ["0 %", "20 %", "100 %"], pressure = ["0.6 MPa", "0.1 MPa",
 """
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(
     "scene",
     first(
@@ -128,6 +129,7 @@ def test_links_of_constant_inertia_are_said_to_change_nothing() -> None:
     assert "of the links =" not in leaf.description
 
 
+@pytest.mark.rest
 def test_the_sheet_alone_says_why_the_flywheel_is_so_big(planer) -> None:
     """What issue 11 asks: why it is as big as it is, and what happens if delta is twice as large."""
     _, leaf = planer

@@ -54,6 +54,7 @@ def check(folder: Path) -> None:
     verify_set(set_faults(sheets, loaded_memo(statics, comparison)))
 
 
+@pytest.mark.rest
 def test_what_hangs_on_the_schemes_and_the_lever_passes(tmp_path: Path) -> None:
     check(tmp_path)
 

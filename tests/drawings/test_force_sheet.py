@@ -106,6 +106,7 @@ FAULTS: dict[str, Change] = {
 }
 
 
+@pytest.mark.rest
 def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> None:
     _study, comparison, statics, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
@@ -202,6 +203,7 @@ def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematic
     assert shown[0] == drawn != shown[1]
 
 
+@pytest.mark.rest
 def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, tmp_path: Path) -> None:
     """Of two positions the forces differ, and so may the scales; a drawn vector times the written one is its value."""
     _, _, leaves = sheets_of(checked[0])
@@ -215,6 +217,7 @@ def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, 
                 assert any(text.plain == f"μF = {scale:g} N/mm" for text in texts((group,)))
 
 
+@pytest.mark.rest
 def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas() -> None:
     text = text_of("shaper", ("[friction]", '[sheet]\nlanguage = "ru"\nreactions = "P"\n\n[friction]'))
     _, _, (leaf,) = sheets_of(LinkageStudy(parse_scene(text)))
@@ -239,6 +242,7 @@ def test_a_position_without_forces_is_refused_with_those_that_have_them() -> Non
     assert comparison.agrees
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("name", first(["kind-1", "kind-2", "kind-3", "kind-4", "kind-5"]))
 def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_path: Path) -> None:
     study = LinkageStudy(parse_scene(text_of(name)))

@@ -64,6 +64,7 @@ def check(scene: str, folder: Path) -> None:
     verify_report(faults_of(text, own, leaves))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("scene", first([*TEXTS, "насос"]))
 def test_what_is_drawn_as_it_should_be_passes(scene: str, tmp_path: Path) -> None:
     check(scene, tmp_path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -13,12 +14,14 @@ import pytest
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import PASS, grade
-from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
+from drawings.grading.verdict import UNGROUPED
+from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
 from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
 from tests.drawings.students import Task, task
 from tests.drawings.test_grading import bare
+from tests.drawings.test_grading import laid as as_a_whole
 from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written
 from tests.rows import over
 
@@ -92,6 +95,15 @@ def shown_back(arrow: Group) -> Group:
     return replace(arrow, strokes=(replace(line, end=2 * line.start - line.end), *again))
 
 
+def turned_back(couple: Group) -> Group:
+    """Draw the arc of a couple with its head at its other end."""
+    arc, head = couple.strokes
+    assert isinstance(arc, Arc) and isinstance(head, Fill)
+    way = (arc.at(0.5) - arc.centre) / arc.radius
+    points = tuple(arc.centre + way**2 * (spot - arc.centre).conjugate() for spot in head.points)
+    return replace(couple, strokes=(arc, head._replace(points=points)))
+
+
 def _is_arrow(group: Group, name: str) -> bool:
     return (group.data.get("kind"), group.data.get("name")) == ("force", name)
 
@@ -102,6 +114,8 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
     letters = {one.name: written(one.letter) for one in plan.vectors}
     if isinstance(stroke, Group) and row.get("arrow") and _is_arrow(stroke, names[0]):
         return shown_back(stroke)
+    if isinstance(stroke, Group) and (stroke.data.get("kind"), stroke.data.get("name")) == ("couple", row.get("arc")):
+        return None if row["how"] == "not shown" else turned_back(stroke)
     if isinstance(stroke, Group) and (stroke.data.get("plan"), stroke.data.get("name")) == (plan.plan, names[0]):
         if row["how"] in ("missing", "left out"):
             return None
@@ -225,6 +239,22 @@ def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str, plan: str, p
 def test_twenty_fair_hands_are_accepted_and_poor_ones_refused(scene: str, plan: str, position: int | None) -> None:
     assert passed(scene, (plan, position), 0.2) == 20
     assert passed(scene, (plan, position), 2.0) == 0
+
+
+def test_a_turned_sheet_is_not_told_that_its_scales_are_missing() -> None:
+    own = task("fan")
+    source = as_a_whole(own.originals.drawn(own.originals.sheets[0]), "translate(297 0) rotate(90) scale(0.7)")
+    assert said(own, source) == []
+
+
+@pytest.mark.rest
+def test_the_arrows_of_a_scheme_that_was_taken_apart_are_not_graded() -> None:
+    own = task("shaper-loaded")
+    sheet = own.originals.sheets[0]
+    graded = grade(re.sub(rb' id="(scheme|lever)-[^"]*"', b"", own.originals.drawn(sheet)), own.plans, HAND)
+    figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.senses}
+    assert graded.wrong == ()
+    assert {(one.plan, one.position) for one in graded.verdicts if one.kind == UNGROUPED} == figures
 
 
 def by_an_editor(plan: PlanAsked, mu: float, turn: float) -> bytes:

@@ -53,6 +53,7 @@ def checked_set(study: Study, folder: Path) -> None:
     verify_set(set_faults([(one.measured, one.leaf) for one in seen], study))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("name", first(SCENES))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
     for leaf in leaves(study_of(name)):

@@ -18,6 +18,7 @@ from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_siz
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
 from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, runs
 from plans.words.words import languages, words
+from tests import parts
 from tests.rows import over
 
 FILE = Path(alphabet.__file__).with_name("alphabet.json")
@@ -180,7 +181,8 @@ def test_anchor_and_rotation_move_the_whole_text(anchor: str) -> None:
         assert there == pytest.approx(10 + 20j + turn * (plain - share * length))
 
 
-@over("phrase", [phrase for language in languages() for phrase in on_sheets(language)])
+@pytest.mark.part
+@over("phrase", [phrase for language in languages() for phrase in on_sheets(language)][:: 1 if parts.whole else 7])
 @over("size", [3.5, 10.0])
 def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
     text = Text(0j, (Run(phrase),), size)
@@ -205,7 +207,8 @@ def test_all_other_neighbours_keep_their_gap(pair: str) -> None:
     assert gap(*pair) == 2
 
 
-@over("left", "АГДЛРТУЧЪгтАLTVпрЖ")
+@pytest.mark.part
+@over("left", "АГДЛРТУЧЪгтАLTVпрЖ"[:: 1 if parts.whole else 4])
 def test_neighbours_stay_a_gap_apart_wherever_they_face_each_other(left: str) -> None:
     for right in RUSSIAN + RUSSIAN.lower():
         shift = glyph(left).width + gap(left, right)

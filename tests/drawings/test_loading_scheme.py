@@ -184,6 +184,7 @@ def test_no_letter_touches_a_line_or_another_letter(one: tuple[str, int, int]) -
     assert collisions(Leaf(300, 300, (drawn(*one).whole,), lettering="strokes")) == []
 
 
+@pytest.mark.rest
 @over("one", [one for one in ALL if one[0] in ("shaper", "four-bar")])
 def test_no_letter_touches_anything_on_a_large_russian_sheet(one: tuple[str, int, int]) -> None:
     found = drawn(*one, hand_of("A1"), "ru")

@@ -381,6 +381,7 @@ def test_the_pen_writes_what_the_reader_reads() -> None:
     assert pathdata.numbers(numbers("%s %s", (1e-7, -123.4567))) == [0, -123.4567]
 
 
+@pytest.mark.rest
 def test_a_full_sheet_is_measured_quickly() -> None:
     parts = [vector(complex(k % 400, k % 290), complex(k % 300 + 7, k % 200 + 3), 0.1, f"B{k}") for k in range(3000)]
     source = sheet(*parts)

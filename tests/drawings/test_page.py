@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings.commands.cli import main
@@ -33,6 +33,7 @@ from tests.drawings.pages import (
     said,
     texts,
 )
+from tests.parts import examples
 
 
 @every_page
@@ -114,7 +115,7 @@ words = st.text(alphabet="АЁЙЩруфцщghjpyQÅ1,.;:()/ ", min_size=1, max_
 
 
 @pytest.mark.parametrize("standard", ["GOST", "ISO"])
-@settings(max_examples=40)
+@examples(8, 40)
 @given(
     st.dictionaries(st.sampled_from(sorted(set(ENTRIES["ru"]) - {"sheet", "sheets"})), words),
     st.integers(1, 99),

@@ -16,6 +16,7 @@ from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
 PLAIN = ROOT / "tests/catalogue/plain.toml"
+ROTOR = ROOT / "drawings/gallery/four-masses.toml"  # drawn the soonest
 FULL = Path("/dev/full")
 COMMAND = (sys.executable, "-c", "from drawings.commands.process import run; run()")
 # Draws, and waits where the sheet is measured until it is told to end; says so first.
@@ -55,7 +56,7 @@ def shell(command: str, *arguments: object) -> subprocess.CompletedProcess[bytes
 
 @pytest.mark.parametrize("name", first(CODES))
 def test_a_run_told_to_end_leaves_nothing_and_says_so_by_its_code(tmp_path: Path, name: str) -> None:
-    command = [sys.executable, "-c", WAITING, "draw", str(PLAIN), "-o", str(tmp_path / "a" / "b")]
+    command = [sys.executable, "-c", WAITING, "draw", str(ROTOR), "-o", str(tmp_path / "a" / "b")]
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
         assert running.stdout is not None and running.stderr is not None
         assert running.stdout.readline() == b"measuring\n"

@@ -167,6 +167,7 @@ def test_static_moments_alone_are_drawn_by_their_angles(tmp_path: Path) -> None:
     assert len(measured.vectors) == 4 + 5
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("many", first([(39, 40 + 41), (1000, 2 + 3), (60, 2 + 3), (9, 10 + 11), (20, 21 + 22)]))
 def test_many_masses(many: tuple[int, int], tmp_path: Path) -> None:
     """Catalogue J6: numbers alone, then one vector for all masses, and always the table."""

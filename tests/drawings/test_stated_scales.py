@@ -66,6 +66,7 @@ def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
     return {mark.scale for one in sheets for mark in (*one.vectors, *one.points) if mark.plan == plan}
 
 
+@pytest.mark.rest
 def test_plans_of_an_order_have_one_scale_by_default_and_each_its_own_where_that_is_asked(tmp_path: Path) -> None:
     common, each = (parse_scene(f"{PLANS}\n{more}") for more in ("", 'scales = "each"'))
     sheets = measured(common, tmp_path)
@@ -140,6 +141,7 @@ def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_a
         forces.leaves(study)
 
 
+@pytest.mark.rest
 def test_the_angle_of_the_kinematic_diagrams_has_the_scale_that_is_stated(tmp_path: Path) -> None:
     study = Study(scene_of("[sheet.scale]\nangle = 0.04\n"))
     leaf = next(leaf for leaf in kinematics.leaves(study) if leaf.metadata["diagrams"])

@@ -50,6 +50,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> Measured:
     return verify(path, leaf, partial(faults, study=study)).measured
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("name", first(["cylinder", "ram", "scissor"]))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
     check(study_of(name), tmp_path)

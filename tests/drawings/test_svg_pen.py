@@ -405,6 +405,7 @@ sys.stdout.buffer.write(svg.svg(everything()))
 """
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("seed", first("10"))
 def test_the_bytes_are_the_same_on_every_run(tmp_path: Path, seed: str) -> None:
     (tmp_path / "tests_svg_pen.py").write_bytes(Path(__file__).read_bytes())

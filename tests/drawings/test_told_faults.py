@@ -53,6 +53,7 @@ def checked(study: Study, path: Path) -> None:
     verify_report([*chain(*told)])
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("scene", first(["press", "planer", "compressor"]))
 def test_what_is_drawn_as_it_should_be_passes(scene: str, tmp_path: Path) -> None:
     checked(study_of(scene), tmp_path / "sheet.svg")

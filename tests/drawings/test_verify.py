@@ -66,6 +66,7 @@ FAULTS: dict[str, Change] = {
 }
 
 
+@pytest.mark.rest
 def test_the_sheet_as_drawn_passes(checked: tuple[Study, Leaf], tmp_path: Path) -> None:
     study, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))

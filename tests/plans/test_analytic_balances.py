@@ -328,6 +328,7 @@ def test_beside_a_near_change_point_the_energy_balance_stays_on_its_assembly(mis
     assert (np.abs(energy.moment - moment) <= energy.allowed)[judged].all() and judged.sum() > 40
 
 
+@pytest.mark.rest
 def test_many_positions_agree_with_few():
     few = shaper()
     phi = few.motion.phi[0] + np.arange(2400) * (2 * pi / 2400)

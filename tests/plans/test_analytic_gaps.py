@@ -96,6 +96,7 @@ def test_no_assembly_at_all():
     assert found == dict.fromkeys(range(12), ("positions", "out of reach"))
 
 
+@pytest.mark.rest
 def test_a_first_position_out_of_reach():
     mechanism = linkages.four_bar(0.1, 0.3, 0.145, 0.35, sketch={"B": 0.3 + 0.14j})
     assert gaps(mechanism, TURN + pi) == {0: ("positions", "out of reach")}

@@ -49,6 +49,7 @@ def test_numbers_of_both_roads_are_of_one_form(least) -> None:
     assert ours["/after/force"] == pytest.approx(ours[f"/shares/least_{least}/force"], rel=1e-13)
 
 
+@pytest.mark.rest
 def test_numbers_of_a_machine_as_it_is_and_of_one_that_is_balanced_already() -> None:
     """Catalogue J1: what is not needed has a mass of 0, and no place."""
     as_it_is = told(ENGINE.format(positions=3) + ASKED_NOTHING, "analysis")

@@ -17,6 +17,7 @@ BY_NAME = {one.name: one for one in DIAGRAMS}
 LEFT = [pytest.param(name, 2.0, marks=pytest.mark.rest) for name in (SMOOTH, ON_EDGES)]
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize(("name", "known"), [(INSIDE, 1.0), *LEFT])
 def test_chords_are_of_the_order_that_is_known_of_them(name: str, known: float) -> None:
     errors = [BY_NAME[name].error(count) for count in COUNTS]

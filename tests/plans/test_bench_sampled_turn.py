@@ -13,6 +13,7 @@ def exact(made: Study):
     return made.comparison("dynamics").turn
 
 
+@pytest.mark.rest
 def test_of_a_smooth_load_36_positions_give_the_driving_moment_to_rounding() -> None:
     assert mean_error(exact(study(PUSHED)), 36) <= 1e-14
     assert mean_error(exact(study(PLANING)), 36) > 1e-3

@@ -58,6 +58,7 @@ def _nearest(both: np.ndarray, expected: np.ndarray) -> np.ndarray:
     return np.where(np.abs(both[0] - expected) <= np.abs(both[1] - expected), both[0], both[1])
 
 
+@pytest.mark.rest
 @pytest.mark.part
 def test_no_crank_rocker_changes_its_assembly():
     """Promise M13: of 1,000 crank-rockers at 12 positions, the nearest-point rule loses 7 %; a side loses none."""

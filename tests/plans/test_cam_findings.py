@@ -101,6 +101,7 @@ def test_both_roads_find_the_same(name):
         assert one.pressing.preload == pytest.approx(other.pressing.preload, rel=1e-13)
 
 
+@pytest.mark.rest
 def test_of_crossings_close_together_both_roads_find_each():
     """Three of them start within 0.12 degrees, before the corner at the top."""
     roads = draw(SWINGING, sizes(SWINGING)), analyse(SWINGING, sizes(SWINGING))
@@ -254,6 +255,7 @@ def test_a_rocker_that_outruns_the_cam_is_told(road):
     assert "outrun" not in {one.kind for one in road(against, pivot(against, FACE)).flaws}
 
 
+@pytest.mark.rest
 @ROADS
 def test_what_would_mend_a_pressure_angle(road):
     """H9: with that R0, e as it is, the angle just reaches its limit; the textbook's R0 of a radial follower (M2.7)."""

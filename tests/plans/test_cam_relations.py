@@ -133,6 +133,7 @@ def test_reversal(case):
     assert one.sliding == pytest.approx(two.sliding, rel=1e-10)
 
 
+@pytest.mark.rest
 @given(cams())
 @examples(2)
 def test_both_roads_agree_on_any_cam(case):

@@ -247,6 +247,7 @@ def reaches_its_limits(cam: Cam) -> None:
     assert set(most) == {RISE, DWELL, RETURN}
 
 
+@pytest.mark.rest
 @over("cam", [translating(), rocking(1, 1), rocking(1, -1)])
 def test_no_smaller_cam_keeps_to_the_limits(cam: Cam) -> None:
     own, found = construction(cam).sizes, construction(cam)
@@ -285,6 +286,7 @@ def _least_radius(cam: Cam, own: Sizes) -> float:
     return float((distance + np.gradient(slope, angle))[4:-4].min())
 
 
+@pytest.mark.rest
 @over("cam", [translating(closure=FORCE), rocking(1, -1), flat()])
 def test_a_cam_scales(cam: Cam) -> None:
     follower = cam.follower._replace(length=None if cam.follower.length is None else 2 * cam.follower.length)

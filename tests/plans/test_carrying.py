@@ -86,6 +86,7 @@ def test_without_a_word_the_gap_is_told_with_what_to_write() -> None:
     assert all('through = "parallel"' in str(gap.advice) for gap in beyond)
 
 
+@pytest.mark.rest
 def test_an_antiparallelogram_goes_on_as_one() -> None:
     """Crossed, its cranks turn against each other, and their ends are as far apart as before."""
     comparison = compared(study(CROSSED))

@@ -88,6 +88,7 @@ def test_a_diagram_of_another_stroke_is_told_at_its_place() -> None:
         compared(scene)
 
 
+@pytest.mark.rest
 def test_lengths_of_what_swings_are_refused() -> None:
     card = 'direction = 0\ndiagram = { travel = [0, "230 mm"], force = [0, 100] }\n'
     with pytest.raises(StructureError, match=r"is told over lengths, but link 3 swings\. Fix: write shares"):

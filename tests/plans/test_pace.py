@@ -114,6 +114,7 @@ def test_both_roads_agree_at_uneven_rates(path: Path) -> None:
     assert compare(one.paced(uneven(one))).agrees
 
 
+@pytest.mark.rest
 @pytest.mark.part
 @over("path", FORCES if parts.whole else FORCES[::3])
 def test_both_roads_agree_in_the_forces_at_uneven_rates_and_the_energy_balance_with_them(path: Path) -> None:

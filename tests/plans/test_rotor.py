@@ -129,6 +129,7 @@ def test_stiff_rotors_agree_by_both_roads(planes, least) -> None:
     agree(Rotor(masses(rows), planes, (Fraction(0), Fraction(1, 10**6)), 1e4))
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("angle", some([33, 0, Fraction(137507764, 1000000)], 3))
 @pytest.mark.parametrize("planes", some([DYNAMIC, STATIC], 2))
 def test_a_thousand_masses(angle, planes) -> None:

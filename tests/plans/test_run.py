@@ -171,6 +171,7 @@ def test_the_measures_of_a_steady_turn() -> None:
     ]
 
 
+@pytest.mark.rest
 def test_a_constant_moment_that_is_too_great_never_settles() -> None:
     found = run(slider_crank(40.0, force=2000.0), Motor(Constant(60.0)), RunTask(12.0, 3)).steady
     assert found is not None

@@ -94,6 +94,7 @@ def test_the_table_is_of_the_first_order(motor: Motor) -> None:
     assert rows(errors)[-1].note.startswith("order")
 
 
+@pytest.mark.rest
 def test_both_roads_come_to_the_same_run_as_the_step_falls() -> None:
     link, task = slider_crank(4.0, force=2000.0), RunTask(12.0, 8, 50.0)
     motor = Motor(Linear(600.0, 20.0))

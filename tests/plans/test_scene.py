@@ -391,9 +391,9 @@ def test_any_scene_is_read_or_refused_in_words(data: st.DataObject) -> None:
 
 
 HOSTILE = {
-    "unknown keys": FOUR_BAR + "[sheet]\n" + "".join(f"language{number} = 1\n" for number in range(60_000)),
     "unknown points": FOUR_BAR.replace("OA = 0.1", "".join(f"OX{number} = 1\n" for number in range(900)) + "OA = 0.1"),
     "wrong angles": FOUR_BAR.replace("start = 30", "positions = [" + "'x'," * 99_000 + "]"),
+    "unknown keys": FOUR_BAR + "[sheet]\n" + "".join(f"language{number} = 1\n" for number in range(60_000)),
     "wrong sheets": "sheets = [" + "'x'," * 990 + "]\n" + FOUR_BAR,
     "long letters": FOUR_BAR.replace('"OA"', '"' + "A" * 900_000 + '"'),
     "long name": FOUR_BAR.replace("OA = 0.100", "OA = 0.1\n" + "A" * 900_000 + " = 1"),

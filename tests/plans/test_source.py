@@ -129,6 +129,7 @@ def test_what_stands_at_a_path_is_its_value(text: str) -> None:
 
 
 @given(st.text(alphabet="ab.[]{}=,\"'#\n\\ 1“", max_size=60))
+@examples(20)
 def test_any_text_is_read_or_refused(text: str) -> None:
     Places(text)
     try:

@@ -12,6 +12,7 @@ from plans.scene import units
 from plans.scene.faults import Wrong
 from plans.scene.units import Kind
 from plans.words.words import ENGLISH, words
+from tests.parts import examples
 from tests.rows import over
 
 
@@ -111,6 +112,7 @@ def test_millimetres_and_metres_agree_exactly(metres: Decimal) -> None:
 
 
 @given(st.text(max_size=30))
+@examples(20)
 def test_any_text_is_a_decimal_or_a_refusal(text: str) -> None:
     try:
         assert units.quantity(text, units.LENGTH).is_finite()

@@ -17,6 +17,7 @@ from plans.scene.faults import Fault
 from plans.scene.source import language_of
 from plans.techniques import TECHNIQUES
 from plans.words.words import ENGLISH, FOLDER, Message, languages, message, placed, said, term, word, words
+from tests.own_text import Asked, parsed
 
 ROOT = Path(__file__).parent.parent.parent
 KEYS = [key for key in words(ENGLISH) if key != "plural"]
@@ -101,8 +102,8 @@ def test_a_language_is_never_compared_by_name() -> None:
     naming = [path for path in FILES if quoted.search(path.read_text("utf-8"))]
     assert naming  # the only files that can compare one
     assert [(path.name, lines) for path in naming if (lines := compared(nodes(path)))] == []
-    assert compared(asked('if drawing.language == "ru":\n    pass')) == (1,)
-    assert compared(asked('one = 1 if language in ("ru", "en") else 2')) == (1, 1)
+    assert compared(parsed('if drawing.language == "ru":\n    pass').asked) == (1,)
+    assert compared(parsed('one = 1 if language in ("ru", "en") else 2').asked) == (1, 1)
 
 
 def test_a_message_is_said_in_the_language_that_is_asked_for() -> None:
@@ -137,10 +138,6 @@ ASIDE = re.compile(r"drawings/(pens|bench)/|plans/bench/|(strokes|extent|words)\
 FILES = [path for top in ("plans", "drawings") for path in sorted((ROOT / top).rglob("*.py"))]
 
 
-Asked = ast.Raise | ast.Call | ast.Compare
-ASKED = (ast.Raise, ast.Call, ast.Compare)  # quicker to ask for than their union
-
-
 def called(node: ast.expr) -> str:
     """Give the name that a call goes by: no longer path than of two words is asked for."""
     if isinstance(node, ast.Attribute):
@@ -148,15 +145,10 @@ def called(node: ast.expr) -> str:
     return node.id if isinstance(node, ast.Name) else ast.unparse(node)
 
 
-def asked(text: str) -> tuple[Asked, ...]:
-    """Give what a text of Python raises, calls and compares."""
-    return tuple(node for node in ast.walk(ast.parse(text)) if isinstance(node, ASKED))
-
-
 @cache
 def nodes(path: Path) -> tuple[Asked, ...]:
     """Give what a file raises, calls and compares; it is read once for all that is asked of it."""
-    return asked(path.read_text("utf-8"))
+    return parsed(path.read_text("utf-8")).asked
 
 
 def sentences(path: Path) -> Iterator[str]:

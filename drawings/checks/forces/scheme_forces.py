@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from drawings.checks.arrowheads import BENT
 from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
 from drawings.checks.graphs.figure_strokes import Turning
 from drawings.checks.labelled import NEAREST
@@ -17,6 +18,8 @@ from plans.checks.force_bill import ActingForce, Bearing, ForceBill
 
 ASKEW = 1e-3  # of an arrow's direction, which is drawn with the coordinates of paper
 REACH = abs(complex(*BLOCK)) / 2  # mm: no symbol of a point reaches further
+RADIUS, APART = 6.5, 2.5  # mm on A1: radius of the arc of a couple, and how much wider each next one is
+HALF, THREE_QUARTERS = math.pi, 1.5 * math.pi
 
 
 class Floor(NamedTuple):
@@ -122,3 +125,12 @@ class SchemeForces:
         self.arcs.remove(arc)
         if abs(moment) > self.floor.moment and arc.sense != math.copysign(1, moment):
             yield on("sense", self.plan, name=name)
+        if not self._sized(arc):
+            yield on("size", self.plan, name=name)
+
+    def _sized(self, arc: Turning) -> bool:
+        """Tell whether an arc is of half or three quarters of a turn, as wide as its symbols ask: one in the next."""
+        size = arc.head / BENT[0]
+        steps = (arc.radius / size - RADIUS) / APART if size else -1.0
+        whole = round(steps) >= 0 and abs(steps - round(steps)) * APART * size <= FINE
+        return whole and any(abs(arc.swept - sweep) * arc.radius <= FINE for sweep in (HALF, THREE_QUARTERS))

@@ -25,13 +25,19 @@ STEEP = 1e-9  # rad by which a direction on paper may be off
 
 
 class Turning(NamedTuple):
-    """An arc with an arrowhead: where it begins and where its tip is, mm, and its sense."""
+    """An arc with an arrowhead: where it begins and where its tip is, mm, its sense, and how long its head is, mm."""
 
     centre: complex
     radius: float
     start: complex
     tip: complex
     sense: int
+    head: float
+
+    @property
+    def swept(self) -> float:
+        """How far it goes round from its beginning to its tip, rad."""
+        return abs(cmath.phase((self.tip - self.centre) / (self.start - self.centre)) % (self.sense * math.tau))
 
     @property
     def middle(self) -> complex:
@@ -175,4 +181,6 @@ def _turning(arc: Arc, head: Fill) -> Turning:
     tip, back = head.points[0], sum(head.points[1:]) / 2
     ends = [arc.centre + cmath.rect(arc.radius, turn) for turn in (arc.start_angle, arc.end_angle)]
     sense = 1 if ((tip - back) / (back - arc.centre)).imag > 0 else -1
-    return Turning(arc.centre, arc.radius, ends[0 if sense > 0 else 1], tip, sense)
+    start, neck = ends if sense > 0 else ends[::-1]
+    length = arc.radius * abs(cmath.phase((tip - arc.centre) / (neck - arc.centre)))
+    return Turning(arc.centre, arc.radius, start, tip, sense, length)

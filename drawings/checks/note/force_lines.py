@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from drawings.checks.forces.scheme_forces import Floor
+from drawings.checks.note import drawn_order
 from drawings.checks.note.cut_note import CutNote
 from drawings.checks.note.heads import head_of, split
 from drawings.checks.note.lever_note import LeverNote
@@ -77,7 +78,9 @@ class ForceLines:
             if own is None:
                 yield message("wrong.missing", name=head)
             else:
-                yield from CutNote(label, list(own), bill, floor, self._formula, scale).faults()
+                note = CutNote(label, list(own), bill, floor, self._formula, scale)
+                yield from note.faults()
+                yield from drawn_order.faults(note, [leaf for every in self.leaves.values() for leaf in every], k)
         if levered and parts[-1] is None:
             yield message("wrong.missing", name=self._say(LEVER))
         elif levered and parts[-1] is not None:

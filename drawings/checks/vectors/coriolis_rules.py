@@ -20,15 +20,20 @@ from plans.model.order import ACCELERATIONS
 from plans.words.words import Message
 
 TURNED = 1e-3  # rad by which a vector so short may lean: its ends are rounded
+ARM = 3.2  # sizes of a letter that either vector is long
 SLIP = "v_r"  # the letter of the slip
 
 
 class Rule(NamedTuple):
-    """A slip and the acceleration that it gives by the analysis: unit vectors, and the letter of the latter."""
+    """A slip and the acceleration that it gives by the analysis: unit vectors, and the letter of the latter.
+
+    Both are drawn as long as `arm` mm, and the turn between them half as far from their corner.
+    """
 
     slip: complex
     result: complex
     letter: str
+    arm: float
 
     def shown(self, strokes: FigureStrokes) -> bool:
         """Tell whether a figure shows it: both vectors from one corner with their letters, and the turn between."""
@@ -40,7 +45,8 @@ class Rule(NamedTuple):
             return False
         slip, result = (found[0] for found in arrows.values())
         lettered = all(strokes.far(name, [found[0].tip]) <= NEAREST for name, found in arrows.items())
-        return lettered and abs(slip.start - result.start) <= EXACT and self._turned(strokes, slip.start)
+        long = all(abs(abs(one.tip - one.start) - self.arm) <= EXACT for one in (slip, result))
+        return lettered and long and abs(slip.start - result.start) <= EXACT and self._turned(strokes, slip.start)
 
     def _turned(self, strokes: FigureStrokes, corner: complex) -> bool:
         """Tell whether an arc with a head goes from the slip to the acceleration, and the head points that way."""
@@ -49,7 +55,8 @@ class Rule(NamedTuple):
         arcs = (one for one in strokes.arcs if abs(one.centre - corner) <= EXACT)
         heads = [one.tip - corner for one in strokes.turnings if one.sense == sense]
         return any(
-            _along(arc.at(0.0) - corner, start)
+            abs(arc.radius - self.arm / 2) <= EXACT
+            and _along(arc.at(0.0) - corner, start)
             and _along(arc.at(1.0) - corner, end)
             and any(abs(tip - arc.radius * self.result) <= EXACT for tip in heads)
             for arc in arcs
@@ -76,7 +83,8 @@ def _due(laid: LaidVectorPlan) -> Iterator[Rule]:
         for one in laid.sums.of(group) if isinstance(group, Dyad) else ():
             slip, result = one.velocity[1], one.acceleration[1]
             if not one.turns and one.link != FRAME and abs(result) >= LEAST * laid.scale:
-                yield Rule(slip / abs(slip), result / abs(result), f"a^k_{{{one.images[1].removeprefix('k_')}}}")
+                letter = f"a^k_{{{one.images[1].removeprefix('k_')}}}"
+                yield Rule(slip / abs(slip), result / abs(result), letter, ARM * laid.drafting.hand.letter)
 
 
 def _along(way: complex, true: complex) -> bool:

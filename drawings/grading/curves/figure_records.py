@@ -15,6 +15,7 @@ from plans.techniques import named, technique_of
 FIGURES: Final[Mapping[str, str]] = MappingProxyType(
     {
         "dynamics": "drawings.grading.curves.dynamics_figures:figures_of",
+        "bank": "drawings.grading.curves.arm_figures:figures_of",
         "forces": "drawings.grading.curves.load_figures:figures_of",
         "linkage": "drawings.grading.curves.diagram_figures:figures_of",
         "cyclogram": "drawings.grading.curves.cyclogram_figures:figures_of",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 
@@ -10,10 +11,12 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes
+from drawings.grading.curves.drawn_arms import from_arms
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
-from drawings.grading.curves.form_figure import from_form
+from drawings.grading.curves.form.form_figure import from_form
+from drawings.grading.curves.form.form_line import line_on_form
 from drawings.grading.verdict import Verdict
 
 
@@ -21,7 +24,7 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
     own: dict[str, list[DrawnFigure]] = {}
     for one in asked:
-        drawn = from_marks(one, seen) or from_rings(one, seen) or from_form(one, seen)
+        drawn = _drawn(one, seen)
         if drawn is not None:
             own.setdefault(one.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
@@ -32,11 +35,15 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
     return kept
 
 
+def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+    if asked.rings or asked.arms:
+        return from_rings(asked, seen) if asked.rings else from_arms(asked, seen)
+    return from_marks(asked, seen) or from_form(asked, seen) or line_on_form(asked, seen)
+
+
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
     """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
-    apart = [
-        np.nanmean(one.asked.off(one.values, one.asked.true)) / (np.abs(one.asked.true).max() or 1.0) for one in found
-    ]
+    apart = [np.nanmean(one.asked.off(one.values, one.asked.true)) / (one.asked.largest or 1.0) for one in found]
     return sum(len(one.arrows) for one in found), -float(np.mean(apart))
 
 
@@ -46,22 +53,28 @@ def figure_verdicts(
     sheets: Collection[str],
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Sizes],
+    vectors: Mapping[str, complex] = MappingProxyType({}),
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read.
+    cannot be read. `vectors` are those of plans beside them, by their names, that figures may rest on.
     """
     for sheet in dict.fromkeys(one.sheet for one in asked):
         due, found = [one for one in asked if one.sheet == sheet], drawn.get(sheet, ())
-        judge, there = FigureJudge(due), {one.asked.key: one for one in found}
+        judge, there = FigureJudge(due, vectors), {one.asked.key: one for one in found}
         for one in due if found or sheet in sheets else ():
             if one.key in there:
                 yield from judge.verdicts(there[one.key], allowed(one))
-            elif (found and (one.kind == ORDINATES or not any(drawn.free for drawn in found))) or sheet in marked:
+            elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or sheet in marked:
                 yield from _missing(one)
             else:
                 yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)
+
+
+def _is_graph(asked: FigureAsked) -> bool:
+    """Tell whether a figure has axes of its own on a form, and would be read there."""
+    return asked.kind == ORDINATES and asked.paper is not None
 
 
 def _missing(asked: FigureAsked) -> Iterator[Verdict]:
@@ -79,5 +92,5 @@ def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Sizes:
 
 def _allowed(asked: FigureAsked, by: Allowance, coarse: float) -> Sizes:
     if by.share is not None:
-        return np.full(len(asked.true), by.share * float(np.abs(asked.true).max())) + asked.slack
+        return np.full(len(asked.true), by.share * asked.largest) + asked.slack
     return asked.allowed(max(by.slip, coarse), DEVIATIONS)

@@ -9,6 +9,7 @@ from drawings.figures.forces.lever_layout import PLAN as LEVER
 from drawings.figures.forces.lever_plan import balance, hanging
 from drawings.figures.forces.leverage import leverages
 from drawings.grading import verdict
+from drawings.grading.polygons.scheme_arcs import turns_of
 from drawings.grading.polygons.scheme_arrows import senses_of
 from drawings.grading.records import Found, Letters, Record, Slip
 from drawings.page.drafting import Drafting, drafting_of
@@ -16,10 +17,12 @@ from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
 from geometry.board import Board, Mark
 from geometry.span import Span
+from plans.checks.force_bill import ForceBill
 from plans.checks.force_expected import ExpectedForces
 from plans.checks.hand.forces import FIGURES
 from plans.forces.cut import Cut
 from plans.forces.force_template import ForcePlans
+from plans.forces.primary import BALANCING
 from plans.study import Study
 
 FORCES, SCHEME = "forces", FIGURES["positions"]
@@ -34,6 +37,7 @@ def record_of(study: Study, leaf: Leaf) -> Record:
     drawn = statics.drafts([k]).plans
     found: dict[Letters, Found] = {}
     senses: dict[str, dict[str, complex]] = {}
+    turns: dict[str, dict[str, int]] = {}
     drafting = drafting_of(study.scene)
     for cut in drawn.plan.cuts:
         true = expected.polygon(linkage.groups, cut.group) | expected.parts(cut.group)
@@ -42,12 +46,15 @@ def record_of(study: Study, leaf: Leaf) -> Record:
         found |= {(plan, k, "", one.name): one for one in _arms(drawn, cut)}
         known = {plain_name(letter_of(load.name, drafting)): true[load.name] for load in cut.loads if load.name in true}
         senses[plan] = senses_of(leaf, plan, k, known)
+        couples = ForceBill(expected, linkage.groups, cut.group).couples
+        moments = {plain_name(letter_of(one.name, drafting)): one.moment for one in couples if one.name != BALANCING}
+        turns[plan] = turns_of(leaf, plan, k, moments)
     images = {linkage.drafts().velocities.point(name).name: expected.image(name) for name in solved.points}
     found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, images, drafting)}
     forces = {name: force for own in senses.values() for name, force in own.items()}
     senses[LEVER] = senses_of(leaf, LEVER, k, forces)
     scales, boards = _scales(leaf)
-    return Record(found, {name: {k: mu} for name, mu in scales.items()}, boards, senses)
+    return Record(found, {name: {k: mu} for name, mu in scales.items()}, boards, senses, turns)
 
 
 def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:
