@@ -173,6 +173,7 @@ def test_draw_replaces_an_older_sheet(over_older: Done) -> None:
     assert sealed((over_older.folder / "plain-kinematics.svg").read_bytes())
 
 
+@pytest.mark.rest
 def test_a_sheet_with_gaps_is_drawn_and_each_gap_is_told_with_its_reason(
     run: Run, gapped: Path, tmp_path: Path
 ) -> None:
