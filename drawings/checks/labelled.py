@@ -14,11 +14,18 @@ from drawings.lettering.indices import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
 from drawings.paper.walk import groups, texts, walk
+from drawings.symbols.symbols import BLOCK
+from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
 SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
 NEAREST = GAP + NEAR[-1] + CLEAR + CELL + SLACK
+ROUNDED = 0.1  # mm: a box of lettering is found again from its strokes
+ONE = 0.5  # mm: images that are nearer to each other share a label
+# On plans letters are nearer: beside an image, and beside the symbols of a point.
+WITHIN = {order.plan: 1.6 + NEAR[-1] + ONE + ROUNDED for order in ORDERS[1:]}
+WITHIN[POSITIONS.plan] = BLOCK[1] / 2 + 1.0 + NEAR[-1] + ROUNDED
 
 
 class Label(NamedTuple):
@@ -33,7 +40,7 @@ def unlettered(leaf: Leaf) -> Iterator[Message]:
     labels = labels_of(leaf.groups)
     for plan, name, letter, spots in _marks(leaf.groups):
         plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
-        if not distance(labels.get(plain, ()), spots) <= NEAREST:
+        if not distance(labels.get(plain, ()), spots) <= WITHIN.get(plan, NEAREST):
             yield on("letter", plan, name=name)
 
 

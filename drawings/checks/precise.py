@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from itertools import zip_longest
+from functools import lru_cache
 
 from drawings.checks.reading import reads
 from drawings.lettering.words import number
@@ -14,6 +14,8 @@ ALL_DIGITS = 15
 KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 LONG = 6  # digits that a written number has at the most
 _NUMBER = re.compile(r"[−-]?\d+(?:[.,]\d+)?")
+_QUANTITY = re.compile(rf"({_NUMBER.pattern})(°?)")
+TURN = 360.0  # degrees
 
 
 class Precise(Drafting):
@@ -34,15 +36,24 @@ def precise(drafting: Drafting) -> Precise:
 def tells(text: str, true: str, digits: Collection[int], share: float = 0.0) -> bool:
     """Tell whether a text says what another one does with all digits, in words alike, each number rounded.
 
-    A number has one of the given numbers of digits; to the half of its last one comes a share of itself.
+    A number has one of the given numbers of digits; to the half of its last one comes a share of itself. Of degrees
+    it is a share of the full turn, from which they come by differences, and a full turn more is the same angle.
 
     >>> tells("J = 36.7 at 24", "J = 36.70337 at 24", (4,)), tells("J = 36.8 at 24", "J = 36.70337 at 24", (4,))
     (True, False)
+    >>> tells("φ = 0°", "φ = 359.999999999°", (4,), 1e-9), tells("φ = 0°", "φ = 359.99°", (4,), 1e-9)
+    (True, False)
     """
-    if _NUMBER.sub("#", text) != _NUMBER.sub("#", true):
+    if _words(text) != _words(true):
         return False
-    pairs = zip_longest(_NUMBER.findall(text), _NUMBER.findall(true), fillvalue="")
-    return all(_holds(one, other, digits, share) for one, other in pairs)
+    pairs = zip(_QUANTITY.findall(text), _QUANTITY.findall(true), strict=True)
+    return all(_holds(one, other, digits, share, TURN if degrees else 0.0) for (one, _), (other, degrees) in pairs)
+
+
+@lru_cache(maxsize=4096)  # each line of a sheet is held to each that it might be
+def _words(text: str) -> str:
+    """Give what a text says but for its numbers."""
+    return _NUMBER.sub("#", text)
 
 
 def rounded(text: str) -> str:
@@ -61,9 +72,11 @@ def _short(numeral: str) -> str:
     return number(value).replace(".", "," if "," in numeral else ".")
 
 
-def _holds(written: str, true: str, digits: Collection[int], share: float) -> bool:
-    """Tell whether a number is another one rounded; what has no digits left of it is 0."""
-    value = float(true.replace("−", "-").replace(",", "."))
+def _holds(written: str, true: str, digits: Collection[int], share: float, turn: float) -> bool:
+    """Tell whether a number is another one rounded, or so after a turn; what has no digits left of it is 0."""
     if written == true:
         return True
-    return any(reads(written, value, share * abs(value), count) for count in digits)
+    value = float(true.replace("−", "-").replace(",", "."))
+    slack = share * max(abs(value), turn)
+    alike = {value, value - turn, value + turn} if share else {value}
+    return any(reads(written, one, slack, count) for count in digits for one in alike)

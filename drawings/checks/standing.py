@@ -65,7 +65,7 @@ def _joins(lines: Segments, one: complex, other: complex) -> Flags:
 
 
 def hatching(lines: Segments, start: complex, end: complex, into: complex, size: float) -> Flags | None:
-    """Tell which lines hatch a base on one side: all that must, evenly along it; None where they are others."""
+    """Tell which lines hatch a base on one side: all that must, evenly along it; None where one of them lacks."""
     length = abs(end - start)
     along = (end - start) / length
     lean, side = HATCH * size * math.sqrt(0.5), math.copysign(1.0, (into * along.conjugate()).imag)
@@ -74,15 +74,14 @@ def hatching(lines: Segments, start: complex, end: complex, into: complex, size:
     feet, tips = np.where(swapped, other, one), np.where(swapped, one, other)
     for turn in (-1, 1):
         leaning = np.abs(tips - feet - lean * complex(turn, side)) <= ROUNDED
-        own = leaning & (np.abs(feet.imag) <= ROUNDED) & (np.abs(feet.real - length / 2) <= length / 2 + ROUNDED)
-        if own.any():
-            first = 0.0 if turn > 0 else lean
-            return own if _even(np.sort(feet.real[own]) - first, length - lean, HATCH_STEP * size) else None
+        for due in _feet(0.0 if turn > 0 else lean, length - lean, HATCH_STEP * size):
+            at = leaning & (np.abs(feet[:, None] - due[None, :]) <= 2 * ROUNDED).T
+            if at.any(axis=1).all():
+                return np.asarray(at.any(axis=0))
     return None
 
 
-def _even(feet: np.ndarray, length: float, step: float) -> bool:
-    """Tell whether places are spaced evenly over a length, as many as whole steps of hatching have room."""
-    counts = {max(math.floor(length / step + slack), 1) for slack in (-ALONE, ALONE)}
-    due = length * np.arange(len(feet)) / max(len(feet) - 1, 1)
-    return len(feet) - 1 in counts and bool((np.abs(feet - due) <= 2 * ROUNDED).all())
+def _feet(first: float, length: float, step: float) -> Iterator[np.ndarray[tuple[int], np.dtype[np.float64]]]:
+    """Give where hatching stands along a base: evenly over a length, as many as whole steps of it have room."""
+    for count in {max(math.floor(length / step + slack), 1) for slack in (-ALONE, ALONE)}:
+        yield first + length * np.arange(count + 1) / count

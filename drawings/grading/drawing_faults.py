@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from drawings.checks.labelled import Label, distance
@@ -13,6 +12,7 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.polygons.polygon_faults import letters, open_sides
 from drawings.grading.seeing.spelling import spelled
+from drawings.grading.seeing.written_scale import scales_of
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, texts
@@ -22,9 +22,7 @@ from plans.checks.hand.quantity import SLIP
 CLOSED = 2 * math.sqrt(2) * 4 * SLIP
 # mm: a letter that is farther from what it names, is not seen to be its own; a leader reaches so far.
 NEAR = 25.0
-# What is written of a scale: mu with the letter of the quantity, or K, which is 1/mu; "1:2" of a plan of positions.
 UPRIGHT = 1e-3  # rad, by which an upright sheet may be turned
-_SCALE = re.compile(r"(μ|µ|mu|K)_?\{?([A-Za-z]{1,3})\}?\s*=\s*(\d+(?:[.,]\d+)?)")
 
 
 def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
@@ -32,10 +30,9 @@ def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
 
     The headings of the plan's own group go first, then what the mark itself states where it is written anywhere.
     """
-    letter = asked.symbol
     marks = [one for one in seen.measured.marks if (one.plan, one.position) == asked.place]
-    here = [one for group in _around(seen.leaf, asked) for one in _scales((group,), letter)]
-    anywhere = _scales(seen.leaf.groups, letter)
+    here = [one for group in _around(seen.leaf, asked) for one in _scales((group,), asked)]
+    anywhere = _scales(seen.leaf.groups, asked)
     stated = marks[0].scale if marks else math.nan
     if here:
         return stated if any(_same(one, stated) for one in here) else here[0]
@@ -55,24 +52,13 @@ def _around(leaf: Leaf, asked: PlanAsked) -> list[Group]:
     return found
 
 
-def _scales(own: Sequence[Group], letter: str) -> list[float]:
-    return [mu for _, mu, symbol in _read(texts(own)) if symbol == letter]
+def _scales(own: Sequence[Group], plan: PlanAsked) -> list[float]:
+    return [mu for _, mu in scales_written(texts(own), plan)]
 
 
 def scales_written(own: Iterable[Text], plan: PlanAsked) -> list[tuple[Text, float]]:
     """Give the scales of plans of one subject that are written, true units a mm."""
-    return [(text, mu) for text, mu, symbol in _read(own) if symbol == plan.symbol]
-
-
-def _read(own: Iterable[Text]) -> Iterator[tuple[Text, float, str]]:
-    for text in own:
-        for found in _SCALE.finditer(text.plain):
-            yield text, _mu(found[1], found[3]), found[2]
-
-
-def _mu(symbol: str, digits: str) -> float:
-    size = float(digits.replace(",", "."))
-    return (1 / size if size else math.nan) if symbol == "K" else size
+    return [(text, mu) for text in own for mu in scales_of(text, plan.symbol, plan.unit)]
 
 
 def _same(written: float, stated: float) -> bool:
@@ -81,12 +67,13 @@ def _same(written: float, stated: float) -> bool:
 
 def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """List the faults of how a plan is drawn."""
-    if not plan.written:
+    upright = abs(plan.turn - 1) <= UPRIGHT  # a p that lies on its side is read as a d, or a b
+    if not plan.written and (upright or plan.lettered):
         yield _of(plan, verdict.UNSCALED)
     gaps = (*_open(plan), *open_sides(plan, CLOSED))
     yield from gaps
     opened = {gap.name for gap in gaps}
-    if abs(plan.turn - 1) <= UPRIGHT:  # a p that lies on its side is read as a d, or a b
+    if upright:
         own = (*_letters(labels, plan), *letters(labels, plan, NEAR))
         yield from (one for one in own if one.name not in opened)
     yield from _outside(leaf, plan)

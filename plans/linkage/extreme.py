@@ -29,6 +29,7 @@ from plans.model.working import by_time, works
 SAME = 1e-7
 # Strokes whose crank arcs differ by less than this (rad) are equal: rounding of two notches, each with a root.
 EQUAL = 1e-7
+CLEAR = 64 * 2 * np.pi * np.finfo(float).eps  # rad: what roundings leave of an angle that is none
 STILL = CrankPositions(np.zeros(1), np.ones(1, dtype=complex))  # a crank to draw extremes over: at any angle
 
 
@@ -87,14 +88,14 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     if not reach[low] < reach[high]:
         return None
     order = _slower(places, low, high, sweep.mechanism.drive.omega)
-    phi = [float(np.angle(exact.directions[k]) % (2 * np.pi)) for k in order]
+    phi = [_cleared(float(np.angle(exact.directions[k]) % (2 * np.pi))) for k in order]
     sense = -1.0 if sweep.mechanism.drive.omega < 0 else 1.0
     more = (sense * (phi[1] - phi[0])) % (2 * np.pi) - np.pi
     back = _turned(sweep.mechanism, out, [float(reach[k]) for k in order], equal=more < EQUAL)
     first, second = order[::-1] if back else order
     begun = (phi[1], phi[0]) if back else (phi[0], phi[1])
     reached = float(reach[first]), float(reach[second])
-    found = Extremes(begun, reached, travel.sliding, max(more, 0.0), back and more >= EQUAL)
+    found = Extremes(begun, reached, travel.sliding, _cleared(max(more, 0.0)), back and more >= EQUAL)
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
     return ExtremePositions(
         found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(places)
@@ -156,3 +157,8 @@ def _farthest(rests: list[float], reach: Floats) -> int:
 def _within(angle: float) -> float:
     """Count an angle that a rounding leaves short of a whole turn as zero."""
     return 0.0 if 2 * np.pi - angle < EQUAL else angle
+
+
+def _cleared(angle: float) -> float:
+    """Count an angle that roundings leave beside nothing or beside a whole turn as zero."""
+    return 0.0 if min(angle, 2 * np.pi - angle) <= CLEAR else angle

@@ -30,6 +30,9 @@ BEGIN, ENTRY, BREAK, EXIT, END, PRESSURE, BACK, LEAVE = (
 # An extreme of the pressure angle so near the end of a stroke, rad, is that extreme position: half a degree, less than
 # can be told apart on a sheet.
 BESIDE = math.radians(0.5)
+# An angle that is so little short of a whole turn, rad, is none: the turns that it is a difference of were found as
+# zeros of a speed, each to far more than nine digits, and no sheet shows the tenth.
+SLIVER = 1e-9
 
 
 class Along(NamedTuple):
@@ -157,9 +160,9 @@ class Row(NamedTuple):
 
 
 def within(turned: float) -> float:
-    """Take whole turns off an angle: from 0 to less than a whole turn."""
+    """Take whole turns off an angle: from 0 to less than a whole turn, by more than a sliver."""
     found = turned % TURN
-    return 0.0 if found == TURN else found
+    return 0.0 if TURN - found <= SLIVER else found
 
 
 def pieces(span: Span, begin: float = 0.0) -> Iterator[Span]:
@@ -171,5 +174,5 @@ def pieces(span: Span, begin: float = 0.0) -> Iterator[Span]:
     start = within(span.start - begin)
     end = start + (span.end - span.start)
     yield span._replace(start=start, end=min(end, TURN))
-    if end > TURN:
+    if end > TURN + SLIVER:
         yield span._replace(start=0.0, end=end - TURN)

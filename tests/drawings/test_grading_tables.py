@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections import Counter
+from copy import copy
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,9 +14,11 @@ import pytest
 
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
 from drawings.grading.marking import points_of, read_marking
+from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
@@ -57,6 +60,43 @@ def named(row: dict[str, Any]) -> None:
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
+@pytest.mark.parametrize(
+    ("name", "row", "head", "position", "true", "called"),
+    [
+        ("values", "vB", "by plan", 2, 1.517, "v_B (by plan)"),
+        ("values", "vB", "by analysis", 2, 1.517, "v_B (by analysis)"),
+        ("output", "5", "v", None, 1.581, "v"),
+    ],
+)
+def test_a_cell_that_we_print_wrongly_is_not_the_truth(
+    name: str, row: str, head: str, position: int | None, true: float, called: str
+) -> None:
+    """The analysis tells what a cell must say: the scene's own sheet is wrong then, and no student."""
+    own = table_task("shaper")
+    table, sheet = own.table(name), own.originals.sheets[0]
+    key = key_of(table, row, head, position)
+    leaf = printed(tables_of(sheet), cells_of(sheet.leaf, table)[key].texts, "2.517")
+    originals = copy(own.originals)
+    originals.__dict__ |= {"sheets": (sheet._replace(leaf=leaf),), "_drawn": {}, "_seen": {}}
+    tables = tables_asked(originals)
+    asked = next(one for one in tables if one.sought == table.sought).cells[key]
+    assert asked.true == pytest.approx((true,), abs=5e-4)
+    wrong = grade(svg(leaf), (), HAND, (), tables).wrong
+    assert [one.name for one in wrong] == [called]
+
+
+def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
+    """Print a number in place of some texts."""
+
+    def again(one: Stroke) -> Stroke:
+        if isinstance(one, Group):
+            return replace(one, strokes=tuple(map(again, one.strokes)))
+        return replace(one, content=number) if isinstance(one, Text) and one in texts else one
+
+    return replace(leaf, groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
+
+
+@pytest.mark.rest
 def test_of_a_blank_form_all_cells_are_missing() -> None:
     own = table_task("shaper")
     leaf = form_of(own.originals.study)["kinematics"][0]
@@ -82,6 +122,7 @@ def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
     assert [" ".join((one.name, one.kind)) for one in graded.wrong if one.kind != "missing"] == ["v_D (by plan) wrong"]
 
 
+@pytest.mark.rest
 @over("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
 def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None:
     own = table_task("shaper")
@@ -118,6 +159,21 @@ def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path
     graded = grade(written(tables_of(own.originals.sheets[0]), table, wrong), (), HAND, (), own.tables)
     won, most = points_of(graded.verdicts, read_marking(marks))
     assert (most, most - won) == (0.25 * (21 * 4 + 12 * 4) + 2 * 4, 2 + 0.125)
+
+
+def test_feedback_frames_a_table_that_is_empty() -> None:
+    own = table_task("shaper")
+    table, leaf = own.table("output"), tables_of(own.originals.sheets[0])
+    source = written(leaf, table, dict.fromkeys(table.cells, ""))
+    graded = grade(source, (), HAND, (), own.tables)
+    text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
+    (frame,) = re.findall(r'<polygon points="([^"]*)"', text)
+    spots = [complex(*map(float, spot.split(","))) for spot in frame.split()]
+    boxes = [cell.box for key, cell in cells_of(leaf, table).items() if key in table.cells]
+    assert min(spot.real for spot in spots) == pytest.approx(min(box.left for box in boxes), abs=1e-3)
+    assert max(spot.real for spot in spots) == pytest.approx(max(box.right for box in boxes), abs=1e-3)
+    assert leaf.height - min(spot.imag for spot in spots) == pytest.approx(max(box.high for box in boxes), abs=1e-3)
+    assert leaf.height - max(spot.imag for spot in spots) == pytest.approx(min(box.low for box in boxes), abs=1e-3)
 
 
 def test_feedback_marks_the_cell_and_tells_no_value() -> None:

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 from plans.model.cam import Cam
-from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, TURN, Cyclogram, Row, Span, within
+from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, SLIVER, TURN, Cyclogram, Row, Span, within
 
 # From which level of its row to which the line of a span leads: 0 the lower, 1 the upper.
 LEVELS: Final = {
@@ -54,7 +54,7 @@ def cam_rows(cams: Sequence[Cam]) -> tuple[Row, ...]:
 def parts(span: Span, begin: float) -> Iterator[Stretch]:
     """Cut a span where the chart's abscissa, which begins at a turn, ends."""
     first, size, (low, high) = within(span.start - begin), span.end - span.start, LEVELS[span.kind]
-    cuts = [0.0, TURN - first, size] if first + size > TURN else [0.0, size]
+    cuts = [0.0, TURN - first, size] if first + size > TURN + SLIVER else [0.0, size]
     for one, other in pairwise(cuts):
         start = first + one - (TURN if one else 0.0)
         levels = (low + (high - low) * gone / size for gone in (one, other))

@@ -124,7 +124,9 @@ class LoopStrokes:
         own.take(Polyline, lambda one: len(one.points) == BROKEN and own.at(one.points[0], left), wrong)
         self._angle(right, along, on("arc", LOOP, name=ANGLES[which]))
         letter = read(ANGLES[which])
-        own.letter(letter, [right, cut], on("letter", LOOP, name=letter))
+        longer = abs(right - cut) - abs(cut - left)  # the letter stands where the longer piece is: beside its end
+        spots = [spot for spot, due in ((right, longer > -self.near), (cut, longer < self.near)) if due]
+        own.letter(letter, spots, on("letter", LOOP, name=letter))
         segment, letter = self.origin - cut, f"o1{CUTS[which]}"
         if abs(segment) >= SHORT:
             line = own.dimension(self.origin, cut, on("size", LOOP, name=letter))

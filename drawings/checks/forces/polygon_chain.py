@@ -14,12 +14,17 @@ from drawings.checks.forces.laid_scheme import FINE
 from drawings.checks.graphs.figure_strokes import FigureStrokes
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredVector
+from drawings.paper.hand import HANDS, hand_of
 from drawings.paper.strokes import Line
 from drawings.symbols.symbols import ARROW_LENGTH
 from plans.checks.force_bill import ForceBill
 
 HEADED = 0.1  # mm: a shorter vector has no head
 LEAST = 0.5  # mm: a shorter line of known direction is not drawn
+OVER = (4.5, 9.0)  # mm on A1 that such a line is drawn before a side, and past it
+SIZES = sorted(
+    {hand_of(name, how).symbol for how, own in HANDS.items() for name in own}
+)  # factors of symbols on any paper
 
 
 class Corners(NamedTuple):
@@ -167,11 +172,12 @@ class PolygonChain:
         return found
 
     def _passes(self, line: Line, start: complex, end: complex) -> bool:
-        """Tell whether a line runs through both ends of a side, and past them."""
+        """Tell whether a line runs through both ends of a side, and past them as far as such lines are drawn."""
         run = end - start
         if abs(run) < LEAST or abs(line.end - line.start) <= abs(run) + FINE:
             return False
         off = max(abs(((spot - start) / run).imag) * abs(run) for spot in (line.start, line.end))
         along = sorted((((spot - start) / run).real) for spot in (line.start, line.end))
-        near = FINE / abs(run)
-        return off <= FINE and along[0] <= near and along[1] >= 1 - near
+        over = sorted((-along[0] * abs(run), (along[1] - 1) * abs(run)))
+        beyond = any(np.allclose(over, [size * one for one in OVER], rtol=0.0, atol=2 * FINE) for size in SIZES)
+        return off <= FINE and beyond

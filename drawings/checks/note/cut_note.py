@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from itertools import permutations
 
 from drawings.checks.forces.cut_equations import CutEquationsCheck, Turning
 from drawings.checks.forces.scheme_forces import Floor
@@ -18,7 +19,6 @@ from plans.checks.force_bill import ForceBill
 from plans.forces.primary import BALANCING
 from plans.words.words import message
 
-_LINE = re.compile(r"l_\{(?P<ends>.+)\}")
 _SOLVED = re.compile(r"(?:\((?P<sum>[^()]+)\) / (?P<arm>[\d.]+)|(?P<whole>[^()]+))")
 
 
@@ -140,14 +140,20 @@ class CutNote(CutEquationsCheck):
 
     def _spans(self, term: WrittenTerm, due: Turning) -> bool:
         """Tell whether an arm that is lettered by two points is as long as they are apart."""
-        found = _LINE.fullmatch(term.arm)
-        if found is None or due.size <= self.floor.force:
+        if not term.arm.startswith("l_") or due.size <= self.floor.force:
             return True
-        places = {self.formula.line(name): self.bill.place(name) for name in self.bill.expected.motion.points}
-        pairs = ((places[one], places[other]) for one in places for other in places if one + other == found["ends"])
         length, slack = abs(due.moment) / due.size, due.far * self.floor.force / due.size
         near = slack + self.floor.moment / due.size
-        return any(abs(abs(one - other) - length) <= near + 1e-9 * length for one, other in pairs) or not places
+        runs = (self.bill.place(one) - self.bill.place(other) for one, other in self._lines.get(term.arm, ()))
+        return any(abs(abs(run) - length) <= near + 1e-9 * length for run in runs)
+
+    @cached_property
+    def _lines(self) -> dict[str, list[tuple[str, str]]]:
+        """The pairs of points by the letter of the line between them."""
+        found: dict[str, list[tuple[str, str]]] = {}
+        for own in permutations(self.bill.expected.motion.points, 2):
+            found.setdefault(self.formula.letter(f"l_{{{''.join(own)}}}"), []).append(own)
+        return found
 
     def _put_in(self, one: WrittenMoments, text: str) -> bool:
         """Tell whether the numbers of a solved equation are those of its terms, one for one."""

@@ -23,6 +23,7 @@ from plans.words.words import message
 
 WRITTEN = 0.5000001 * 10.0**-DECIMALS  # mm: how far a written number is from the one that is meant
 LETTERED = 1.5e-3  # mm: letters begin at thousandths of a millimetre, and are set by thousandths
+CELL = 1.25  # of the height of letters: from corner to corner of the cell of the widest of them
 # Of texts in a viewer's fonts: their narrowing is written with four decimals, of a place on an A1.
 TYPESET = 0.1
 
@@ -66,9 +67,10 @@ def _rounded(laid: Leaf, there: Leaf) -> Leaf:
             case Group():
                 return replace(stroke, strokes=tuple(map(rounded, stroke.strokes)))
             case Text():
-                at = next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at)
-                turned = (one.rotation for one in texts if one.at == at and _same_turn(stroke, one))
-                return replace(stroke, at=at, rotation=next(turned, stroke.rotation))
+                found = next((one for one in texts if _same_place(stroke, one, even)), None)
+                if found is not None:
+                    return replace(stroke, at=found.at, rotation=found.rotation)
+                return replace(stroke, at=next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at))
             case Fill() | Arc():
                 return next((one for one in shapes if _same(stroke, one, even)), stroke)
             case Polyline((start, end), False):
@@ -134,17 +136,20 @@ def _same_text(laid: Text, there: Text, even: float) -> bool:
     return (
         laid.runs == there.runs
         and laid.slanted == there.slanted
-        and abs(laid.at - there.at) <= even
+        and _same_place(laid, there, even)
         and abs(laid.size - there.size) <= 10 * WRITTEN
-        and _same_turn(laid, there)
         and _same_style(laid.style, there.style)
     )
 
 
-def _same_turn(laid: Text, there: Text) -> bool:
-    """Tell whether two texts are turned alike: a letter's points are rounded, which turns a small one most."""
-    turned = math.radians((laid.rotation - there.rotation + 180) % 360 - 180)
-    return abs(turned) <= 4 * NEAR / laid.size
+def _same_place(laid: Text, there: Text, even: float) -> bool:
+    """Tell whether two texts begin at one place and are turned alike.
+
+    A letter's points are rounded, which turns a small one most; its corner, where the text begins, is found from its
+    first point, by that turn and at most across its cell.
+    """
+    turned = abs(math.radians((laid.rotation - there.rotation + 180) % 360 - 180))
+    return turned <= 4 * NEAR / laid.size and abs(laid.at - there.at) <= even + turned * CELL * laid.size
 
 
 def _same_curve(laid: Curve, there: Curve) -> bool:

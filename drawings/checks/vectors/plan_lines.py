@@ -19,7 +19,7 @@ from plans.model.motion import Complexes
 from plans.model.order import ORDERS, VELOCITIES
 from plans.words.words import Message
 
-PAST = 20.0  # mm
+BEFORE, PAST = 4.5, 9.0  # mm on A1 that a line of known direction is drawn before its start, and past the meeting
 HEADED = 0.2  # mm: a shorter vector is a point, and has no head
 POINTED = 1e-3  # rad by which a head may lean from its vector: its corners are rounded
 
@@ -85,19 +85,24 @@ def _directions(laid: LaidVectorPlan) -> Iterator[Message]:
     assert laid.figure is not None
     drawn = Segments.of(iter(_lines(laid.figure)))
     due = [(name, laid.on(start), laid.on(end)) for name, start, end in _due(laid)]
+    known = _sides(laid, drawn)
     for name, start, end in due:
-        if abs(end - start) > 2 * HEADED and not drawn.holds(Segments.of(iter([(start, end)])), laid.near).any():
+        whole, near = _lengthened(laid, start, end)
+        if abs(end - start) > 2 * HEADED and not drawn.holds(whole, near).any():
             yield on("known_direction", laid.plan, name=name, position=laid.position)
-    known = Segments.of(_lengthened(start, end) for _, start, end in due if start != end)
-    stray = ~known.holds(drawn, laid.near) & ~_sides(laid, drawn)
-    if stray.any():
+        known |= whole.holds(drawn, near)
+    if not known.all():
         yield on("line", laid.plan)
 
 
-def _lengthened(start: complex, end: complex) -> tuple[complex, complex]:
-    """Give a line of known direction as far as it may be drawn: from before its start to past the meeting."""
-    more = PAST * (end - start) / abs(end - start)
-    return start - more, end + more
+def _lengthened(laid: LaidVectorPlan, start: complex, end: complex) -> tuple[Segments, float]:
+    """Give a line of known direction as far as it is drawn, and how far it may be off at its ends, mm."""
+    if start == end:
+        return Segments.of(iter([(start, end)])), laid.near
+    length, size = abs(end - start), laid.drafting.hand.symbol
+    before, past = BEFORE * size, PAST * size
+    way = (end - start) / length
+    return Segments.of(iter([(start - before * way, end + past * way)])), laid.near * (1 + (before + past) / length)
 
 
 def _sides(laid: LaidVectorPlan, drawn: Segments) -> Flags:

@@ -9,6 +9,7 @@ from drawings.eye.alike import folded
 from drawings.form.blank_table import BESIDE
 from drawings.form.task import table_of
 from drawings.grading.cells.asked_table import CellAsked, Sought, TableAsked
+from drawings.grading.cells.known_values import columns_of, findings_of, known
 from drawings.grading.cells.rates import Rates, rates_of
 from drawings.grading.cells.ruling import ruling
 from drawings.grading.cells.seen_table import Key, SeenTable, tables_seen
@@ -23,6 +24,7 @@ READ_OFF = ("kinematics", "dynamics")  # kinds of sheets on which what has no er
 POSITIONS = ("output", "positions")  # tables whose rows are positions
 COURSES = (*POSITIONS, "radii", "coordinates")  # tables that tell how a quantity goes on from row to row
 CAM = "cam"  # what the data of a sheet say that its table is of
+ROUNDED = 1e-9  # of a value: what is printed at the middle between two numbers may be either
 MARKS = {-1: "_", 0: "", 1: "^"}
 
 
@@ -65,6 +67,8 @@ class _Own:
         )
         heads = [head for head in self.heads if head not in self.beside]
         self.across = 2 * sum(", " in text.plain for text in map(self.heads.__getitem__, heads)) > len(heads)
+        self.findings = findings_of(originals.study, *sought[:2])
+        self.columns = columns_of(originals.study, *sought[:2])
         self.rates: Rates = rates_of(originals.study, sought[0], {key[1] for key in self.cells})
 
     def asked(self) -> TableAsked:
@@ -90,16 +94,20 @@ class _Own:
         quantity, unit = self._told(key)
         by_plan = head == self.plan
         analysis = self._value((label, position, self.analysis)) if by_plan else None
-        letters = tuple(folded(name) for name in _bare(self.labels[label].plain).split(" = "))
+        names = _bare(self.labels[label].plain).split(" = ")
+        letters = tuple(map(folded, names))
         read = letters if by_plan else ()
         hand = self._value((label, position, self.beside[0]))
         name, place = self._called(key, quantity)
+        sure = known(next((self.findings[one] for one in names if one in self.findings), None), position)
+        sure = sure or self.columns.get((self.labels[label].plain, self.heads[head].plain))
+        half = _half(self._plain(key))
         return CellAsked(
             name,
             quantity,
             place,
-            (value,) if analysis is None else (value, analysis),
-            _half(self._plain(key)),
+            (sure.value,) if sure is not None else (value,) if analysis is None else (value, analysis),
+            half if sure is None else half + sure.apart + ROUNDED * abs(sure.value),
             unit,
             largest,
             hand,
@@ -132,7 +140,7 @@ class _Own:
     def _value(self, key: Key) -> float | None:
         """Read a cell; what is no number asks for none."""
         found = number(self.cells[key][0].texts) if key in self.cells else None
-        return None if found is None else found.value
+        return None if found is None or not found.understood else found.value
 
     def _is_told(self, key: Key) -> bool:
         """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""

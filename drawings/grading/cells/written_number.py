@@ -8,32 +8,42 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from drawings.eye.letters import UNREAD
+from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
 
 SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
-_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
+_LEVEL = str.maketrans(_RAISED, "0123456789-+")
+_POWERS = re.compile(f"[{_RAISED}]+")
 _SIGNS = str.maketrans({"−": "-", "–": "-", "—": "-", "‐": "-", "‑": "-", "µ": "μ", "∙": "·", "⋅": "·", "*": "·"})
-_GAPS = re.compile(r"(?<=\d)[ \u00a0\u2009\u202f](?=\d{3}(?!\d))")
-_WRITTEN = re.compile(
-    r"[=≈~±]?\s*(?P<sign>[-+]?)\s*(?P<digits>\d+(?:[.,]\d*)?|[.,]\d+)"
-    r"(?:\s*[·×xх]\s*10\s*\^?\s*(?P<power>[-+]?\d{1,2})|[eEеЕ](?P<exponent>[-+]?\d{1,2}))?\s*(?P<unit>\D*\S*)"
+_GAPS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?!\d)")  # thousands, and no two numbers
+_POWER = r"\s*\(?(?P<{}>[-+]?\d{{1,2}})\)?"
+NUMBER = (
+    r"(?P<sign>[-+]?)\s*(?P<digits>\d+(?:[.,]\d*)?|[.,]\d+)"
+    rf"(?:\s*[·×xх]\s*10\s*\^?{_POWER.format('power')}"
+    rf"|\s+10\s*\^{_POWER.format('apart')}"
+    r"|[eEеЕ](?P<exponent>[-+]?\d{1,2}))?"
 )
-# What is put before a unit, of both languages, and what it is worth.
-_PREFIXES = {
-    "μ": 1e-6, "м": 1e-3, "m": 1e-3, "мк": 1e-6, "с": 1e-2, "c": 1e-2, "д": 0.1, "d": 0.1,
-    "к": 1e3, "k": 1e3, "М": 1e6, "M": 1e6, "Г": 1e9, "G": 1e9,
-}  # fmt: skip
-_TURN = math.pi / 30
-_RADIANS = {"rad": math.pi / 180, "рад": math.pi / 180}
-_DEGREES = ("°", "deg", "град")
-_A_MINUTE = ("rpm", "min-1", "1/min", "об/мин", "мин-1", "1/мин")
+_WRITTEN = re.compile(rf"[=≈~±]?\s*{NUMBER}\s*(?P<unit>.*)")
+# What follows a number is no unit if it begins as another number does, or holds one.
+_ANOTHER = re.compile(r"(?!1/[^\W\d])[-+\d.,/×:^·]|.*\s[-+]?\d")
+_ANGLE = re.compile(r"(?P<sign>-?)\s*(?P<degrees>\d+)\s*°\s*(?P<minutes>\d{1,2}(?:[.,]\d+)?)\s*['′’]")
+MINUTE = 1 / 60  # of a degree
 
 
 class Written(NamedTuple):
-    """A number that is written in a cell: its value in the column's unit, and what half of its last digit is worth."""
+    """A number that is written in a cell: its value in the column's unit, and what half of its last digit is worth.
+
+    The value is NaN where the unit that is written is not understood.
+    """
 
     value: float
     rounding: float
+
+    @property
+    def understood(self) -> bool:
+        """Whether its unit is."""
+        return not math.isnan(self.value)
 
 
 def is_read(texts: Sequence[Text]) -> bool:
@@ -46,55 +56,51 @@ def number(texts: Sequence[Text], unit: str = "") -> Written | None:
 
     >>> number([Text(0j, "−1,52·10^{3} mm/s")], "m/s")
     Written(value=-1.52, rounding=0.005)
-    >>> number([Text(0j, "1.5")]).rounding, number([Text(0j, "2 of 3")])
-    (0.0, None)
+    >>> number([Text(0j, "1.5")]).rounding, number([Text(0j, "2 of 3")]), number([Text(0j, "5 ells")], "m").understood
+    (0.0, None, False)
+    >>> number([Text(0j, "30°15'")], "°"), number([Text(0j, "0.0000 9.99")])
+    (Written(value=30.25, rounding=0.008333333333333333), None)
     """
-    plain = _GAPS.sub("", " ".join(map(_levelled, texts)).translate(_SIGNS).translate(_RAISED).strip())
+    plain = plainly(" ".join(map(levelled, texts)))
+    if (angle := _ANGLE.fullmatch(plain)) is not None:
+        return _angle(angle, unit)
     found = _WRITTEN.fullmatch(plain)
-    if found is None:
+    if found is None or _ANOTHER.match(found["unit"]):
         return None
-    if re.search(r"\s[-+]?\d", found["unit"]):
-        return None
-    times = _times(*(_bare(one.translate(_RAISED)) for one in (found["unit"], unit)))
-    digits = found["digits"].replace(",", ".")
-    times *= math.pow(10.0, int(found["power"] or found["exponent"] or 0))
-    value = float(f"{found['sign']}{digits}") * times
+    times = in_unit(found["unit"], unit)
+    value, half = value_of(found)
     if not math.isfinite(value):
         return None
+    if times is None:
+        return Written(math.nan, 0.0)
+    return Written(value * times, half * times)
+
+
+def plainly(text: str) -> str:
+    """Write a text with one sign for each that is written in several ways, and powers after a ^."""
+    signed = _POWERS.sub(lambda one: f"^{one[0].translate(_LEVEL)}", text.translate(_SIGNS))
+    return _GAPS.sub(lambda one: re.sub(r"\s", "", one[0]), signed).strip()
+
+
+def value_of(found: re.Match[str]) -> tuple[float, float]:
+    """Give the value of a number that was found, and what half of its last digit is worth if it is rounded."""
+    digits = found["digits"].replace(",", ".")
+    times = math.pow(10.0, int(found["power"] or found["apart"] or found["exponent"] or 0))
     sure = len(digits.replace(".", "").lstrip("0")) >= SURE
     half = 0.5 * math.pow(10.0, -len(digits.partition(".")[2])) * times
-    return Written(value, half if sure else 0.0)
+    return float(f"{found['sign']}{digits}") * times, half if sure else 0.0
 
 
-def _levelled(text: Text) -> str:
+def _angle(found: re.Match[str], unit: str) -> Written:
+    """Read an angle in degrees and minutes."""
+    minutes = found["minutes"].replace(",", ".")
+    value = float(found["degrees"]) + MINUTE * float(minutes)
+    half = 0.5 * math.pow(10.0, -len(minutes.partition(".")[2])) * MINUTE
+    times = in_unit("°", unit)
+    times = math.nan if times is None else times
+    return Written((-value if found["sign"] else value) * times, half * times)
+
+
+def levelled(text: Text) -> str:
+    """Write a text with a ^ before what is raised over a ten."""
     return "".join(f"^{run.text}" if run.level > 0 and "10" in text.plain else run.text for run in text.runs)
-
-
-def _bare(unit: str) -> str:
-    """Give a unit without all that is written in several ways."""
-    return re.sub(r"[\s^{}()*·]", "", unit).rstrip(".,;")
-
-
-def _times(own: str, due: str) -> float:
-    """Give by what a number is multiplied that is written with a unit; an unknown one is taken as the due one."""
-    if own in ("", due):
-        return 1.0
-    if due and own.endswith(due):
-        return _PREFIXES.get(own.removesuffix(due), 1.0)
-    if due in _RADIANS and own in _DEGREES:
-        return _RADIANS[due]
-    if due in _DEGREES and own in _RADIANS:
-        return 1 / _RADIANS[own]
-    if due in ("rad/s", "рад/с") and own in _A_MINUTE:
-        return _TURN
-    return _of_lengths(own, due)
-
-
-def _of_lengths(own: str, due: str) -> float:
-    """Give how many of one length the other is where units differ in that alone."""
-    sizes = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "мм": 1e-3, "см": 1e-2, "м": 1.0}
-    for name in sorted(sizes, key=len, reverse=True):
-        for other in sorted(sizes, key=len, reverse=True):
-            if own.startswith(name) and due.startswith(other) and own[len(name) :] == due[len(other) :]:
-                return sizes[name] / sizes[other]
-    return 1.0

@@ -51,7 +51,7 @@ class Mistake(NamedTuple):
             return self
         apart, ways = (drawn - self.values)[there], self.along[there]
         size = float((apart * ways.conj()).real.sum() / (np.abs(ways) ** 2).sum())
-        return Mistake(self.kind, self.values + size * self.along)
+        return self._replace(values=self.values + size * self.along)
 
 
 class Paper(NamedTuple):
@@ -95,6 +95,7 @@ class FigureAsked:
     loose: frozenset[int] = frozenset()  # places that the curve need not reach: no velocity is known there
     why: Message | None = None
     returns: bool = False  # whether it goes there and back over its axis
+    curved: tuple[int, ...] = ()  # the places that one line goes through, and may be read off it
     arms: tuple[str, ...] = ()  # the letters of masses whose arms it is of
     rings: tuple[int, ...] = ()  # in which ring each of its bearings is drawn, from the outermost, 1
 
@@ -102,6 +103,17 @@ class FigureAsked:
     def scale(self) -> float:
         """The scale of the values, true units a mm; of those that are mm of paper 1."""
         return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
+
+    @property
+    def largest(self) -> float:
+        """The largest of its values that are known, true units: at a dead centre one may be none."""
+        return float(np.nanmax(np.abs(self.true), initial=0.0))
+
+    @property
+    def stated(self) -> dict[str, str]:
+        """The letters that its scales are written with, and their units: that of its values is known."""
+        last = tuple(self.scales)[-1]
+        return {letter: self.unit if letter == last and not self.on_paper else "" for letter in self.scales if letter}
 
     @property
     def places(self) -> npt.NDArray[np.intp]:

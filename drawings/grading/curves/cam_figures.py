@@ -161,6 +161,7 @@ class _Sheet:
             DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
             course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
             slack=self._sized(), why=because("cam_laid"), mistakes=tuple(self._wrong_sizes()),
+            curved=tuple(range(len(self.cam.turned))),
         )  # fmt: skip
 
     def _laid_by_hand(self, plan: str, *laws: str) -> Sizes:
@@ -241,7 +242,7 @@ class _Sheet:
             POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
             behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
             error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
-            why=because("cam_back"),
+            why=because("cam_back"), curved=tuple(range(count)),
         )  # fmt: skip
         turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
         for name, mistakes in (("K", ()), ("O_1", (turned,))):

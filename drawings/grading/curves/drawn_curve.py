@@ -56,6 +56,23 @@ def hits(curve: Values, ends: Values) -> int:
     return int((away(curve, ends) <= THROUGH).sum())
 
 
+def foot(lines: tuple[Values, ...], spot: complex) -> complex:
+    """Give the place on some lines that is nearest to a spot.
+
+    >>> foot((np.array([0j, 4 + 0j]), np.array([5j, 4 + 5j])), 1 + 2j)
+    (1+0j)
+    """
+    return min((_foot(one, spot) for one in lines), key=lambda one: abs(one - spot))
+
+
+def _foot(line: Values, spot: complex) -> complex:
+    run = np.diff(line)
+    long = np.maximum(np.abs(run) ** 2, np.finfo(float).tiny)
+    share = np.clip(((spot - line[:-1]) * run.conj()).real / long, 0.0, 1.0)
+    feet = line[:-1] + share * run
+    return complex(feet[int(np.abs(feet - spot).argmin())])
+
+
 def away(curve: Values, ends: Values) -> Sizes:
     """Give how far places are from a curve, mm.
 

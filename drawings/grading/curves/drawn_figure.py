@@ -8,14 +8,14 @@ from statistics import median
 
 import numpy as np
 
-from drawings.checks.graphs.scale_line import written_scales
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, heights, through
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, foot, heights, through
 from drawings.grading.drawn_plan import Arrow
+from drawings.grading.seeing.written_scale import stated_scales
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
-from drawings.paper.strokes import Group, Line
+from drawings.paper.strokes import Line
 from drawings.paper.walk import flat, group_named, texts
 
 SAME = 0.5  # mm: by so much the axis of a sheet that was saved anew may be longer
@@ -37,6 +37,21 @@ class DrawnFigure:
     aside: frozenset[int] = field(default_factory=frozenset)
     apart: frozenset[int] = field(default_factory=frozenset)
     free: bool = False  # whether it was drawn on the axes of a form, without marks
+    lines: tuple[Values, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
+
+    def off(self, due: Values) -> Sizes:
+        """Give how far what is drawn is from what is due, true units; NaN of what is not drawn."""
+        if not self.lines:
+            return self.asked.off(self.values, due)
+        apart = np.min([away(line, due) for line in self.lines], axis=0)
+        return np.where(self.there, apart, np.nan)
+
+    def nearest(self, due: Values) -> Values:
+        """Give the values of a figure that is read off lines where these are nearest to what is due."""
+        found = self.values.copy()
+        for k in np.flatnonzero(self.there).tolist():
+            found[k] = foot(self.lines, complex(due[k]))
+        return found
 
     @property
     def there(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
@@ -81,13 +96,14 @@ def scales_on(asked: FigureAsked, seen: SeenSheet) -> tuple[Mapping[str, float],
     """Give the scales that stand over a figure, ours where none stand; and whether all do."""
     group = group_named(seen.leaf.groups, asked.plan)
     due = {letter: mu for letter, mu in asked.scales.items() if letter}
-    found = _anywhere(due, seen) if group is None else written_scales(group)
+    found = _anywhere(asked, seen) if group is None else stated_scales(texts((group,)), asked.stated)
     return {**asked.scales, **{letter: found[letter] for letter in due if letter in found}}, due.keys() <= found.keys()
 
 
-def _anywhere(due: Mapping[str, float], seen: SeenSheet) -> dict[str, float]:
+def _anywhere(asked: FigureAsked, seen: SeenSheet) -> dict[str, float]:
     """Give which of our scales stand somewhere on a sheet whose figures an editor has dissolved."""
-    own = [written_scales(Group((text,))) for text in texts(seen.leaf.groups)]
+    own = [stated_scales((text,), asked.stated) for text in texts(seen.leaf.groups)]
+    due = {letter: asked.scales[letter] for letter in asked.stated}
     return {letter: mu for letter, mu in due.items() if any(_ratio(one.get(letter, 0.0), mu) == 1.0 for one in own)}
 
 

@@ -167,6 +167,7 @@ class _Sheet:
             why=because("loop_point"),
             behind=(SURPLUS, INERTIA),
             course=turn.loop,
+            curved=tuple(range(len(true))),
             mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
         )
 

@@ -14,6 +14,7 @@ from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.verdict import Verdict
 
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
+ROUNDS = 8  # of fitting to a line, each of which leaves a share of what is left: that of the lean of line to way
 SEVERAL = 2  # values that say that a whole figure is out
 Truths = np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
 
@@ -96,7 +97,7 @@ class _Told:
     def _fits(self, due: Values) -> Truths:
         """Tell which values are as they are due; one that is not there is none."""
         with np.errstate(invalid="ignore"):
-            near = np.asarray(self.asked.off(self.drawn.values, due) <= self.allowed)
+            near = np.asarray(self.drawn.off(due) <= self.allowed)
         if not self.asked.stepped:
             return near
         last = 0  # where the curve begins
@@ -140,20 +141,28 @@ class _Told:
         left = self.marked & ~self.near & ~self.follows
         if left.sum() < 1:
             return None, None
-        for one in (mistake.fitted(self.drawn.values) for mistake in self.asked.mistakes):
+        for one in map(self._fitted, self.asked.mistakes):
             told = self.marked & (self.asked.off(one.values, self.asked.true) > 2 * self.allowed)
             if told.any() and (self._fits(one.values) | ~told).all() and (left & told).any():
                 return one, None
         if left.sum() < SEVERAL:
             return None, None
         fitting = [
-            (int(fits.sum()), -float(np.nansum(self.asked.off(self.drawn.values, one.values))), one, factor)
+            (int(fits.sum()), -float(np.nansum(self.drawn.off(one.values))), one, factor)
             for base in (self.asked.true, *self.going_on)
             for one, factor in self._generals(base)
             if ((fits := self._fits(one.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.marked.sum()
         ]
         best = max(fitting, key=lambda one: one[:2], default=None)
         return (None, None) if best is None else best[2:]
+
+    def _fitted(self, mistake: Mistake) -> Mistake:
+        """Give a mistake by the size that the figure has it by; of lines step by step, as they are nearest to it."""
+        if not self.drawn.lines:
+            return mistake.fitted(self.drawn.values)
+        for _ in range(ROUNDS if mistake.along is not None else 0):
+            mistake = mistake.fitted(self.drawn.nearest(mistake.values))
+        return mistake
 
     def _generals(self, base: Values) -> Iterator[tuple[Mistake, float | None]]:
         """Give what may be wrong with any figure: all the other way, by one factor, from another zero line."""
@@ -163,11 +172,16 @@ class _Told:
         size = float((np.abs(base[there]) ** 2).sum())
         if size and asked.kind != BEARINGS:
             factor = float((drawn * base[there].conj()).real.sum() / size)
+            factor = self._larger(base[there]) if self.drawn.lines else factor
             if factor > 0:
                 yield Mistake(verdict.SCALE, factor * base), factor
         if asked.kind == ORDINATES:
             away = asked.way * float(np.median(((drawn - base[there]) / asked.way).real))
             yield Mistake(verdict.LEVEL, base + away), None
+
+    def _larger(self, base: Values) -> float:
+        """Give by what factor drawn lines reach farther than what is due."""
+        return max(float(np.abs(line).max()) for line in self.drawn.lines) / float(np.abs(base).max())
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge the figure as a whole, then each value that is asked for."""
@@ -185,7 +199,7 @@ class _Told:
     def _one(self, one: Item, within: Truths) -> Verdict:
         k, value = one.place, self.drawn.values[one.place]
         if np.isnan(value):
-            return self._said(verdict.MISSING, one)
+            return self._said(verdict.UNREAD if self.drawn.lines else verdict.MISSING, one)
         off = float(self.asked.off(self.drawn.values, self.asked.true)[k])
         if k in self.drawn.aside:
             return self._said(verdict.ASIDE, one, off)
@@ -193,7 +207,7 @@ class _Told:
             return self._said(verdict.RIGHT, one, off)
         if self.follows[k] or within[k] or self._goes_on(k):
             return self._said(verdict.FOLLOWS, one, off)
-        back = self.asked.off(-self.drawn.values, self.asked.true)[k] <= self.allowed[k]
+        back = not self.drawn.lines and self.asked.off(-self.drawn.values, self.asked.true)[k] <= self.allowed[k]
         said = self._said(verdict.REVERSED if back else verdict.WRONG, one, off)
         return said if off > self.allowed[k] else self._of_step(said, k)
 

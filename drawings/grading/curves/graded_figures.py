@@ -15,7 +15,8 @@ from drawings.grading.curves.drawn_arms import from_arms
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
-from drawings.grading.curves.form_figure import from_form
+from drawings.grading.curves.form.form_figure import from_form
+from drawings.grading.curves.form.form_line import line_on_form
 from drawings.grading.verdict import Verdict
 
 
@@ -37,14 +38,12 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
 def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     if asked.rings or asked.arms:
         return from_rings(asked, seen) if asked.rings else from_arms(asked, seen)
-    return from_marks(asked, seen) or from_form(asked, seen)
+    return from_marks(asked, seen) or from_form(asked, seen) or line_on_form(asked, seen)
 
 
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
     """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
-    apart = [
-        np.nanmean(one.asked.off(one.values, one.asked.true)) / (np.abs(one.asked.true).max() or 1.0) for one in found
-    ]
+    apart = [np.nanmean(one.asked.off(one.values, one.asked.true)) / (one.asked.largest or 1.0) for one in found]
     return sum(len(one.arrows) for one in found), -float(np.mean(apart))
 
 
@@ -67,10 +66,15 @@ def figure_verdicts(
         for one in due if found or sheet in sheets else ():
             if one.key in there:
                 yield from judge.verdicts(there[one.key], allowed(one))
-            elif (found and (one.kind == ORDINATES or not any(drawn.free for drawn in found))) or sheet in marked:
+            elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or sheet in marked:
                 yield from _missing(one)
             else:
                 yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)
+
+
+def _is_graph(asked: FigureAsked) -> bool:
+    """Tell whether a figure has axes of its own on a form, and would be read there."""
+    return asked.kind == ORDINATES and asked.paper is not None
 
 
 def _missing(asked: FigureAsked) -> Iterator[Verdict]:
@@ -88,5 +92,5 @@ def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Sizes:
 
 def _allowed(asked: FigureAsked, by: Allowance, coarse: float) -> Sizes:
     if by.share is not None:
-        return np.full(len(asked.true), by.share * float(np.abs(asked.true).max())) + asked.slack
+        return np.full(len(asked.true), by.share * asked.largest) + asked.slack
     return asked.allowed(max(by.slip, coarse), DEVIATIONS)

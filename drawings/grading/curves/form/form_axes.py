@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.graphs.scale_line import written_scales
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import Values
 from drawings.grading.curves.drawn_curve import PLACED
+from drawings.grading.seeing.written_scale import stated_scales
 from drawings.paper.strokes import Group, Line
 from drawings.paper.walk import groups, texts
 
@@ -61,11 +61,8 @@ def _crosses(line: Line, origin: complex) -> bool:
     return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
 
 
-def written_at(seen: SeenSheet, own: Blank) -> dict[str, float]:
-    """Give the scales that are written nearest to the axes, by their letters."""
+def written_at(seen: SeenSheet, own: Blank, due: Mapping[str, str]) -> dict[str, float]:
+    """Give the scales that are written nearest to the axes, by the letters that are due with their units."""
     head = complex((own.origin.real + own.right) / 2, own.top)
-    found: dict[str, float] = {}
-    for text in sorted(texts(seen.leaf.groups), key=lambda one: abs(one.at - head)):
-        if abs(text.at - head) <= NEAR:
-            found = written_scales(Group((text,))) | found
-    return found
+    near = sorted(texts(seen.leaf.groups), key=lambda one: abs(one.at - head))
+    return stated_scales((one for one in near if abs(one.at - head) <= NEAR), due)

@@ -11,8 +11,8 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.curves.drawn_curve import PLACED, Frame, chains, heights
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form_axes import AXES, FRAME, Blank, axes, every_axes, written_at
-from drawings.grading.curves.form_course import course_on_form
+from drawings.grading.curves.form.form_axes import AXES, FRAME, Blank, axes, every_axes, written_at
+from drawings.grading.curves.form.form_course import course_on_form
 from drawings.grading.drawn_plan import Arrow
 
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
@@ -35,7 +35,7 @@ def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
         return None
     if asked.returns:
         return course_on_form(asked, seen)
-    written = written_at(seen, own)
+    written = written_at(seen, own, dict.fromkeys(ABSCISSAS, "") | asked.stated)
     step = _step(own, written, asked.paper.turn)
     if step is None:
         return None

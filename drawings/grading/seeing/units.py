@@ -1,0 +1,189 @@
+"""Units as students write them: with powers, prefixes and brackets, in either language (запись единицы)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from functools import lru_cache, reduce
+from types import MappingProxyType
+from typing import Final, NamedTuple
+
+from drawings.eye.alike import folded
+
+LONGEST = 24  # letters: no unit of ours has half as many
+TOGETHER = 3  # units that may be written without a sign between them: "kgm2", "Nmm"
+TURN, MINUTE = 2 * math.pi, 60.0  # of speeds in turns a minute
+
+
+class Unit(NamedTuple):
+    """What a unit is worth in metres, kilograms and seconds, and their powers; an angle is a number."""
+
+    size: float
+    metres: int = 0
+    kilograms: int = 0
+    seconds: int = 0
+
+    @property
+    def powers(self) -> tuple[int, int, int]:
+        """Of which kind of quantity it is."""
+        return self.metres, self.kilograms, self.seconds
+
+    def times(self, other: Unit, power: int = 1) -> Unit:
+        """Multiply it by a power of another."""
+        powers = (own + power * its for own, its in zip(self.powers, other.powers, strict=True))
+        return Unit(self.size * other.size**power, *powers)
+
+
+ONE: Final = Unit(1.0)
+_NEWTON, _JOULE = Unit(1.0, 1, 1, -2), Unit(1.0, 2, 1, -2)
+# By how each looks: what is written alike in both languages stands once.
+_PREFIXED: Final = MappingProxyType({
+    folded(name): unit
+    for names, unit in (
+        ("m м", Unit(1.0, 1)), ("g г", Unit(1e-3, 0, 1)), ("s с sec сек", Unit(1.0, 0, 0, 1)), ("N Н", _NEWTON),
+        ("J Дж", _JOULE), ("W Вт", Unit(1.0, 2, 1, -3)), ("Pa Па", Unit(1.0, -1, 1, -2)), ("rad рад", ONE),
+    )
+    for name in names.split()
+})  # fmt: skip
+_BARE: Final = MappingProxyType({
+    folded(name): unit
+    for names, unit in (
+        ("1", ONE), ("%", Unit(0.01)), ("° deg град", Unit(math.pi / 180)), ("min мин", Unit(MINUTE, 0, 0, 1)),
+        ("rev turn об", Unit(TURN)), ("rpm", Unit(TURN / MINUTE, 0, 0, -1)),
+    )
+    for name in names.split()
+})  # fmt: skip
+_PREFIXES: Final = MappingProxyType({
+    folded(name): size
+    for names, size in (
+        ("n н", 1e-9), ("μ µ мк", 1e-6), ("m м", 1e-3), ("c с", 1e-2), ("d д", 0.1), ("k к", 1e3), ("M М", 1e6),
+        ("G Г", 1e9),
+    )
+    for name in names.split()
+})  # fmt: skip
+_A_MINUTE: Final = tuple(folded(name) for name in ("1/min", "min-1", "1/мин", "мин-1"))  # said of turns
+_POWER = re.compile(r"\^?([-+]?\d)")
+
+
+def in_unit(own: str, due: str) -> float | None:
+    """Give how many of a due unit one that is written is; None where it is not understood, or of another quantity.
+
+    Where none is written it is the due one.
+
+    >>> in_unit("g·mm", "kg·m"), in_unit("mm²", "м²"), in_unit("(mm/s)/mm", "(m/s)/mm"), in_unit("foot", "m")
+    (1e-06, 1e-06, 0.001, None)
+    >>> in_unit("", "N·m"), in_unit("N", "N·m"), round(in_unit("rpm", "rad/s"), 4)
+    (1.0, None, 0.1047)
+    """
+    written, wanted = _bare(own), _bare(due)
+    if written in ("", wanted):
+        return 1.0
+    aims = [one for one in _readings(wanted) if written not in _A_MINUTE or one.powers == (0, 0, -1)]
+    if written in _A_MINUTE:
+        written = "rpm"
+    sizes = (one.size / aim.size for aim in aims[:1] for one in _readings(written) if one.powers == aim.powers)
+    return next(sizes, None)
+
+
+def in_system(own: str) -> float | None:
+    """Give what a unit is worth in metres, kilograms and seconds; None where it is not understood.
+
+    >>> in_system("kN·m"), in_system("foot")
+    (1000.0, None)
+    """
+    return next((one.size for one in _readings(_bare(own))), None)
+
+
+def _bare(unit: str) -> str:
+    """Write a unit as it is seen, with one sign for products."""
+    plain = folded(re.sub(r"[{}]", "", unit).strip().rstrip(".,;"))
+    plain = re.sub(r"\s*([·∙⋅*/()])\s*", r"\1", plain)
+    return re.sub(r"\s+|[∙⋅*]", "·", plain).translate(str.maketrans("−–‑", "---"))
+
+
+@lru_cache(maxsize=1024)
+def _readings(unit: str) -> tuple[Unit, ...]:
+    """Give all that a unit may be: letters that stand together may be several, and a product after a stroke too."""
+    if not unit:
+        return (ONE,)
+    return tuple(_quotients(unit)) if len(unit) <= LONGEST else ()
+
+
+def _quotients(unit: str) -> Iterator[Unit]:
+    """Read what is over and under strokes: all that is after one is under it, or its first factor alone."""
+    over, *under = (list(map(_factor, _parts(part, "·"))) for part in _parts(unit, "/"))
+    for top in _products(over):
+        for below in _products([one for part in under for one in part]):
+            yield top.times(below, -1)
+        if any(len(part) > 1 for part in under):
+            for below in _products([part[0] for part in under]):
+                beside = _products([one for part in under for one in part[1:]])
+                yield from (top.times(one).times(below, -1) for one in beside)
+
+
+def _parts(unit: str, sign: str) -> list[str]:
+    """Take a unit apart at a sign that is in no brackets."""
+    parts, depth = [""], 0
+    for one in unit:
+        depth += (one == "(") - (one == ")")
+        if one == sign and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += one
+    return parts
+
+
+def _products(factors: list[tuple[Unit, ...]]) -> Iterator[Unit]:
+    found = [ONE]
+    for own in factors:
+        found = [one.times(other) for one in found for other in own]
+    yield from found
+
+
+def _factor(text: str) -> tuple[Unit, ...]:
+    """Read a factor with its power."""
+    power = re.search(rf"(?:{_POWER.pattern}|\^\({_POWER.pattern}\))$", text)
+    if power is None or text == "1":
+        return tuple(_atoms(text))
+    times = int(power[1] or power[2])
+    return tuple(_raised(text[: power.start()], times))
+
+
+def _raised(text: str, power: int) -> Iterator[Unit]:
+    """Read what has a power: of units written together only the last one has it."""
+    if text.startswith("("):
+        yield from (ONE.times(one, power) for one in _atoms(text))
+        return
+    for row in _words(text, TOGETHER):
+        yield reduce(Unit.times, row[:-1], ONE).times(row[-1], power)
+
+
+def _atoms(text: str) -> Iterator[Unit]:
+    if text.startswith("(") and text.endswith(")"):
+        yield from _readings(text[1:-1])
+    else:
+        yield from (reduce(Unit.times, row, ONE) for row in _words(text, TOGETHER))
+
+
+def _words(text: str, most: int) -> Iterator[tuple[Unit, ...]]:
+    """Read letters as one unit with its prefix or none, then as several."""
+    own = _named(text)
+    if own is not None:
+        yield (own,)
+    for k in range(1, len(text)) if most > 1 else ():
+        first = _named(text[:k])
+        if first is not None:
+            yield from ((first, *rest) for rest in _words(text[k:], most - 1))
+
+
+def _named(text: str) -> Unit | None:
+    if text in _BARE:
+        return _BARE[text]
+    if text in _PREFIXED:
+        return _PREFIXED[text]
+    for name, unit in _PREFIXED.items():
+        prefix = text.removesuffix(name)
+        if prefix != text and prefix in _PREFIXES:
+            return unit.times(Unit(_PREFIXES[prefix]))
+    return None
