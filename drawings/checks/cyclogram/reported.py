@@ -22,7 +22,7 @@ from plans.words.words import Message, message, word
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-KNOWND = 6  # digits of a share of the stroke
+SHARED = 6  # digits of a share of the stroke
 DIGITS = 10  # of the numbers of the report
 PLAN, ANALYSIS = "@plan@", "@analysis@"  # where the turns by both roads stand in a line
 
@@ -55,7 +55,7 @@ def headline(study: Study) -> Callable[[str], bool]:
 def _tells(line: str, number: int, one: Position, drafting: Drafting) -> bool:
     """Tell whether a line says what a position is, at which share of the stroke, and its turn by both roads."""
     turned = Cell(math.degrees(one.turned), digits=DIGITS, turns=True)
-    for share in {drafting.number(one.share * (1 + off), KNOWND) for off in (-KNOWN, 0.0, KNOWN)}:
+    for share in {drafting.number(one.share * (1 + off), SHARED) for off in (-KNOWN, 0.0, KNOWN)}:
         parts = {"position": number, "role": drafting.word(f"role {one.role}"), "share": share}
         due = word(drafting.language, "report.characteristic", plan=PLAN, analysis=ANALYSIS, **parts)
         found = re.fullmatch(re.escape(due).replace(PLAN, "(.+)").replace(ANALYSIS, "(.+)"), line)
