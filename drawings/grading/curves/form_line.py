@@ -61,7 +61,7 @@ def _on_axes(asked: FigureAsked, seen: SeenSheet) -> Place | None:
         return None
     every = every_axes(seen)
     near = (one for one in _drawn(seen) if min(every, key=lambda name: every[name].away(one)) == asked.plan)
-    return Place(own.origin, written_at(seen, own), tuple(near))
+    return Place(own.origin, written_at(seen, own, asked.stated), tuple(near))
 
 
 def _in_place(asked: FigureAsked, seen: SeenSheet) -> Place | None:
