@@ -26,7 +26,7 @@ def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
         return None
     written = written_at(seen, own, asked.stated)
     across, up = (written.get(letter) for letter in asked.scales)
-    lines = [one - own.origin for one in _lines(seen, own)]
+    lines = [one - own.origin for one in lines_within(seen, own)]
     if across is None or up is None or not lines:
         return None
     due = asked.paper.along / across + 1j * (asked.true / asked.way).real / up
@@ -39,7 +39,7 @@ def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
 
 
-def _lines(seen: SeenSheet, own: Blank) -> Iterator[Values]:
+def lines_within(seen: SeenSheet, own: Blank) -> Iterator[Values]:
     """Give the lines and chains that lie within the axes."""
     strokes = [one for one in seen.leaf.groups if one.data.get("kind") != AXES and one.name != FRAME]
     straight = (np.array([one.start, one.end]) for one in flat(strokes) if isinstance(one, Line))
