@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from functools import lru_cache
 
 from drawings.checks.reading import reads
 from drawings.lettering.words import number
@@ -42,10 +43,16 @@ def tells(text: str, true: str, digits: Collection[int], share: float = 0.0) -> 
     >>> tells("φ = 0°", "φ = 359.999999999°", (4,), 1e-9), tells("φ = 0°", "φ = 359.99°", (4,), 1e-9)
     (True, False)
     """
-    if _NUMBER.sub("#", text) != _NUMBER.sub("#", true):
+    if _words(text) != _words(true):
         return False
     pairs = zip(_QUANTITY.findall(text), _QUANTITY.findall(true), strict=True)
     return all(_holds(one, other, digits, share, TURN if degrees else 0.0) for (one, _), (other, degrees) in pairs)
+
+
+@lru_cache(maxsize=4096)  # each line of a sheet is held to each that it might be
+def _words(text: str) -> str:
+    """Give what a text says but for its numbers."""
+    return _NUMBER.sub("#", text)
 
 
 def rounded(text: str) -> str:

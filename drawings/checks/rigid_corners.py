@@ -42,7 +42,7 @@ class Corner(NamedTuple):
 class Corners(NamedTuple):
     """The corners of the links of a figure, with what is filled in it, its hinges' circles, its factor of symbols.
 
-    Among links that are `alone`, without arrows, every triangle is the filling of a corner.
+    Among links that are `alone`, without arrows, every triangle at the side of a block is the filling of a corner.
     """
 
     corners: Sequence[Corner]
@@ -58,8 +58,13 @@ class Corners(NamedTuple):
 
     def stray(self) -> bool:
         """Tell whether something is filled that is no corner; a rod's own block may fill more of it."""
-        rounded = [fill for fill in self.fills if self.alone or len(fill.points) > SHARP]
-        return not all(any(self._fills(fill, one) for one in self.corners) for fill in rounded)
+        held = [fill for fill in self.fills if len(fill.points) > SHARP or (self.alone and self._leaves(fill))]
+        return not all(any(self._fills(fill, one) for one in self.corners) for fill in held)
+
+    def _leaves(self, fill: Fill) -> bool:
+        """Tell whether a filling is where a rod surely leaves its block."""
+        sides = (one.at for one in self.corners if one.due and not one.ringed)
+        return any(abs(fill.points[0] - at) <= ROUNDED for at in sides)
 
     def _radii(self, one: Corner) -> tuple[float, ...]:
         """Give the radii of the hinge about a corner: with the smaller circle of a mass centre there, and without."""

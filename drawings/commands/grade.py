@@ -20,6 +20,7 @@ from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.hints import curve_hints, hints
+from drawings.grading.idle_keys import idle_keys
 from drawings.grading.marking import Marking, MarkingError, read_marking
 from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
@@ -47,6 +48,8 @@ def run(options: argparse.Namespace) -> int:
         tell(word(language, "grade.ungraded", kind=kind))
     if not plans and not curves and not tables:
         return CODES[REJECTED]
+    if idle := idle_keys(marking, plans, curves, tables):
+        tell(word(language, "grade.marks.idle", file=options.marks, names=idle))
     own = grade_own(originals, plans, by, curves, tables)
     if own.outcome != PASS:
         tell(word(language, "grade.self"))

@@ -9,10 +9,11 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.eye.sheet import SeenSheet, see
 from drawings.form.given import Given, given
 from drawings.form.laid import SCALE
+from drawings.form.task import TABLES, table_of
 from drawings.measure.measure import check
 from drawings.page.page import BLOCK
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import Arc, Curve, Leaf, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Curve, Fill, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
 from plans.model.mechanism import FRAME
@@ -22,6 +23,8 @@ from plans.words.words import message
 SEAL = b'<metadata id="seal">'
 PAGE = ("frame", BLOCK)  # groups of the page itself: by the standard, and what the author wrote
 BENT = (Arc, Curve, Polyline)  # strokes that no place of a form has
+STRAIGHT = (Line, Fill)  # and those that only places, axes and tables have
+LINED = ("place", "axes")  # what groups with lines say that they are
 RATIO = re.compile(r"\(\d+(?:[.,]\d+)?:\d+(?:[.,]\d+)?\)$")  # a scale of lengths as it is written again
 NEAR = 1e-9  # of a fixed point's coordinate: what twelve digits in a file leave of it
 MOST = 5  # of what is told too much, that is named
@@ -38,7 +41,12 @@ def see_blank(source: bytes, study: Study) -> None:
         seen = see(source)
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    told = [*_marks(seen, study), *_bent(seen.written), *_numbers(seen.written, given(study.scene))]
+    told = [
+        *_marks(seen, study),
+        *_bent(seen.written),
+        *_astray(seen.written),
+        *_numbers(seen.written, given(study.scene)),
+    ]
     if told:
         raise SelfCheckFailed(message("check.form", told=tuple(dict.fromkeys(told))[:MOST]))
 
@@ -58,6 +66,14 @@ def _bent(leaf: Leaf) -> Iterator[str]:
     for group in groups(one for one in leaf.groups if one.name not in PAGE):
         if any(isinstance(stroke, BENT) for stroke in group.strokes):
             yield group.name or group.title or type(group.strokes[0]).__name__
+
+
+def _astray(leaf: Leaf) -> Iterator[str]:
+    """Name the groups with lines that are no place, no axes and no table, beside the page itself."""
+    for group in (one for one in leaf.groups if one.name not in PAGE):
+        known = group.data.get("kind") in LINED or any(table_of(kind, group.name) for kind in TABLES)
+        if not known and any(isinstance(stroke, STRAIGHT) for stroke in flat(group.strokes)):
+            yield group.name or group.title or Line.__name__
 
 
 def _numbers(leaf: Leaf, known: Given) -> Iterator[str]:

@@ -16,7 +16,8 @@ from plans.techniques import TECHNIQUES
 NUMERAL = re.compile(r"\d+(?:[.,]\d+)?")
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
 SKETCH = "sketch"  # where points lie about is what the plan of positions has to find
-DEGREES = range(0, 361, 5)  # by which a table of a turn counts, though no scene gives them
+# Degrees, or mm of a plate, by which the rows of a table count, though no scene gives them.
+STEPS: Final = frozenset(2.5 * step for step in range(145))
 # What a number of a scene is written in: its own unit, a thousandth or a thousand of it; degrees; turns a minute.
 UNITS: Final = tuple(
     power * turn for power in (1.0, 1e3, 1e-3) for turn in (1.0, math.pi / 180, 180 / math.pi, math.pi / 30)
@@ -33,8 +34,10 @@ class Given(NamedTuple):
 
         >>> Given((0.12,)).says("l = 0.120 m, position 2"), Given((0.12,)).says("v = 0.124 m/s")
         (True, False)
+        >>> Given(()).says("215"), Given(()).says("φ = 215°"), Given(()).says("R = 215 N")
+        (True, True, False)
         """
-        return all(self._knows(numeral) for numeral in NUMERAL.findall(text))
+        return all(self._knows(one[0]) or _counts(one) for one in NUMERAL.finditer(text))
 
     def _knows(self, numeral: str) -> bool:
         digits = numeral.replace(",", ".")
@@ -44,9 +47,16 @@ class Given(NamedTuple):
         return any(abs(abs(number) - float(digits)) <= half for number in self.numbers)
 
 
+def _counts(numeral: re.Match[str]) -> bool:
+    """Tell whether a number is by what the rows of a table count: the name of a row alone, or degrees."""
+    alone = numeral[0] == numeral.string.strip()
+    degrees = numeral.string[numeral.end() :].lstrip().startswith("°")
+    return (alone or degrees) and float(numeral[0].replace(",", ".")) in STEPS
+
+
 def given(scene: Scene) -> Given:
     """Gather the numbers of a scene."""
-    own = {*map(float, DEGREES), *(abs(number) for number in _numbers(tomllib.loads(_text(scene))))}
+    own = {abs(number) for number in _numbers(tomllib.loads(_text(scene)))}
     return Given(tuple(sorted({number * unit for number in own for unit in UNITS})))
 
 

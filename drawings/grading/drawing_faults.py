@@ -67,12 +67,13 @@ def _same(written: float, stated: float) -> bool:
 
 def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """List the faults of how a plan is drawn."""
-    if not plan.written:
+    upright = abs(plan.turn - 1) <= UPRIGHT  # a p that lies on its side is read as a d, or a b
+    if not plan.written and (upright or plan.lettered):
         yield _of(plan, verdict.UNSCALED)
     gaps = (*_open(plan), *open_sides(plan, CLOSED))
     yield from gaps
     opened = {gap.name for gap in gaps}
-    if abs(plan.turn - 1) <= UPRIGHT:  # a p that lies on its side is read as a d, or a b
+    if upright:
         own = (*_letters(labels, plan), *letters(labels, plan, NEAR))
         yield from (one for one in own if one.name not in opened)
     yield from _outside(leaf, plan)

@@ -64,6 +64,8 @@ def _notes(path: Path, wrong: Sequence[Verdict], hints: Hints, language: str) ->
 
 def _mark(number: int, one: Verdict, height: float) -> str:
     assert one.at is not None  # asked of what has a place
+    if one.frames and not one.name:
+        return "".join(f'<polygon points="{_points(frame, height)}"/>' for frame in one.frames)
     (start, end), round_ = one.at, one.kind in verdict.OF_DRAWING
     if round_ or start == end:
         return f'<circle cx="{end.real:.3f}" cy="{height - end.imag:.3f}" r="{2 * RADIUS}"/>'
@@ -71,6 +73,10 @@ def _mark(number: int, one: Verdict, height: float) -> str:
         f'<line id="wrong-{number}" x1="{start.real:.3f}" y1="{height - start.imag:.3f}" '
         f'x2="{end.real:.3f}" y2="{height - end.imag:.3f}"/>'
     )
+
+
+def _points(frame: Sequence[complex], height: float) -> str:
+    return " ".join(f"{spot.real:.3f},{height - spot.imag:.3f}" for spot in frame)
 
 
 def _numbers(wrong: Sequence[Verdict], height: float) -> str:

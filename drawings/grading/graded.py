@@ -16,7 +16,7 @@ from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form_figure import empty_axes
+from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -19,8 +18,10 @@ from plans.words.words import message
 
 TABLES = ("points", "keeps", "costs", "tolerance")
 TABLE = "table"  # by which the points of a cell are told from those of the vector that it tells of
+OTHERS = "default"  # the key of the points that all other quantities have
 # What a fault of a whole plan, and one of how it is drawn, costs where the table does not say.
 PLAN_COST, DRAWING_COST = 1.0, 0.0
+MOST = 1e6  # points of a quantity: nobody has more, and sums of such keep their third decimal
 CELL = 0.25  # of what any other quantity has: a table tells once more what the drawing shows, in many cells
 
 
@@ -48,8 +49,8 @@ class Marking:
         """Give the points of a quantity; faults of a plan or of drawing have none."""
         if _aside(one):
             return 0.0
-        other = self.points.get("default", 1.0) * (CELL if _is_cell(one) else 1.0)
-        return next((self.points[key] for key in _keys(one) if key in self.points), other)
+        other = self.points.get(OTHERS, 1.0) * (CELL if _is_cell(one) else 1.0)
+        return next((self.points[key] for key in keys_of(one) if key in self.points), other)
 
     def won(self, one: Verdict) -> float:
         """Give the points that a verdict wins, or loses."""
@@ -67,7 +68,7 @@ def _is_cell(one: Verdict) -> bool:
     return one.plan.startswith(TABLE)
 
 
-def _keys(one: Verdict) -> Iterator[str]:
+def keys_of(one: Verdict) -> Iterator[str]:
     """Give by what the points of a quantity may be told, the nearest first."""
     if _is_cell(one):
         name = one.name.partition(" (")[0]
@@ -84,25 +85,25 @@ def read_marking(path: Path) -> Marking:
         raise MarkingError(message("grade.marks.long", file=path, limit=TEXT_LENGTH))
     try:
         tables = tomllib.loads(source.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:  # also the plain ValueError of an integer with thousands of digits
         raise MarkingError(message("grade.marks.toml", file=path, error=str(error))) from None
     for name, table in tables.items():
         if name not in TABLES or not isinstance(table, dict):
             raise MarkingError(message("grade.marks.table", file=path, name=name, names=TABLES))
-    known = {"keeps": verdict.KINDS, "costs": (*verdict.OF_PLANS, *verdict.OF_DRAWING)}
+    known = {"keeps": verdict.OF_QUANTITIES, "costs": (*verdict.OF_PLANS, *verdict.OF_DRAWING)}
     for table, kinds in known.items():
         for name in tables.get(table, {}):
             if name not in kinds:
                 raise MarkingError(message("grade.marks.kind", file=path, name=f"{table}.{name}", names=kinds))
-    numbers = {name: _numbers(path, name, tables.get(name, {})) for name in TABLES[:3]}
+    most = {"points": MOST, "keeps": 1.0, "costs": MOST}
+    numbers = {name: _numbers(path, name, tables.get(name, {}), most[name]) for name in most}
     return Marking(**numbers, tolerance=_texts(path, tables.get("tolerance", {})))
 
 
-def _numbers(path: Path, table: str, own: Mapping[str, Any]) -> dict[str, float]:
+def _numbers(path: Path, table: str, own: Mapping[str, Any], most: float) -> dict[str, float]:
     for name, value in own.items():
-        good = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value) and value >= 0
-        if not good:
-            raise MarkingError(message("grade.marks.number", file=path, name=f"{table}.{name}"))
+        if not isinstance(value, int | float) or isinstance(value, bool) or not 0 <= value <= most:
+            raise MarkingError(message("grade.marks.number", file=path, name=f"{table}.{name}", most=f"{most:.0f}"))
     return {name: float(value) for name, value in own.items()}
 
 

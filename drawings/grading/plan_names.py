@@ -20,6 +20,7 @@ _NAMED: Final = tuple(
         (r"scheme (?P<of>.+)", "scheme_of_group"),
         (r"diagrams-(?P<of>\w+)", "diagram"),
         (r"load_diagram-(?P<of>.+)", "load"),
+        (r"circle", "rings"),
         (r"law-(?P<cam>.+)-(?P<of>\w+)", "law"),
         (r"order_(?P<of>forces|moments)-(?P<order>\d+)", "order"),
         (r"order_(?P<of>forces|moments)-(?P<order>\d+)-back", "order_back"),

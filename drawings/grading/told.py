@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from drawings.grading.cells.frames import frames
 from drawings.grading.graded import MARKED, Graded
 from drawings.grading.hints import Hint, told
 from drawings.grading.marking import TABLE, Marking, points_of
@@ -34,7 +35,8 @@ def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
     """Give verdicts with those of a plan, or of a table, that is not there at all as one."""
     for own in _together(verdicts, lambda one: one.plan if one.plan.startswith(TABLE) else (one.plan, one.position)):
         if own[0].plan.startswith(TABLE) and all(one.kind == MISSING for one in own):
-            yield own[0]._replace(name="", position=None)
+            cells = [cell for one in own for cell in one.frames]
+            yield own[0]._replace(name="", position=None, frames=frames(cells))
             continue
         for plan in _together(own, lambda one: one.position):
             yield from [plan[0]._replace(name="")] if all(one.kind == MISSING for one in plan) else plan

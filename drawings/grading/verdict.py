@@ -18,6 +18,7 @@ ORDER = "order"  # of a harmonic
 SCALE, MIRRORED, OPPOSITE, ASKEW = "scale", "mirrored", "opposite", "askew"
 # Of a curve, or of all of it.
 ASIDE, UNREAD = "aside", "unread"
+UNGROUPED = "ungrouped"  # the arrows of a scheme that an editor has taken apart: not graded
 SHIFTED, LEVEL, IDLE, UNDRIVEN = "shifted", "level", "idle", "undriven"
 AXES, EXCHANGED, PHASES = "axes", "exchanged", "phases"
 SIDE, BACKWARDS, BASE = "side", "backwards", "base"
@@ -46,18 +47,21 @@ OF_CURVES: Final = (
     FLYWHEEL,
     UNSET,
 )
-OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, BRANCH, *OF_CURVES)
+OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, *OF_CURVES)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
-UNGRADED: Final = (DEAD, UNREAD, SMALL, ILLEGIBLE, UNTABLED)
-UNSEEN: Final = (UNREAD, ILLEGIBLE, UNTABLED)  # of the ungraded what somebody has to look at himself
+UNGRADED: Final = (DEAD, UNREAD, UNGROUPED, SMALL, ILLEGIBLE, UNTABLED)
+UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED)  # of the ungraded what somebody has to look at himself
 OF_CELLS: Final = (SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
     INERTIA, UPWARD, REACTION, MOMENT, COUPLE, FORGOTTEN, SLANT,
     HEAVY, PRODUCT, BEYOND, ORDER,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
+    UNGROUPED,
     *OF_CURVES, *OF_CELLS, ILLEGIBLE, UNTABLED,
 )  # fmt: skip
+# By which a quantity is wrong that may keep a share of its points.
+OF_QUANTITIES: Final = tuple(kind for kind in KINDS if kind not in (*GOOD, *OF_PLANS, *OF_DRAWING, *UNGRADED))
 
 
 class Verdict(NamedTuple):
@@ -77,6 +81,7 @@ class Verdict(NamedTuple):
     at: tuple[complex, complex] | None = None
     letters: tuple[str, str] = ("", "")
     of: str = ""  # in which quantity the mistake is, if not in this one
+    frames: tuple[tuple[complex, ...], ...] = ()  # corners on paper, mm: of a cell, or about all of a table's
 
     @property
     def good(self) -> bool:

@@ -44,11 +44,6 @@ def remarks(study: Study) -> list[Message]:
     return []
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Find no fault: the values are printed from the comparison that was judged."""
-    yield from ()
-
-
 def _values(found: Diagrams, findings: Sequence[Finding], language: str) -> Iterator[str]:
     """Tabulate the course; v by a chord stands with the position from which it goes on."""
     yield chapter(language, "diagrams")

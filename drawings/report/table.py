@@ -32,7 +32,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.diagrams_report:headline",
         remarks="drawings.report.diagrams_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.diagrams_report:faults",
+        faults="drawings.checks.diagrams.diagram_report:faults",
     ),
     "forces": Report(
         subject="drawings.report.linkage.linkage_subject:subject",

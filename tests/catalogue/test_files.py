@@ -32,6 +32,7 @@ def test_c11_a_sheet_is_named_after_its_scene_and_never_bare(name: str, tmp_path
     assert {file.name for file in out.iterdir() if not file.name.startswith(".")} >= {f"{name}-kinematics.svg"}
 
 
+@pytest.mark.rest
 def test_k16_svg_is_the_only_format(tmp_path: Path) -> None:
     scene, out = tmp_path / "plain.toml", tmp_path / "out"
     scene.write_text(PLAIN, "utf-8")

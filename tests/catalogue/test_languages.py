@@ -16,6 +16,7 @@ import pytest
 from drawings.commands import cli
 from drawings.commands.trace import LIBRARIES as KNOWN
 from plans.words.words import FOLDER
+from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
 MARK = "Ж"  # begins every word of the third language: a letter of the alphabet that no English word has
@@ -87,22 +88,28 @@ def scene(tmp_path: Path) -> Path:
     return asking("xx", tmp_path)
 
 
+@pytest.fixture(params=first(["crank-rocker", "slider-crank"]))
+def shown(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    return asking("xx", tmp_path, request.param)
+
+
 def untranslated(text: str) -> set[str]:
     """Give the English words of a text that bear no mark: letters, keys, names of marks and of math's signs aside."""
     text = re.sub(r"\\[a-z]+", "", text)
     return set(re.findall(r"(?<![\w\"./-])[a-z]{4,}(?![\w./=-])", text)) - {"omega", "epsilon", "kappa"}
 
 
-def test_a_sheet_and_a_report_speak_it(tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path) -> None:
-    done = tongue(("draw", scene, "-o", scene.parent))
+def test_a_sheet_and_a_report_speak_it(tongue: Callable[..., subprocess.CompletedProcess[str]], shown: Path) -> None:
+    done = tongue(("draw", shown, "-o", shown.parent))
     assert (done.returncode, done.stderr) == (0, "")
-    report = (scene.parent / "scene-report.md").read_text("utf-8")
+    report = (shown.parent / "scene-report.md").read_text("utf-8")
     assert f"## {MARK}Structure" in report
     assert untranslated(report.partition("\n")[2]) == set()
     assert f"{MARK}plan" in done.stdout
-    assert f"{MARK}Velocity {MARK}plan" in "".join(path.read_text("utf-8") for path in scene.parent.glob("*.svg"))
+    assert f"{MARK}Velocity {MARK}plan" in "".join(path.read_text("utf-8") for path in shown.parent.glob("*.svg"))
 
 
+@pytest.mark.rest
 def test_comparison_and_explain_speak_it(tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path) -> None:
     done = tongue(("compare", scene), ("explain", scene, "a_B"), ("explain", scene, "M_bal", "--all"))
     assert (done.returncode, done.stderr) == (0, "")

@@ -88,6 +88,7 @@ def paper() -> tuple[Ground, sheet.DrawnSheets]:
     return found, sheet.road(found).run()
 
 
+@pytest.mark.rest
 def test_what_is_measured_back_is_out_by_no_more_than_the_paper(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
     """The ends of a vector are rounded to the sheet's last decimal: its error is a quantum times the plan's scale."""
     found, drawn = paper

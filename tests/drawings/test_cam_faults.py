@@ -77,7 +77,6 @@ def checked(leaf: Leaf, sheet: str, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(SHEETS[sheet][1], study=study))
 
 
-@pytest.mark.rest
 @pytest.mark.parametrize(
     "case",
     first(

@@ -144,6 +144,7 @@ def test_an_undercut_is_drawn_through_and_named() -> None:
     assert not [one for one in sound if one.style.width > hand_of("A1").main]
 
 
+@pytest.mark.rest
 def test_points_that_crowd_are_not_all_numbered() -> None:
     crowded, roomy = (
         {one.position for one in exhibit(name, size)[2].points if one.name == "P"}

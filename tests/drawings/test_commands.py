@@ -680,6 +680,7 @@ def test_a_folder_is_made_with_all_those_above_it(shaper: Done) -> None:
     assert (shaper.folder / "shaper-kinematics.svg").exists()
 
 
+@pytest.mark.rest
 def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -68,7 +68,6 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.rest
 @pytest.mark.parametrize("name", first(SCENES))
 def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
     study = study_of(name)

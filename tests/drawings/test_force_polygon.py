@@ -116,6 +116,7 @@ def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> No
                 assert min(abs(end - corner) for corner in corners) <= ROUNDING * greatest
 
 
+@pytest.mark.rest
 @pytest.mark.part
 @over("name", SHOWN)
 @over("paper, language", [("A1", "en"), ("A3", "ru")])

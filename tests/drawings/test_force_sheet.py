@@ -203,6 +203,7 @@ def test_the_plans_of_the_position_whose_forces_are_drawn_stand_on_the_kinematic
     assert shown[0] == drawn != shown[1]
 
 
+@pytest.mark.rest
 def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, tmp_path: Path) -> None:
     """Of two positions the forces differ, and so may the scales; a drawn vector times the written one is its value."""
     _, _, leaves = sheets_of(checked[0])

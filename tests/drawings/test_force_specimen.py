@@ -22,6 +22,7 @@ def test_no_letter_of_a_force_sheet_touches_anything(page: Page) -> None:
     assert [touched for leaf in force_specimen.leaves(page) for touched in collisions(leaf)] == []
 
 
+@pytest.mark.rest
 @every_page
 def test_every_force_is_measured_back_and_bears_its_letter(page: Page) -> None:
     names: set[str] = set()

@@ -20,15 +20,16 @@ from drawings.grading.asked import ungraded
 from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.idle_keys import idle_keys
 from drawings.grading.lettered_plan import own_headings
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
 from drawings.grading.records import RECORDS
 from drawings.grading.told import gathered, row
-from drawings.grading.verdict import Verdict
+from drawings.grading.verdict import OF_QUANTITIES, Verdict
 from drawings.paper.strokes import Text
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
-from tests.drawings.students import task
+from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
 
@@ -41,7 +42,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A class of four: one is right, one has a mistake, one hands in a page of the web, one the same again."""
     own, where = task("shaper"), tmp_path_factory.mktemp("class")
     (where / "ann.svg").write_bytes(own.originals.drawn(own.originals.sheets[0]))
-    (where / "bob.svg").write_bytes(made(own, MISTAKES[0]))
+    (where / "bob.svg").write_bytes(made(own, MISTAKES[0], TABLED))
     (where / "cid.svg").write_bytes(b"<html><body>log in</body></html>")
     (where / "dan.svg").write_bytes((where / "bob.svg").read_bytes())
     return where
@@ -126,13 +127,33 @@ def test_an_empty_table_is_told_once_and_an_empty_plan_in_its_position() -> None
 
 
 @pytest.mark.parametrize(
-    "text", ["[pionts]\n", "[costs]\nbad = 1\n", "[points]\nv_B = -1\n", "[points]\nv_B = nan\n", "]"]
-)
+    "text",
+    [
+        "[pionts]\n", "[costs]\nbad = 1\n", "[points]\nv_B = -1\n", "[points]\nv_B = nan\n", "]",
+        f"[points]\nv_B = {'9' * 400}\n", f"[points]\nv_B = {'9' * 5000}\n", "[points]\ndefault = 1e308\n",
+        "[keeps]\nreversed = 1.01\n", "[costs]\nbranch = 1\n",
+        *(f"[keeps]\n{kind} = 0.5\n" for kind in ("scale", "unscaled", "right", "follows", "dead", "untabled")),
+    ],
+)  # fmt: skip
 def test_a_wrong_table_is_refused(tmp_path: Path, text: str) -> None:
     table = tmp_path / "marks.toml"
     table.write_text(text, encoding="utf-8")
     with pytest.raises(MarkingError, match=r"marks\.toml"):
         read_marking(table)
+
+
+def test_a_share_may_be_kept_of_each_quantity_that_is_wrong(tmp_path: Path) -> None:
+    table = tmp_path / "marks.toml"
+    table.write_text("[keeps]\n" + "".join(f"{kind} = 1\n" for kind in OF_QUANTITIES), encoding="utf-8")
+    assert {"wrong", "missing", "branch", "sign"} <= read_marking(table).keeps.keys()
+
+
+def test_keys_that_change_nothing_are_told() -> None:
+    own = task("shaper")
+    good = Marking({"default": 1, "v": 2, "v_B": 1, "a^k": 1}, tolerance={"v_B": "1 mm"})
+    idle = Marking({"v_Q": 1, "table": 1}, tolerance={"a^q": "1 mm"})
+    assert idle_keys(good, own.plans, (), ()) == ()
+    assert idle_keys(idle, own.plans, (), ()) == ("points.v_Q", "points.table", "tolerance.a^q")
 
 
 def test_a_row_holds_no_formula(folder: Path) -> None:
@@ -148,6 +169,7 @@ def test_every_technique_is_graded_and_one_that_is_not_would_be_told() -> None:
     assert ungraded(task("slider-crank").originals, {}) == ("kinematics", "forces")
 
 
+@pytest.mark.rest
 def test_a_sheet_of_another_task_is_rejected(folder: Path, capsys: Capture) -> None:
     assert cli.main(["grade", str(GALLERY / "feed-cam.toml"), str(folder / "ann.svg")]) == 5
     assert "plandraft form" in capsys.readouterr().out

@@ -15,7 +15,7 @@ from drawings.eye.sheet import see
 from drawings.form.task import table_of
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
-from drawings.grading.curves.form_figure import empty_axes
+from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.graded import FAIL, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, points_of
 from drawings.grading.verdict import Verdict

@@ -60,20 +60,29 @@ def named(row: dict[str, Any]) -> None:
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
-@pytest.mark.parametrize(("head", "says"), [("by plan", "1.517"), ("by analysis", "1.517")])
-def test_a_cell_that_we_print_wrongly_is_not_the_truth(head: str, says: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "row", "head", "position", "true", "called"),
+    [
+        ("values", "vB", "by plan", 2, 1.517, "v_B (by plan)"),
+        ("values", "vB", "by analysis", 2, 1.517, "v_B (by analysis)"),
+        ("output", "5", "v", None, 1.581, "v"),
+    ],
+)
+def test_a_cell_that_we_print_wrongly_is_not_the_truth(
+    name: str, row: str, head: str, position: int | None, true: float, called: str
+) -> None:
     """The analysis tells what a cell must say: the scene's own sheet is wrong then, and no student."""
     own = table_task("shaper")
-    table, sheet = own.table("values"), own.originals.sheets[0]
-    key = key_of(table, "vB", head, 2)
+    table, sheet = own.table(name), own.originals.sheets[0]
+    key = key_of(table, row, head, position)
     leaf = printed(tables_of(sheet), cells_of(sheet.leaf, table)[key].texts, "2.517")
     originals = copy(own.originals)
     originals.__dict__ |= {"sheets": (sheet._replace(leaf=leaf),), "_drawn": {}, "_seen": {}}
     tables = tables_asked(originals)
     asked = next(one for one in tables if one.sought == table.sought).cells[key]
-    assert asked.true == pytest.approx((float(says),), abs=5e-4)
+    assert asked.true == pytest.approx((true,), abs=5e-4)
     wrong = grade(svg(leaf), (), HAND, (), tables).wrong
-    assert [one.name for one in wrong] == [f"v_B ({head})"]
+    assert [one.name for one in wrong] == [called]
 
 
 def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
@@ -87,6 +96,7 @@ def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
     return replace(leaf, groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
 
 
+@pytest.mark.rest
 def test_of_a_blank_form_all_cells_are_missing() -> None:
     own = table_task("shaper")
     leaf = form_of(own.originals.study)["kinematics"][0]
@@ -112,6 +122,7 @@ def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
     assert [" ".join((one.name, one.kind)) for one in graded.wrong if one.kind != "missing"] == ["v_D (by plan) wrong"]
 
 
+@pytest.mark.rest
 @over("how", ["translate(30 20) scale(0.8)", "rotate(90 300 300) scale(0.6)"])
 def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None:
     own = table_task("shaper")
@@ -148,6 +159,21 @@ def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path
     graded = grade(written(tables_of(own.originals.sheets[0]), table, wrong), (), HAND, (), own.tables)
     won, most = points_of(graded.verdicts, read_marking(marks))
     assert (most, most - won) == (0.25 * (21 * 4 + 12 * 4) + 2 * 4, 2 + 0.125)
+
+
+def test_feedback_frames_a_table_that_is_empty() -> None:
+    own = table_task("shaper")
+    table, leaf = own.table("output"), tables_of(own.originals.sheets[0])
+    source = written(leaf, table, dict.fromkeys(table.cells, ""))
+    graded = grade(source, (), HAND, (), own.tables)
+    text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
+    (frame,) = re.findall(r'<polygon points="([^"]*)"', text)
+    spots = [complex(*map(float, spot.split(","))) for spot in frame.split()]
+    boxes = [cell.box for key, cell in cells_of(leaf, table).items() if key in table.cells]
+    assert min(spot.real for spot in spots) == pytest.approx(min(box.left for box in boxes), abs=1e-3)
+    assert max(spot.real for spot in spots) == pytest.approx(max(box.right for box in boxes), abs=1e-3)
+    assert leaf.height - min(spot.imag for spot in spots) == pytest.approx(max(box.high for box in boxes), abs=1e-3)
+    assert leaf.height - max(spot.imag for spot in spots) == pytest.approx(min(box.low for box in boxes), abs=1e-3)
 
 
 def test_feedback_marks_the_cell_and_tells_no_value() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -13,12 +14,14 @@ import pytest
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import PASS, grade
+from drawings.grading.verdict import UNGROUPED
 from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
 from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
 from tests.drawings.students import Task, task
 from tests.drawings.test_grading import bare
+from tests.drawings.test_grading import laid as as_a_whole
 from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written
 from tests.rows import over
 
@@ -237,6 +240,22 @@ def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str, plan: str, p
 def test_twenty_fair_hands_are_accepted_and_poor_ones_refused(scene: str, plan: str, position: int | None) -> None:
     assert passed(scene, (plan, position), 0.2) == 20
     assert passed(scene, (plan, position), 2.0) == 0
+
+
+def test_a_turned_sheet_is_not_told_that_its_scales_are_missing() -> None:
+    own = task("fan")
+    source = as_a_whole(own.originals.drawn(own.originals.sheets[0]), "translate(297 0) rotate(90) scale(0.7)")
+    assert said(own, source) == []
+
+
+@pytest.mark.rest
+def test_the_arrows_of_a_scheme_that_was_taken_apart_are_not_graded() -> None:
+    own = task("shaper-loaded")
+    sheet = own.originals.sheets[0]
+    graded = grade(re.sub(rb' id="(scheme|lever)-[^"]*"', b"", own.originals.drawn(sheet)), own.plans, HAND)
+    figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.senses}
+    assert graded.wrong == ()
+    assert {(one.plan, one.position) for one in graded.verdicts if one.kind == UNGROUPED} == figures
 
 
 def by_an_editor(plan: PlanAsked, mu: float, turn: float) -> bytes:

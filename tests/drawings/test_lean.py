@@ -73,6 +73,7 @@ def test_positions_alone_need_no_velocities_and_no_paper(tmp_path: Path) -> None
     assert not modules & {"svgwrite", *HEAVY}
 
 
+@pytest.mark.rest
 def test_a_start_at_an_extreme_position_makes_no_plan_of_all_positions_but_the_one_asked_for() -> None:
     _, made = watched("solve", SHAPER, "--only", "positions")
     assert made == {"extremes", "positions"}
@@ -92,6 +93,7 @@ def test_the_analysis_makes_no_construction(tmp_path: Path) -> None:
     assert not modules & {"svgwrite", *HEAVY}
 
 
+@pytest.mark.rest
 def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
     modules, made = watched("explain", SHAPER, "v_D")
     assert "velocities" in made

@@ -15,12 +15,13 @@ from plans.study import Study
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
 from tests.parts import first
 
+FOLDERS = (ROOT / "drawings" / "gallery", ROOT / "tests" / "cases" / "alarms")
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "motion_report_faults.toml")
 
 
 @cache
 def drawn(scene: str) -> tuple[Study, Mapping[str, Sequence[Leaf]]]:
-    study = Study(read_scene(ROOT / "drawings" / "gallery" / f"{scene}.toml"))
+    study = Study(read_scene(next(one for folder in FOLDERS if (one := folder / f"{scene}.toml").exists())))
     study.construct()
     return study, leaves_of(study)
 

@@ -95,6 +95,7 @@ def test_a_sheet_that_no_test_answers_for_is_told(run: Run, class_: Path) -> Non
     result.stdout.fnmatch_lines(["plandraft: 3 handed in, 2 answered for; not answered for: *bob.svg"])
 
 
+@pytest.mark.rest
 def test_who_chooses_among_the_tests_need_not_answer_for_all(run: Run, class_: Path) -> None:
     result = run(f"--plandraft-sheets={class_}", "-k", "ann")
     assert result.ret == pytest.ExitCode.OK
@@ -120,6 +121,7 @@ def test_without_sheets_it_is_said_how_they_are_given(run: Run) -> None:
     result.stdout.fnmatch_lines(["*no sheets are handed in: run with --plandraft-sheets PATH*"])
 
 
+@pytest.mark.rest
 def test_sheets_and_scene_can_stand_in_the_settings(run: Run, class_: Path, pytester: pytest.Pytester) -> None:
     pytester.makeini("[pytest]\nplandraft_sheets = class/ann.svg\n")
     run("--plandraft-silent").assert_outcomes(passed=1)

@@ -167,6 +167,7 @@ def test_the_scene_fills_the_title_block() -> None:
     assert {"ТММ.01.00", "Ivanov_A", "M-301", "Crank-rocker"} <= set(said)
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("size", first([1e-6, 1e-3, 1.0, 1e4]))
 def test_a_mechanism_of_any_size_fits_its_sheet(size: float) -> None:
     text = four_bar(crank=0.1 * size, rod=0.4 * size, rocker=0.3 * size)
@@ -189,6 +190,7 @@ def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() 
         drawn(four_bar() + '[sheet]\ngroup = "机构"\n')
 
 
+@pytest.mark.rest
 def test_plans_that_one_sheet_cannot_show_legibly_go_on_following_sheets() -> None:
     study = LinkageStudy(parse_scene(four_bar() + '[sheet]\nformat = "A2"\nplans = [0, 1, 2, 3, 5, 7, 8, 9]\n'))
     leaves = sheets(study, compare(study))

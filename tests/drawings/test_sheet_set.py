@@ -261,6 +261,7 @@ def test_a_sheet_changed_since_is_told_by_measure_and_by_the_next_run(run: Run, 
     assert run("draw", PLAIN, "-o", tmp_path)[2] == ""
 
 
+@pytest.mark.rest
 def test_a_report_of_another_run_is_told_when_the_sheet_beside_it_is_measured(run: Run, tmp_path: Path) -> None:
     run("draw", PLAIN, "-o", tmp_path)
     (tmp_path / "plain-report.md").write_bytes(b"of another run")

@@ -66,6 +66,7 @@ def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
     return {mark.scale for one in sheets for mark in (*one.vectors, *one.points) if mark.plan == plan}
 
 
+@pytest.mark.rest
 def test_plans_of_an_order_have_one_scale_by_default_and_each_its_own_where_that_is_asked(tmp_path: Path) -> None:
     common, each = (parse_scene(f"{PLANS}\n{more}") for more in ("", 'scales = "each"'))
     sheets = measured(common, tmp_path)

@@ -91,7 +91,7 @@ def told(scene: str, kind: str, patch: pytest.MonkeyPatch, notation: str = "mu")
     [
         pytest.param("crank-rocker", "kinematics", "mu", marks=pytest.mark.rest),
         ("crank-rocker", "kinematics", "K"),
-        ("slider-crank", "forces", "mu"),
+        pytest.param("slider-crank", "forces", "mu", marks=pytest.mark.rest),
         ("fan", "rotor", "mu"),
         pytest.param("four-bar-balance", "balancing", "K", marks=pytest.mark.rest),
         pytest.param("planer", "dynamics", "mu", marks=pytest.mark.rest),

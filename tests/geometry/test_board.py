@@ -212,9 +212,9 @@ def test_points_of_no_common_construction_are_joined_by_their_difference() -> No
     assert between(a, d) == 4 + 2j
 
 
-def test_the_record_is_as_long_for_a_million_positions_as_for_one() -> None:
+def test_the_record_is_as_long_for_many_positions_as_for_one() -> None:
     lengths = set()
-    for count in (1, 1_000_000):
+    for count in (1, 10_000):
         board, (o, c) = board_with(O=0j, C=4 + 0j)
         turn = board.given("φ", np.exp(1j * np.linspace(0, 6, count)))
         a = board.divide("A", board.arc("OA", o, 1.0), turn)

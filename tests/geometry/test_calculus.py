@@ -133,6 +133,7 @@ def largest(edges: Floats, function: Function, whole: Function) -> float:
     return float(np.max(np.abs(curve.values - (whole(edges) - whole(edges[0])))))
 
 
+@pytest.mark.rest
 @over("function, whole", [(np.exp, np.exp), (np.cos, np.sin), (lambda x: 3 * x**2, lambda x: x**3)])
 def test_on_a_smooth_curve_chords_are_of_the_second_order(function: Function, whole: Function) -> None:
     off = [largest(strips(0.2, 2.5, count), function, whole) for count in COUNTS]

@@ -56,6 +56,7 @@ def test_mass_centre_of_the_six_link() -> None:
     assert both(centre.r[0], "0.4288752518", "0.130838553")
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("count", [1, 10])
 def test_the_extent_of_a_path_is_the_same_however_the_frame_is_turned(count: int) -> None:
     """Of a crank's end it is the diameter, of a piston's centre the stroke; positions may be very many."""

@@ -68,6 +68,7 @@ def test_rates_are_difference_quotients_of_places():
         assert abs(gained - here["epsilon", link]) < 1e3 * h**2, link
 
 
+@pytest.mark.rest
 def test_one_rounding_of_the_data_is_what_changed_data_do():
     mechanism = shaper()
     own, near = posed(mechanism)

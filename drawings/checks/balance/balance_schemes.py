@@ -160,6 +160,7 @@ class Scheme:
         radius, middle = one.outer / self.mu, centre if disc else begin
         near = self.slack / self.mu + KNOWN * radius
         right = all(abs(arc.centre - middle) <= near and abs(arc.radius - radius) <= near for arc in arcs)
+        right &= all(max(abs(end.start - begin), abs(end.end - begin)) <= radius + near for end in ends)
         turns = cmath.phase(centre - begin) + whole * (np.arange(SPOTS + 1) / SPOTS - 0.5)
         free = ~np.any([cover.hides(middle + radius * np.exp(1j * turns), near) for cover in self._covers()], axis=0)
         least = min(COVERED, float(free[:-1].mean())) * whole  # a small one may be all under the pairs

@@ -34,12 +34,12 @@ MOST = 36  # positions that are told at most where all are not
 
 def table(leaf: Leaf, comparison: DiagramsComparison, omega: float, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of the output's course back; the one that a lone sheet bears is whole."""
-    columns, heads = _columns(comparison, omega), _heads(comparison, drafting)
+    due, heads = columns(comparison, omega), headings(comparison, drafting)
     axis, seen = comparison.analysis.axis, set[int]()
     own = output_tables(leaf)
     for group in own:
         yield from ruled.faults(group, NAME, [read(drafting.word("position head")), *heads])
-    decimals = [ANGLE, *(_decimals(*column) for column in columns[1:])]
+    decimals = [ANGLE, *(_decimals(*column) for column in due[1:])]
     for row in (row for group in own for row in reading.rows(group)):
         cells = [text.plain for text in row]
         if not cells[0].isdigit():
@@ -47,11 +47,11 @@ def table(leaf: Leaf, comparison: DiagramsComparison, omega: float, drafting: Dr
                 yield within("row", NAME, name=" ".join(cells))
             continue
         k = axis.numbers.index(int(cells[0])) if int(cells[0]) in axis.numbers else -1
-        if k < 0 or len(cells) != 1 + len(columns):
+        if k < 0 or len(cells) != 1 + len(due):
             yield within("row", NAME, name=cells[0])
             continue
         seen.add(k)
-        for text, (values, slack), places in zip(cells[1:], columns, decimals, strict=True):
+        for text, (values, slack), places in zip(cells[1:], due, decimals, strict=True):
             if not _holds(text, float(values[k]), slack, places):
                 yield within("cell", NAME, name=cells[0], text=text)
     if leaf.metadata["of"] == 1:
@@ -70,13 +70,13 @@ def too_few(seen: Collection[int], comparison: DiagramsComparison) -> Iterator[W
         yield within("missing_from", NAME, name=str(len(seen)))
 
 
-def _heads(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
+def headings(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
     """Give the headings of the columns: the crank angle, the output's own letters and units."""
     own = (f"{one.name}, {drafting.word(one.unit)}" for one in comparison.findings[:3])
     return [read(head) for head in ("φ, °", *own)]
 
 
-def _columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, float]]:
+def columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, float]]:
     """Give what the columns must say at the positions, and how far each may be off."""
     found, turns = comparison.analysis, comparison.analysis.count.turns
     s, v, a = found.at

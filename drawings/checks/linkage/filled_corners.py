@@ -59,16 +59,14 @@ def corners_of(mechanism: Mechanism, link: int, on_paper: Placed, blocks: Blocks
     own = [(on_paper(link, start), on_paper(link, end)) for start, end in bars(mechanism, link)]
     if len(own) > 1:
         yield from around([start for start, _ in own])
-    lines, slots = list(own), list[tuple[complex, complex]]()
+    lines, slots = list(own), [_slot(slide, link, on_paper) for slide in mechanism.slides if slide.owner == link]
     for slide in mechanism.slides:
-        if slide.owner == link:
-            slots.append(_slot(slide, link, on_paper))
-            if not any(flat(slide, ends) for ends in bars(mechanism, link)):
-                point, foot = (on_paper(link, spot) for spot in hanging(mechanism, slide))
-                yield from between(foot, [*slots[-1], point, *_ends(own, foot)])
+        if slide.owner == link and not any(flat(slide, ends) for ends in bars(mechanism, link)):
+            point, foot = (on_paper(link, spot) for spot in hanging(mechanism, slide))
+            yield from between(foot, [*_slot(slide, link, on_paper), point, *_ends(own, foot)])
         if slide.slider == link:
             pin, foot = _rod(mechanism, slide, on_paper)
-            yield from between(pin, [foot, *_ends(lines, pin)])
+            yield from between(pin, [foot, *_ends([*lines, *slots], pin)])
             lines.append((pin, foot))
     for slide in (one for one in mechanism.slides if one.slider == link):
         for block in blocks[slide]:

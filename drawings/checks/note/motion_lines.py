@@ -1,47 +1,59 @@
-"""The self-check of what a report says of a linkage: data, structure, extremes, conditions, plans (текст отчёта)."""
+"""The self-check of what a report says of a linkage: data, structure, extremes, conditions, plans (текст отчёта).
+
+Each chapter is held line for line, so that a line that nothing calls for is told. Between what a pressure angle goes,
+how sharply groups meet and where an output reverses more than twice the construction alone finds: of these the writing
+is held, their numbers are those that were constructed.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.checks.precise import ALL_DIGITS, rounded, tells
-from drawings.lettering.words import number
-from drawings.lettering.words import word as lettered
-from drawings.page.drafting import drafting_of
-from drawings.report.formula import Formula
+from drawings.checks.documents import chapters
+from drawings.checks.note import told_lines
+from drawings.checks.note.lines import part
+from drawings.checks.note.motion_data import MotionData
+from drawings.checks.note.motion_passage import MotionPassage
+from drawings.checks.precise import ALL_DIGITS, rounded
+from drawings.checks.wrong import Wrong
+from drawings.lettering.words import decimal, number
+from drawings.paper.limits import MANY
+from drawings.report.markdown import header
 from plans.checks.compare import MotionComparison, notches
-from plans.checks.ram_law import stroke_of
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
-from plans.model.kinetostatics import pairs
-from plans.model.mechanism import FRAME, Ram
+from plans.model.mechanism import FRAME
 from plans.model.motion import Extremes
-from plans.model.order import VELOCITIES
-from plans.model.structure import formula, mechanism_class
+from plans.model.order import PLANS, VELOCITIES
 from plans.model.working import ways
 from plans.study import Study
-from plans.words.words import Message, message, word
+from plans.words.words import message, term, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
-DIGITS = (0, 4, 10)  # of the numbers of a report: fixed decimals, or so many digits
-ROUNDED = 1e-9  # share of a number that both roads differ by at the most
-GRADED = 10.0  # kappa from which a word stands beside it
+# What is said of a meeting whose kappa is so large, the largest first.
+GRADES = ((600.0, "not_graded"), (60.0, "warning"), (10.0, "note"))
 EQUAL = 1e-7  # rad: strokes whose angles differ by less are equal in any machine
 
 
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """See that each line that is due is written, its numbers as the analysis has them, and each but once."""
-    seen = [_plain(line) for line in text.splitlines()]
-    for due in _Due(study["linkage"], study.comparison("linkage"), "extremes" in study.plans).lines(leaves):
-        for line in (_plain(one) for one in due.splitlines() if one.strip()):
-            if sum(tells(one, line, DIGITS, ROUNDED) for one in seen) != 1:
-                yield message("wrong.missing", name=rounded(line))
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Wrong]:
+    """Hold each chapter to the lines that are due, one for one; of what is left out to those of a linkage."""
+    linkage, comparison, language = study["linkage"], study.comparison("linkage"), study.scene.sheet.language
+    due = _Due(linkage, comparison, "extremes" in study.plans)
+    own = {key: told_lines.lines(texts) for key, texts in due.chapters().items()}
+    for key, texts in own.items():
+        yield from told_lines.faults(part(text, word(language, f"report.{key}")), texts)
+    heads = [key for key, texts in own.items() if texts]
+    yield from chapters.faults(text, language, [*heads[:-1], "values", heads[-1], "left_out"])
+    seen = part(text, word(language, "report.left_out"))
+    for one in told_lines.lines(_LeftOut(study, linkage, leaves).lines()):
+        if sum(told_lines.is_line(line, one) for line in seen) != 1:
+            yield message("wrong.missing", name=rounded(one))
 
 
 def said_first(study: Study) -> Iterator[str]:
@@ -58,10 +70,6 @@ def output_line(study: LinkageStudy) -> str:
     return word(study.language, key, link=out.link, point=out.point)
 
 
-def _plain(line: str) -> str:
-    return line.strip().replace("{,}", ",")
-
-
 class _Due(NamedTuple):
     """What the report must say of a linkage."""
 
@@ -69,14 +77,16 @@ class _Due(NamedTuple):
     comparison: MotionComparison
     extremes: bool
 
-    def lines(self, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
-        """Give the lines, their numbers with all digits."""
-        yield from self._data()
-        yield from self._structure()
-        if self.extremes:
-            yield from self._travel()
-        yield from self._conditions()
-        yield from self._plans(leaves)
+    def chapters(self) -> Mapping[str, Iterable[str]]:
+        """Give the lines of each chapter in their order, numbers with all digits; of one that must not stand none."""
+        data = MotionData(self.study, self.comparison)
+        return {
+            "data": data.data(),
+            "structure": data.structure(),
+            "extremes": self._extremes() if self.extremes else (),
+            "passage": MotionPassage(self.study, self.comparison).lines(),
+            "conditions": self._conditions(),
+        }
 
     def _say(self, key: str, **parts: object) -> str:
         return word(self.study.language, f"report.{key}", **parts)
@@ -84,67 +94,21 @@ class _Due(NamedTuple):
     def _full(self, value: float) -> str:
         return number(value, self.study.language, ALL_DIGITS)
 
-    @property
-    def _formula(self) -> Formula:
-        return Formula(drafting_of(self.study.scene))
-
-    def _data(self) -> Iterator[str]:
-        mechanism, letters = self.study.mechanism, self._formula
-        for link in mechanism.links.values():
-            name = str(link.number) if link.number != FRAME else self._say("frame")
-            yield f"| {name} | {', '.join(f'${letters.line(point)}$' for point in link.points)} |"
-        given = self.study.form.mechanism
-        sizes = (
-            f"${letters.letter(f'l_{{{name}}}')} = {letters.quantity(1000 * float(size), 'mm')}$"
-            for name, size in given.lengths.items()
-        )
-        if given.lengths:
-            yield self._say("lengths", lengths=", ".join(sizes))
-        places = {name: [float(str(part)) for part in place] for name, place in given.frame.items()}
-        told = (rf"${letters.line(name)} {self._spot(place)}$" for name, place in places.items())
-        yield self._say("fixed_points", points=", ".join(told))
-        for slide in (one for one in mechanism.slides if one.label):
-            line = message("report.line_of", owner=slide.owner, line=f"${letters.line(slide.label)}$")
-            yield self._say("slide", link=slide.slider, line=line, point=f"${letters.line(slide.point)}$")
-        yield self._drive()
-        if mechanism.drive.ram is not None:
-            yield self._cylinder(mechanism.drive.ram)
-
-    def _spot(self, place: Sequence[float]) -> str:
-        x, y = (self._formula.number(1000 * part) for part in place)
-        return rf"({x}; {y})\text{{ {lettered(self.study.language, 'mm')}}}"
-
-    def _drive(self) -> str:
-        drive, turn = self.study.mechanism.drive, self.study.turn
-        rates = (np.ravel(rate) * drive.unit for rate in self.comparison.road.rates(turn.phi))
-        told = dict(zip(("omega", "epsilon"), map(self._span, rates), strict=True))
-        return self._say("drive_way" if drive.pushed else "drive", link=drive.link, count=len(turn), **told)
-
-    def _cylinder(self, ram: Ram) -> str:
-        """Tell the law of the cylinder that drives, by its lengths over the stroke."""
-        lengths, *law = stroke_of(self.study.mechanism, len(self.study.turn))
-        told = dict(zip("va", map(self._span, law), strict=True))
-        stroke = " … ".join(self._full(1000 * float(end)) for end in lengths[[0, -1]])
-        return self._say("cylinder", line=f"{ram.foot}{ram.point}", stroke=stroke, **told)
-
-    def _span(self, rates: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> str:
-        """Write the least and the greatest rate, once where they are written alike."""
-        ends = [float(rates.min()), float(rates.max())]
-        alike = number(ends[0], self.study.language) == number(ends[1], self.study.language)
-        return " … ".join(self._full(end) for end in (ends[:1] if alike else ends))
-
-    def _structure(self) -> Iterator[str]:
-        mechanism, groups, language = self.study.mechanism, self.study.groups, self.study.language
-        for pair in pairs(mechanism, groups):
-            kind = self._say("turning_pair" if pair.joint in mechanism.hinges else "sliding_pair")
-            yield f"| {pair.key} | {kind} | {pair.point} |"
-        n, p = len(mechanism.links) - 1, sum(len(own) - 1 for own in mechanism.hinges.values()) + len(mechanism.slides)
-        yield self._say("counted_pairs", n=n, p=p)
-        yield rf"$$W = 3n - 2p_{{5}} - p_{{4}} = 3 \cdot {n} - 2 \cdot {p} - 0 = {3 * n - 2 * p}$$"
-        for group, side in zip(groups, self.study.sweep.sides, strict=True):
-            yield self._say("group", group=group.label, joints=group.kind, order=group.order, side=f"{side:+.0f}")
-        told = formula(mechanism, groups).replace("->", "→")
-        yield word(language, "report.formula", formula=told, klass=mechanism_class(groups))
+    def _extremes(self) -> Iterator[str]:
+        """Tell the output and how far it goes, or that it has no extremes; the pressure angles."""
+        yield from self._travel()
+        study, found = self.study, self.study.extreme_positions
+        if found is None:
+            key = "no_extremes" if study.mechanism.drive.turns else "no_extremes_way"
+            yield self._say(key, link=study.output.link)
+        elif len(found.rests) > 2:
+            angles = ", ".join(f"{self._degrees(phi)}°" for phi in found.rests)
+            yield self._say("reversals", count=len(found.rests), angles=angles)
+        if study.groups and not study.nodes.size:
+            yield self._say("no_pressure")
+        for group in study.groups if study.nodes.size else ():
+            seen = interval(study.sweep, group, study.nodes)
+            yield self._say("pressure", group=group.label, low=self._degrees(seen.low), high=self._degrees(seen.high))
 
     def _travel(self) -> Iterator[str]:
         """Tell the output, its extremes by analysis, the pressure angles."""
@@ -160,10 +124,6 @@ class _Due(NamedTuple):
                 yield self._working(extremes)
             if len(found.rests) <= 2:
                 yield self._ratio(extremes)
-        for group in self.study.groups if self.study.nodes.size else ():
-            seen = interval(self.study.sweep, group, self.study.nodes)
-            low, high = (self._degrees(angle) for angle in (seen.low, seen.high))
-            yield self._say("pressure", group=group.label, low=low, high=high)
 
     def _swing(self, size: str, degrees: str) -> str:
         return self._say("swing", stroke=size, degrees=degrees)
@@ -186,16 +146,56 @@ class _Due(NamedTuple):
         return self._full(math.degrees(angle))
 
     def _conditions(self) -> Iterator[str]:
-        """Tell the worst condition of each group, and in which position."""
-        rows = np.where(self.study.lost, np.nan, notches(self.study)) if self.study.groups else np.empty((0, 0))
+        """Tell the worst condition of each group, in which position, and what that means."""
+        if not self.study.groups:
+            yield self._say("no_meeting")
+            return
+        yield self._say("kappa")
+        heads = (word(self.study.language, f"table.{head}") for head in ("group", "kappa", "in_position"))
+        yield from header([*heads, ""])
+        rows = np.where(self.study.lost, np.nan, notches(self.study))
         for group, kappas in zip(self.study.groups, rows, strict=True):
-            worst = int(np.nanargmax(kappas)) if not np.isnan(kappas).all() else None
-            if worst is not None and math.isfinite(kappas[worst]) and kappas[worst] < GRADED:
-                yield f"| {group.label} | {self._full(float(kappas[worst]))} | {worst} |  |"
+            if not np.isnan(kappas).all():
+                worst = int(np.nanargmax(kappas))
+                told = " | ".join(self._graded(float(kappas[worst]), worst))
+                yield f"| {group.label} | {told} |"
 
-    def _plans(self, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
-        """Tell of which positions plans are drawn, and in which one the pairs; which links do not turn."""
-        sheets = [leaf for own in leaves.values() for leaf in own if "shown" in leaf.metadata]
+    def _graded(self, kappa: float, position: int) -> tuple[str, str, str]:
+        """Write the largest kappa of a group with its position, and the word that stands beside it."""
+        language = self.study.language
+        grade = next((self._say(key) for least, key in GRADES if kappa >= least), "")
+        whole = decimal(f"{kappa:.4g}", language) if math.isfinite(kappa) else self._say("unbounded")
+        return whole, str(position), grade
+
+
+class _LeftOut(NamedTuple):
+    """What the report must say that the sheets of a linkage leave out."""
+
+    whole: Study
+    study: LinkageStudy
+    leaves: Mapping[str, Sequence[Leaf]]
+
+    def lines(self) -> Iterator[str]:
+        """Tell of which positions plans are drawn, which have no links, what is not made, which links do not turn."""
+        yield from self._drawn()
+        count = len(self.study.turn)
+        if self._sheets and count > MANY:
+            yield self._say("ticks", count=count, most=MANY)
+        missing = [plan for plan in ("extremes", *PLANS) if plan not in self.whole.made & self.whole.plans]
+        if missing:
+            yield self._say("not_made", plans=", ".join(term(self.study.language, "plan", one) for one in missing))
+        if VELOCITIES.plan in self.study.made:
+            yield from self._still()
+
+    def _say(self, key: str, **parts: object) -> str:
+        return word(self.study.language, f"report.{key}", **parts)
+
+    @property
+    def _sheets(self) -> list[Leaf]:
+        return [leaf for own in self.leaves.values() for leaf in own if "shown" in leaf.metadata]
+
+    def _drawn(self) -> Iterator[str]:
+        sheets = self._sheets
         names = [group.name for leaf in sheets for group in leaf.groups]
         drawn = sorted(int(name.rpartition("-")[2]) for name in names if name.startswith(f"{VELOCITIES.plan}-"))
         order = [k for leaf in sheets for k in leaf.metadata["plans"]]  # as the scene has them
@@ -203,8 +203,6 @@ class _Due(NamedTuple):
         if drawn and sheets[0].metadata["shown"] is not None:
             parts = {"count": len(self.study.turn), "shown": sheets[0].metadata["shown"]}
             yield self._say("plans_drawn", plans=", ".join(map(str, drawn)), **parts)
-        if VELOCITIES.plan in self.study.made:
-            yield from self._still()
 
     def _still(self) -> Iterator[str]:
         """Tell which links do not turn."""

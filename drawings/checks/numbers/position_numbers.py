@@ -12,6 +12,7 @@ import numpy as np
 from drawings.checks.labelled import Label, labels_of, off
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.numbers.numbers_due import Course, DueNumbers, Seen, courses
+from drawings.checks.reading import plain
 from drawings.checks.wrong import on
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Group, Text
@@ -67,9 +68,14 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
 
 
 def _is_under(plan: LaidPlan, spot: complex) -> bool:
-    """Tell whether a letter stands so near to a place that not even a leader of a number can begin there."""
-    letters = (text for text in texts(plan.leaf.groups) if NUMBER.fullmatch(text.plain) is None)
-    return any(off(spot, bounds(text)) <= UNDER for text in letters)  # numbers stand where places leave them room
+    """Tell whether a letter stands so near to a place that not even a leader of a number can begin there.
+
+    Numbers stand where places leave them room, and that of a place beside the letter of the point that lies there.
+    """
+    points = ((name, complex(plan.poses.point(name)[plan.position])) for name in plan.poses.motion.points)
+    own = {plain(name) for name, at in points if abs(at - spot) <= plan.near}
+    letters = (one for one in texts(plan.leaf.groups) if NUMBER.fullmatch(one.plain) is None and one.plain not in own)
+    return any(off(spot, bounds(text)) <= UNDER for text in letters)
 
 
 def _due(

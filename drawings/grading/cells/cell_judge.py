@@ -107,9 +107,10 @@ class CellJudge:
 
     def _said(self, key: Key, kind: str, off: float | None = None, of: str = "") -> Verdict:
         cell, box = self.asked.cells[key], self.seen[key].box
-        ends = self.moved(complex(box.left, box.low)), self.moved(complex(box.right, box.low))
+        left, right, *above = (self.moved(spot) for spot in box.corners)
         allowed = None if off is None else cell.allowed(self.by, self.rough)
-        return Verdict(self.asked.name, cell.position, cell.name, kind, off, allowed, cell.unit, ends, of=of)
+        said = Verdict(self.asked.name, cell.position, cell.name, kind, off, allowed, cell.unit, of=of)
+        return said._replace(at=(left, right), frames=((left, right, *above),))
 
 
 def _apart(value: float, true: float, unit: str) -> float:

@@ -6,11 +6,15 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from drawings.checks.diagrams.diagram_told import columns, headings
 from drawings.checks.forces.force_rows import row_names
 from drawings.checks.forces.scheme_forces import Floor
 from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.linkage.value_rows import TABLE, named
+from drawings.figures.diagrams.output_table import NAME
+from drawings.page.drafting import drafting_of
 from plans.checks.comparison import Finding
+from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.checks.hand.motion import MotionByHand
 from plans.study import Study
 
@@ -33,6 +37,22 @@ def findings_of(study: Study, kind: str, table: str) -> Mapping[str, Finding]:
         floor = Floor(0.0, 0.0, statics.study.language, statics.form.sheet.reactions)
         return row_names(study.comparison("forces"), floor)
     return {}
+
+
+def columns_of(study: Study, kind: str, table: str) -> Mapping[tuple[str, str], Known]:
+    """Give what the analysis knows of a table of the output's course, by positions and headings; of no other any."""
+    comparison = study.comparison("diagrams") if (kind, table) == ("kinematics", NAME) else None
+    if not isinstance(comparison, DiagramsComparison):
+        return {}
+    heads = headings(comparison, drafting_of(study.scene))
+    due = columns(comparison, abs(study["linkage"].mechanism.drive.omega))
+    numbers = comparison.analysis.axis.numbers
+    return {
+        (str(number), head): Known(float(values[k]), apart)
+        for head, (values, apart) in zip(heads, due, strict=True)
+        for k, number in reversed(list(enumerate(numbers)))
+        if math.isfinite(values[k]) and math.isfinite(apart)
+    }
 
 
 def known(one: Finding | None, position: int | None) -> Known | None:

@@ -9,7 +9,7 @@ from drawings.eye.alike import folded
 from drawings.form.blank_table import BESIDE
 from drawings.form.task import table_of
 from drawings.grading.cells.asked_table import CellAsked, Sought, TableAsked
-from drawings.grading.cells.known_values import findings_of, known
+from drawings.grading.cells.known_values import columns_of, findings_of, known
 from drawings.grading.cells.rates import Rates, rates_of
 from drawings.grading.cells.ruling import ruling
 from drawings.grading.cells.seen_table import Key, SeenTable, tables_seen
@@ -68,6 +68,7 @@ class _Own:
         heads = [head for head in self.heads if head not in self.beside]
         self.across = 2 * sum(", " in text.plain for text in map(self.heads.__getitem__, heads)) > len(heads)
         self.findings = findings_of(originals.study, *sought[:2])
+        self.columns = columns_of(originals.study, *sought[:2])
         self.rates: Rates = rates_of(originals.study, sought[0], {key[1] for key in self.cells})
 
     def asked(self) -> TableAsked:
@@ -101,6 +102,7 @@ class _Own:
         hand = self._value((label, position, self.beside[0]))
         name, place = self._called(key, quantity)
         sure = known(next((self.findings[one] for one in names if one in self.findings), None), position)
+        sure = sure or self.columns.get((self.labels[label].plain, self.heads[head].plain))
         half = _half(self._plain(key))
         return CellAsked(
             name,

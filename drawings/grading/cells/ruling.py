@@ -28,6 +28,12 @@ class Box(NamedTuple):
     right: float
     high: float
 
+    @property
+    def corners(self) -> tuple[complex, complex, complex, complex]:
+        """The corners, from the lower left on, counter-clockwise."""
+        low, high = complex(0, self.low), complex(0, self.high)
+        return self.left + low, self.right + low, self.right + high, self.left + high
+
     def holds(self, spot: complex) -> bool:
         """Tell whether a place is in it."""
         return self.left < spot.real < self.right and self.low < spot.imag < self.high

@@ -106,6 +106,11 @@ class FigureAsked:
         return 1.0 if self.on_paper else tuple(self.scales.values())[-1]
 
     @property
+    def largest(self) -> float:
+        """The largest of its values that are known, true units: at a dead centre one may be none."""
+        return float(np.nanmax(np.abs(self.true), initial=0.0))
+
+    @property
     def stated(self) -> dict[str, str]:
         """The letters that its scales are written with, and their units, as far as these are known."""
         last = {} if self.on_paper else {tuple(self.scales)[-1]: self.unit}

@@ -15,8 +15,8 @@ from drawings.grading.curves.drawn_arms import from_arms
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
-from drawings.grading.curves.form_figure import from_form
-from drawings.grading.curves.form_line import line_on_form
+from drawings.grading.curves.form.form_figure import from_form
+from drawings.grading.curves.form.form_line import line_on_form
 from drawings.grading.verdict import Verdict
 
 
@@ -43,9 +43,7 @@ def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
 
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
     """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
-    apart = [
-        np.nanmean(one.asked.off(one.values, one.asked.true)) / (np.abs(one.asked.true).max() or 1.0) for one in found
-    ]
+    apart = [np.nanmean(one.asked.off(one.values, one.asked.true)) / (one.asked.largest or 1.0) for one in found]
     return sum(len(one.arrows) for one in found), -float(np.mean(apart))
 
 
@@ -98,5 +96,5 @@ def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Sizes:
 
 def _allowed(asked: FigureAsked, by: Allowance, coarse: float) -> Sizes:
     if by.share is not None:
-        return np.full(len(asked.true), by.share * float(np.abs(asked.true).max())) + asked.slack
+        return np.full(len(asked.true), by.share * asked.largest) + asked.slack
     return asked.allowed(max(by.slip, coarse), DEVIATIONS)

@@ -24,7 +24,8 @@ from plans.study import Study
 from plans.words.words import because
 
 OVERRUNS = ("overrun_1", "overrun_2")
-WHOLE = ("H", "ψ")  # the stroke of what slides, of what swings
+SWING = "ψ"
+WHOLE = ("H", SWING)  # the stroke of what slides, of what swings
 
 
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
@@ -98,9 +99,15 @@ class _Diagram:
             items=tuple(Item(name, None, k, f"{first.quantity}({name})") for k, name in enumerate(drawn)),
             true=1j * np.array([one.size for one in due]), slack=np.zeros(len(due)),
             error=np.full(len(due), PRICKED), kind=ORDINATES, returns=True,
-            paper=self.own.over(self.plan, feet, shares * self.whole.value.real), why=because("load"),
+            paper=self.own.over(self.plan, feet, shares * self._long), why=because("load"),
             mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([one.mirrored for one in due])),),
         )  # fmt: skip
+
+    @property
+    def _long(self) -> float:
+        """The stroke, m or rad."""
+        whole = self.whole.value.real
+        return math.radians(whole) if self.whole.name == SWING else whole
 
     def _corner(self, mark: MeasuredVector, law: Sequence[Corner], step: float) -> Corner:
         """Give the corner of the law that a mark of our own sheet is of: on paper the nearest."""

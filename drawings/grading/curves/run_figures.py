@@ -16,6 +16,7 @@ from drawings.checks.dynamics.tachogram_strokes import TACHOGRAM
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.own_sheet import OwnSheet
+from plans.analytic.dynamics.corners import energy_at
 from plans.model.dynamics import TURN, Speeds
 from plans.model.run import STEADY, Run
 from plans.words.words import because
@@ -24,8 +25,6 @@ from plans.words.words import because
 READ: Final = MappingProxyType(
     {0.25: ("t_1/4", "(3t_{0}+t_{1})/4"), 0.5: ("t_1/2", "(t_{0}+t_{1})/2"), 0.75: ("3t_1/4", "(t_{0}+3t_{1})/4")}
 )
-DEGREES: Final = 360.0
-ROUNDS: Final = 32  # each brings the mean speed nearer by more than half: inertias differ by less than that
 
 
 def tachogram(own: OwnSheet, constructed: Run | None, exact: Run | None) -> Iterator[FigureAsked]:
@@ -89,14 +88,14 @@ def bare_speeds(own: OwnSheet, expected: Expected, exact: Expected) -> Iterator[
     first, turned = next(iter(marks.values())), expected.cycle.turned
     divisions, sure = expected.task.divisions, exact.account.before
     places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
-    paper = own.paper(BEFORE, np.degrees(turned), dict(enumerate(places)))
+    paper = own.paper(BEFORE, turned, dict(enumerate(places)))
     behind = (SURPLUS, INERTIA) if own.vectors(SURPLUS) and own.vectors(INERTIA) else ()
     yield FigureAsked(
         key=BEFORE, plan=BEFORE, sheet=own.name, unit=first.unit, scales={"ω": first.scale},
         items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
         true=np.asarray(1j * before.omega), slack=np.abs(before.omega - (before if sure is None else sure).omega),
         error=np.full(len(turned), PRICKED), kind=ORDINATES, mistakes=tuple(_flywheeled(expected)),
-        paper=None if paper is None else paper._replace(turn=DEGREES), why=because("speed_by_energy"),
+        paper=paper, why=because("speed_by_energy"),
         behind=behind, course=Bare(before) if behind else None,
     )  # fmt: skip
 
@@ -109,12 +108,12 @@ class Bare:
 
     def __call__(self, own: Mapping[str, Values]) -> Values:
         """Find the energy at which the mean of the least and the greatest speed is what it must be."""
-        surplus, inertia, energy = own[SURPLUS].imag, own[INERTIA].real + self.true.inertia, self.true.energy
-        due = np.ptp(self.true.omega) / 2 + self.true.omega.min()
-        omega = self.true.omega
-        for _ in range(ROUNDS):
-            omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)
-            energy += due * float(inertia.mean()) * (due - float(np.ptp(omega) / 2 + omega.min()))
+        surplus, inertia = own[SURPLUS].imag, own[INERTIA].real + self.true.inertia
+        due = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
+        energy = energy_at(due, surplus, inertia)
+        if energy is None:  # with such energies the machine would stop: nothing follows from them
+            return np.full(len(surplus), complex(np.nan, np.nan))
+        omega = np.sqrt(2 * np.maximum(energy + surplus, 0.0) / inertia)
         return np.asarray(1j * omega)
 
 

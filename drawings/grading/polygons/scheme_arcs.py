@@ -12,7 +12,7 @@ from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import Values
 from drawings.grading.curves.drawn_curve import chains
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.polygons.scheme_arrows import figures_of
+from drawings.grading.polygons.scheme_arrows import figures_of, taken_apart
 from drawings.grading.segments import TIP
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Arc, Fill, Group, Leaf
@@ -61,6 +61,8 @@ def turns_of(leaf: Leaf, plan: str, position: int | None, known: Mapping[str, fl
 def arc_verdicts(seen: SeenSheet, plan: DrawnPlan) -> Iterator[Verdict]:
     """Judge the arcs of a figure: each turns as its moment does."""
     asked = plan.asked
+    if taken_apart(seen.leaf, asked):
+        return
     drawn = arcs_on(seen.leaf, asked.plan, asked.position) if asked.turns else {}
     for name, sense in asked.turns.items():
         arc, wrong = drawn.get(name), verdict.COUPLE if name.startswith(COUPLE) else verdict.REVERSED

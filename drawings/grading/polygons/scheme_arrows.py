@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowances
+from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.segments import TIP
 from drawings.grading.verdict import Verdict
@@ -37,6 +38,11 @@ def figures_of(leaf: Leaf, plan: str, position: int | None) -> tuple[Group, ...]
     return tuple(group for group in groups(leaf.groups) if group.name == figure)
 
 
+def taken_apart(leaf: Leaf, asked: PlanAsked) -> bool:
+    """Tell whether an editor has taken a figure apart: nothing tells then which of the arrows of a name are of it."""
+    return bool(asked.senses or asked.turns) and not figures_of(leaf, asked.plan, asked.position)
+
+
 def _headed(shaft: Line, group: Group) -> Arrow:
     """Give an arrow from its start to its head, whichever way its line was drawn."""
     tips = [spot for head in group.strokes if isinstance(head, Fill) for spot in head.points]
@@ -47,6 +53,9 @@ def _headed(shaft: Line, group: Group) -> Arrow:
 def arrow_verdicts(seen: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterator[Verdict]:
     """Judge the arrows of a figure: each has the direction of its force."""
     asked = plan.asked
+    if taken_apart(seen.leaf, asked):
+        yield Verdict(asked.plan, asked.position, "", verdict.UNGROUPED)
+        return
     drawn = arrows_on(seen.leaf, asked.plan, asked.position) if asked.senses else {}
     for name, true in asked.senses.items():
         arrow = drawn.get(name)
@@ -56,8 +65,9 @@ def arrow_verdicts(seen: SeenSheet, plan: DrawnPlan, by: Allowances) -> Iterator
 
 
 def _kind(name: str, arrow: Arrow, true: complex, by: Allowances, coarse: float) -> str:
-    length = abs(arrow.vector)
-    allowed = by.by.share or DEVIATIONS * max(by.by.slip, coarse) * (2 / length + 1 / EDGE) if length else 0.0
+    # No arrow that is not to scale is the largest of a plan: where a share is allowed, the slip of a fair hand is.
+    length, slip = abs(arrow.vector), max(by.to(name).slip, coarse)
+    allowed = DEVIATIONS * slip * (2 / length + 1 / EDGE) if length else 0.0
     off = abs(math.remainder(_phase(arrow.vector) - _phase(true), math.tau))
     if off <= allowed:
         return verdict.RIGHT

@@ -23,19 +23,21 @@ def with_flywheel_of_points(cycle: Cycle, slope: Floats, task: Task, wheel: Flyw
 def without_flywheel_of_points(cycle: Cycle, slope: Floats, task: Task) -> Speeds | None:
     """Give the motion of the machine as it is; None where it would stop."""
     inertia = float(cycle.inertia[0]) + task.present
-    energy = _energy(cycle, inertia, task.speed)
+    energy = energy_at(task.speed, cycle.surplus, inertia + cycle.varying)
     return None if energy is None else _speeds(cycle, slope, inertia, energy)
 
 
-def _energy(cycle: Cycle, inertia: float, speed: float) -> float | None:
-    """Find the energy J at which the mean of the least and greatest speed is the one asked, by Newton's method."""
-    masses = inertia + cycle.varying
-    least, lightest = -float(cycle.surplus.min()), float(masses.min())
-    if not lightest > 0.0 or _mean(cycle, masses, least)[0] > speed:
+def energy_at(speed: float, surplus: Floats, masses: Floats) -> float | None:
+    """Find the energy J at which the mean of the least and greatest speed is the one asked, by Newton's method.
+
+    `surplus` J and `masses` kg*m2 are the surplus energy and the whole inertia at the edges; None where it would stop.
+    """
+    least, lightest = -float(surplus.min()), float(masses.min())
+    if not lightest > 0.0 or _mean(surplus, masses, least)[0] > speed:
         return None
-    energy = least + float(masses.max()) * speed**2 / 2.0 + float(np.ptp(cycle.surplus))
+    energy = least + float(masses.max()) * speed**2 / 2.0 + float(np.ptp(surplus))
     for _ in range(ROUNDS):
-        mean, growth = _mean(cycle, masses, energy)
+        mean, growth = _mean(surplus, masses, energy)
         step = (speed - mean) / growth
         # The mean speed bends down over the energy: a step from below never leads beyond, one from above may be cut.
         energy = max(energy + step, (energy + least) / 2.0)
@@ -44,9 +46,9 @@ def _energy(cycle: Cycle, inertia: float, speed: float) -> float | None:
     return energy
 
 
-def _mean(cycle: Cycle, masses: Floats, energy: float) -> tuple[float, float]:
+def _mean(surplus: Floats, masses: Floats, energy: float) -> tuple[float, float]:
     """Give the mean of the least and the greatest speed, rad/s, and how it grows with the energy."""
-    omega = np.sqrt(np.maximum(2.0 * (energy + cycle.surplus), 0.0) / masses)
+    omega = np.sqrt(np.maximum(2.0 * (energy + surplus), 0.0) / masses)
     low, high = int(np.argmin(omega)), int(np.argmax(omega))
     speeds, ends = omega[[low, high]], masses[[low, high]]
     with np.errstate(divide="ignore"):

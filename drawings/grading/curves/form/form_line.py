@@ -11,7 +11,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import FigureAsked, Values
 from drawings.grading.curves.drawn_curve import chains, foot
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form_axes import AXES, FRAME, axes, every_axes, written_at
+from drawings.grading.curves.form.form_axes import AXES, FRAME, axes, every_axes, written_at
 from drawings.grading.drawn_plan import Arrow
 from drawings.paper.strokes import Circle, Group, Line
 from drawings.paper.walk import flat, groups

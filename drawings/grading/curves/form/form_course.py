@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from drawings.eye.sheet import SeenSheet
-from drawings.grading.curves.asked_figure import FigureAsked, Values
+from drawings.grading.curves.asked_figure import FigureAsked, Sizes, Values
 from drawings.grading.curves.drawn_curve import PLACED, chains
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form_axes import AXES, FRAME, Blank, axes, written_at
+from drawings.grading.curves.form.form_axes import AXES, FRAME, Blank, axes, written_at
 from drawings.grading.drawn_plan import Arrow
 from drawings.paper.strokes import Line
 from drawings.paper.walk import flat
@@ -19,7 +20,8 @@ from drawings.paper.walk import flat
 def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     """Give a course by the lines that are drawn on its axes; None where no scales are written, or none are drawn.
 
-    At each place it is read on that of its branches that is nearer to what is asked for.
+    At each place it is read on the branch that is nearer to what is asked for, or to a mistake that has a name if the
+    whole course is nearer to that.
     """
     own = axes(seen, asked.plan)
     if asked.paper is None or own is None:
@@ -29,14 +31,27 @@ def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     lines = [one - own.origin for one in lines_within(seen, own)]
     if across is None or up is None or not lines:
         return None
-    due = asked.paper.along / across + 1j * (asked.true / asked.way).real / up
-    high = np.array([_nearest(lines, spot) for spot in due.tolist()])
+    places = asked.paper.along / across
+    dues = ((values / asked.way).real / up for values in (asked.true, -asked.true, *(m.values for m in asked.mistakes)))
+    high = min((_read(lines, places, due) for due in dues), key=lambda one: one.off).high
     there = np.isfinite(high)
     if not there.any():
         return None
-    feet = own.origin + due.real
+    feet = own.origin + places
     arrows = {k: Arrow(complex(feet[k]), complex(feet[k] + 1j * high[k])) for k in np.flatnonzero(there).tolist()}
     return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
+
+
+class Heights(NamedTuple):
+    """How high a course is over its places, mm, and by how much it is out of what is due."""
+
+    high: Sizes
+    off: float
+
+
+def _read(lines: Sequence[Values], places: Sizes, due: Sizes) -> Heights:
+    high = np.array([_nearest(lines, spot) for spot in (places + 1j * due).tolist()])
+    return Heights(high, float(np.nansum(np.abs(high - due))))
 
 
 def lines_within(seen: SeenSheet, own: Blank) -> Iterator[Values]:

@@ -1,0 +1,38 @@
+"""Hints: which step to look at again, told in the language of the sheet alone, and no value."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from drawings.grading.curves.figure_records import figures_asked
+from drawings.grading.hints import Hint, curve_hints, hints, told
+from tests.drawings.students import task
+from tests.gallery import SCENES
+from tests.rows import over
+
+# An English word; a quantity such as v_max, or a letter with the number of a group of links, is in every language.
+ENGLISH = re.compile(r"(?<![\w_^{])[a-z]{3,}", re.ASCII)
+
+
+def own_hints(scene: str) -> dict[str, tuple[Hint, ...]]:
+    own = task(scene)
+    return dict(curve_hints(figures_asked(own.originals))) | dict(one for plan in own.plans for one in hints(plan))
+
+
+def in_russian_alone(scene: str) -> None:
+    """See that the hints of a scene, told in Russian, have no English word."""
+    every = {one.worded("ru") for own in own_hints(scene).values() for one in told(own)}
+    assert every
+    assert {text for text in every if ENGLISH.search(text)} == set()
+
+
+def test_a_hint_has_no_word_of_another_language() -> None:
+    in_russian_alone("slider-crank")
+
+
+@pytest.mark.rest
+@over("scene", [path.stem for path in SCENES if path.stem != "slider-crank"])
+def test_no_hint_of_the_gallery_has_a_word_of_another_language(scene: str) -> None:
+    in_russian_alone(scene)

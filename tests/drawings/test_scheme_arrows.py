@@ -1,0 +1,44 @@
+"""Arrows that are not to scale: how far each may be turned is told by what a hand may slip by."""
+
+from __future__ import annotations
+
+import cmath
+from types import MappingProxyType
+
+import pytest
+
+from drawings.eye.sheet import see
+from drawings.grading.allowance import Allowance, Allowances
+from drawings.grading.asked import PlanAsked
+from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.polygons.scheme_arrows import arrow_verdicts
+from drawings.paper.strokes import Group, Leaf, Line
+from drawings.pens.svg import svg
+
+SHARE, OWN = Allowances(Allowance(share=0.02)), Allowances(own=MappingProxyType({"G": Allowance(1.0)}))
+
+
+def kind(force: str, turned: float, by: Allowances) -> str:
+    """Draw an arrow of 20 mm turned by an angle, rad, and give what is said of it."""
+    asked = PlanAsked("scheme 2-3", 9, "forces", "N", (), {}, senses={force: -1j})
+    start = 100 + 100j
+    arrow = Group((Line(start, start - 20j * cmath.rect(1.0, turned)),), data={"kind": "force", "name": force})
+    rod = Line(start, start + 40)
+    seen = see(svg(Leaf(200.0, 200.0, (Group((rod, arrow), "scheme-2-3-9"),))))
+    (said,) = arrow_verdicts(seen, DrawnPlan(asked, {}, 1.0, {}, True), by)
+    return said.kind
+
+
+@pytest.mark.parametrize(
+    ("force", "turned", "by", "said"),
+    [
+        ("G_2", 0.06, Allowances(), "right"),
+        ("G_2", 0.3, Allowances(), "turned"),
+        ("G_2", 0.06, SHARE, "right"),  # a share of the largest vector is no angle
+        ("G_2", 0.3, SHARE, "turned"),
+        ("G_2", 0.3, OWN, "right"),
+        ("R_12", 0.3, OWN, "turned"),
+    ],
+)
+def test_an_arrow_may_be_turned_as_far_as_a_hand_slips(force: str, turned: float, by: Allowances, said: str) -> None:
+    assert kind(force, turned, by) == said
