@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +12,9 @@ import pytest
 from drawings.acceptance.assertions import assert_close_to_analysis
 from drawings.acceptance.assignment import Assignment
 from drawings.acceptance.handed_sheet import HandedSheet
+from drawings.eye.alike import folded
 from drawings.eye.sheet import see
+from drawings.form.form import form_of
 from drawings.form.task import table_of
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
@@ -19,6 +22,7 @@ from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.graded import FAIL, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, points_of
 from drawings.grading.verdict import Verdict
+from drawings.paper.strokes import Group, Text
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import key_of, table_task, tables_of, written
 from tests.drawings.curve_students import curve_task
@@ -38,6 +42,24 @@ def test_a_table_that_was_taken_off_a_sheet_of_ours_is_missing() -> None:
     assert {(one.plan, one.kind) for one in graded.wrong} == {("table output", "missing")}
     won, most = points_of(graded.verdicts, Marking())
     assert most - won == 0.25 * len(own.table("output").cells)
+
+
+def test_a_row_that_was_taken_off_a_form_is_missing() -> None:
+    own = table_task("shaper")
+    table, sheet = own.table("values"), own.originals.sheets[0]
+    leaf = tables_of(sheet._replace(leaf=form_of(own.originals.study)["kinematics"][0]))
+    less = replace(leaf, groups=tuple(unnamed(one, "atA,") for one in leaf.groups))
+    source = written(less, table, {key_of(table, "vB", "by plan", 2): "1.517"})
+    graded = grade(source, (), HAND, (), own.tables)
+    kinds = Counter(one.kind for one in graded.verdicts)
+    assert kinds == {"right": 1, "missing": sum(len(one.cells) for one in own.tables) - 1}
+
+
+def unnamed(group: Group, row: str) -> Group:
+    """Give a table without the name of a row."""
+    inside = (unnamed(one, row) if isinstance(one, Group) else one for one in group.strokes)
+    kept = (one for one in inside if not (isinstance(one, Text) and folded(one.plain).startswith(row)))
+    return replace(group, strokes=tuple(kept))
 
 
 def test_one_of_two_copies_of_a_table_is_to_be_left() -> None:
