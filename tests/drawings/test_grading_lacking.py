@@ -44,6 +44,21 @@ def test_a_table_that_was_taken_off_a_sheet_of_ours_is_missing() -> None:
     assert most - won == 0.25 * len(own.table("output").cells)
 
 
+def test_a_table_whose_lines_are_lost_is_not_read_and_not_missing() -> None:
+    own = table_task("shaper")
+    sheet = own.originals.sheets[0]
+    leaf = tables_of(sheet)
+    groups = (unruled(one) if table_of(sheet.kind, one.name) == "output" else one for one in leaf.groups)
+    graded = grade(svg(replace(leaf, groups=tuple(groups))), (), HAND, (), own.tables)
+    assert (graded.outcome, [one.kind for one in graded.unseen]) == (PART, ["untabled"])
+
+
+def unruled(group: Group) -> Group:
+    """Give a table without its lines."""
+    inside = (unruled(one) if isinstance(one, Group) else one for one in group.strokes)
+    return replace(group, strokes=tuple(one for one in inside if isinstance(one, Group | Text)))
+
+
 def test_a_row_that_was_taken_off_a_form_is_missing() -> None:
     own = table_task("shaper")
     table, sheet = own.table("values"), own.originals.sheets[0]
