@@ -16,7 +16,7 @@ from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
-from drawings.grading.graded import FAIL, PASS, REJECTED, grade
+from drawings.grading.graded import FAIL, PART, PASS, REJECTED, grade
 from drawings.grading.marking import points_of, read_marking
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
@@ -200,4 +200,4 @@ def test_what_an_editor_draws_in_a_cell_is_not_marked_down() -> None:
     source = written(leaf, table, {key: ""}).replace(b"</svg>", path.encode() + b"</svg>")
     graded = grade(source, (), HAND, (), own.tables)
     assert [(one.name, one.kind) for one in graded.verdicts if not one.good] == [("v_B (by plan)", "illegible")]
-    assert graded.outcome == PASS
+    assert graded.outcome == PART
