@@ -31,7 +31,7 @@ from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.feedback import feedback, is_plain
-from drawings.grading.graded import FAIL, PASS, grade
+from drawings.grading.graded import MARKED, grade
 from drawings.grading.hints import hints
 from drawings.grading.marking import Marking
 from drawings.original.originals import Originals
@@ -90,7 +90,7 @@ def handed_in(own: Originals, name: str, source: bytes, _: Path) -> str:
         json_text(told.plain(Path(name), graded, Marking(), language))
         list(told.lines(Path(name), graded, Marking(), steps, language))
         told.row(Path(name), graded, Marking(), language)
-        if graded.outcome in (PASS, FAIL) and is_plain(source):
+        if graded.outcome in MARKED and is_plain(source):
             feedback(Path(name), source, graded, steps, language)
     return f"grade: {graded.outcome}"
 

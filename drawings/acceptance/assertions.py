@@ -29,14 +29,14 @@ TOLD = 30  # lines of what is wrong in one message
 def assert_close_to_analysis(
     sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None, tolerance: str = FAIR_HAND
 ) -> None:
-    """Fail if a vector is not what the analysis gives.
+    """Fail if a vector, a value or a number is not what the analysis gives, or cannot be read.
 
     The tolerance is "2 %" of the plan's largest vector, "0.2 mm" by which a hand slips in each act, or "exact".
     """
     __tracebackhide__ = True
     own = handed(sheet).of(scene)
     graded = _scene(own).graded(own.path, tolerance)
-    wrong = [one for one in graded.wrong if one.kind not in verdict.OF_DRAWING]
+    wrong = [one for one in (*graded.wrong, *graded.unseen) if one.kind not in verdict.OF_DRAWING]
     _assert_none(own, graded, wrong, message("accept.off", sheet=own.path.name, tolerance=tolerance))
 
 

@@ -20,7 +20,7 @@ from drawings.grading.asked import plans_asked, ungraded
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.figure_records import FIGURES, figures_asked
 from drawings.grading.feedback import feedback, is_plain
-from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.hints import curve_hints, hints
 from drawings.grading.idle_keys import idle_keys
 from drawings.grading.marking import Marking, MarkingError, read_marking
@@ -35,7 +35,7 @@ from geometry.regular_file import regular_bytes
 from plans.words.words import message, word
 
 # The exit codes of a class: the gravest first.
-CODES = {OURS: 1, REJECTED: 5, FAIL: 4, PASS: 0}
+CODES = {OURS: 1, REJECTED: 5, FAIL: 4, PART: 4, PASS: 0}
 
 
 def run(options: argparse.Namespace) -> int:
@@ -101,7 +101,7 @@ def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], steps: H
     folder.mkdir(parents=True, exist_ok=True)
     taken = set[str]()
     for path, one in graded:
-        if one.outcome not in (PASS, FAIL):
+        if one.outcome not in MARKED:
             continue
         source = _again(path, one)
         if source is None or not is_plain(source):

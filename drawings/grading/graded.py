@@ -16,6 +16,7 @@ from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
@@ -23,6 +24,7 @@ from drawings.grading.form_places import form_places
 from drawings.grading.judgement import Judge
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.own_places import left_out, own_places, scales_of
+from drawings.grading.plan_names import plan_named
 from drawings.grading.polygons.free_plan import free_plans
 from drawings.grading.polygons.scheme_arcs import arc_verdicts
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
@@ -37,10 +39,12 @@ from drawings.paper.walk import texts
 from plans.words.words import Message, message
 
 PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
+PART = "incomplete"  # nothing is wrong, and something that is due is not read
+MARKED = (PASS, PART, FAIL)  # outcomes of a sheet that has points
 
 
 class Graded(NamedTuple):
-    """How a sheet ends: right, with mistakes, rejected or by an error of ours; the verdicts, or the reason."""
+    """How a sheet ends: right, in part, with mistakes, rejected or by an error of ours; the verdicts, or the reason."""
 
     outcome: str
     verdicts: tuple[Verdict, ...] = ()
@@ -55,6 +59,11 @@ class Graded(NamedTuple):
     def wrong(self) -> tuple[Verdict, ...]:
         """What loses something."""
         return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, *verdict.UNGRADED))
+
+    @property
+    def unseen(self) -> tuple[Verdict, ...]:
+        """What is due and is not read: somebody has to look at it himself."""
+        return tuple(one for one in self.verdicts if one.kind in verdict.UNSEEN)
 
 
 class _Task(NamedTuple):
@@ -79,6 +88,13 @@ class _Found(NamedTuple):
         own = (one for plan in self.plans if plan.lettered for one in plan.lacking if not plan.is_small(one))
         return tuple(dict.fromkeys(one.name for one in own))
 
+    @property
+    def twice(self) -> tuple[Message | str, ...]:
+        """The cells and curves that stand there twice and differ."""
+        own = [one for figures in self.figures.values() for one in figures if one.doubled]
+        cells = (name for table in self.tables for name in table.doubled)
+        return (*dict.fromkeys(cells), *(plan_named(one.asked.plan) for one in own))
+
 
 def grade(
     source: bytes,
@@ -101,6 +117,8 @@ def _graded(source: bytes, task: _Task) -> Graded:
     others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
     if not found.plans and not found.figures and not answered(tables, others):
         return Graded(REJECTED, reason=message("grade.formless" if task.curves and not task.plans else "grade.nothing"))
+    if twice := found.twice:
+        return Graded(REJECTED, reason=message("grade.twice", names=twice))
     if doubled := [letters for plan in found.plans for letters in plan.doubled]:
         return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
     if found.unread:
@@ -113,7 +131,9 @@ def _graded(source: bytes, task: _Task) -> Graded:
     graded = Graded(
         PASS, said, paper=paper, scene=scene, drawn=tuple(plan.bare for plan in found.plans), box=onlooker.box
     )
-    return graded._replace(outcome=FAIL) if graded.wrong else graded
+    if graded.wrong:
+        return graded._replace(outcome=FAIL)
+    return graded._replace(outcome=PART) if graded.unseen else graded
 
 
 def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
@@ -137,7 +157,8 @@ def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
-    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, dict(_vectors(found.plans)))
+    vectors, empty = dict(_vectors(found.plans)), empty_axes(seen) if task.curves else frozenset()
+    yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
     own = [one for figures in found.figures.values() for one in figures]
     shown = Shown(found.plans, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from drawings.grading.cells.frames import frames
-from drawings.grading.graded import FAIL, PASS, Graded
+from drawings.grading.graded import MARKED, Graded
 from drawings.grading.hints import Hint, told
 from drawings.grading.marking import TABLE, Marking, points_of
 from drawings.grading.plan_names import plan_named
@@ -117,7 +117,7 @@ def _plain(one: Verdict) -> dict[str, object]:
 def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str]:
     """Give one sheet as a row of the class's table; nothing in it is a formula to a spreadsheet."""
     won, most = points_of(graded.verdicts, marking)
-    points = [f"{won:g}", f"{most:g}"] if graded.outcome in (PASS, FAIL) else ["", ""]
+    points = [f"{won:g}", f"{most:g}"] if graded.outcome in MARKED else ["", ""]
     counts = [str(sum(one.kind == kind for one in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
     lost = [one for one in gathered(graded.verdicts) if one in graded.wrong or not one.name]
     what = graded.reason.worded(language) if graded.reason is not None else _summary(lost, language)

@@ -20,6 +20,7 @@ from geometry.replay import redraw
 from tests.gallery import GALLERY
 
 ASIDE = ("values", "output", "notes", "title-block", "equations")  # what is not graded takes long to read
+TABLED = ("notes", "title-block", "equations")  # of a sheet that is handed in with its tables
 Places = Mapping[str, complex]
 
 
@@ -66,12 +67,16 @@ def gone_on(plan: PlanAsked, moved: Places) -> dict[str, complex]:
 
 
 def drawn(
-    sheet: Original, plan: PlanAsked, places: Places, keep: Callable[[Stroke], Stroke | None] = lambda one: one
+    sheet: Original,
+    plan: PlanAsked,
+    places: Places,
+    keep: Callable[[Stroke], Stroke | None] = lambda one: one,
+    aside: tuple[str, ...] = ASIDE,
 ) -> bytes:
     """Draw a sheet with the letters of one plan elsewhere; `keep` gives each stroke as it is drawn, or none."""
     was = true_places(plan)
     shifts = {letter: (place - was[letter]) / plan.scales[plan.plan] for letter, place in places.items()}
-    own = (group for group in sheet.leaf.groups if not group.name.startswith(ASIDE))
+    own = (group for group in sheet.leaf.groups if not group.name.startswith(aside))
     groups = tuple(_group(group, plan, shifts, keep) for group in own)
     return svg(replace(sheet.leaf, groups=groups))
 

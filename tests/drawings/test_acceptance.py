@@ -18,7 +18,7 @@ from drawings.acceptance.handed_sheet import HandedSheet, handed
 from drawings.acceptance.picture import Spot, picture
 from drawings.acceptance.read_plan import NotDrawnError
 from drawings.acceptance.reading import AcceptanceError
-from tests.drawings.students import drawn, task, true_places
+from tests.drawings.students import TABLED, drawn, task, true_places
 from tests.drawings.test_grading import MISTAKES, bare, made
 from tests.parts import first
 
@@ -33,11 +33,11 @@ def scene() -> Assignment:
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Our own sheet as a student may hand it in: the plans alone."""
+    """Our own sheet as a student may hand it in: the plans and tables alone."""
     own = task("shaper")
     path = tmp_path_factory.mktemp("right") / "ann.svg"
     plan = own.plan("velocities", 2)
-    path.write_bytes(drawn(own.sheet(plan.sheet), plan, true_places(plan)))
+    path.write_bytes(drawn(own.sheet(plan.sheet), plan, true_places(plan), aside=TABLED))
     return path
 
 
@@ -45,7 +45,7 @@ def right(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def wrong(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same with the Coriolis part turned the wrong way."""
     path = tmp_path_factory.mktemp("wrong") / "bob.svg"
-    path.write_bytes(made(task("shaper"), BACK))
+    path.write_bytes(made(task("shaper"), BACK, TABLED))
     return path
 
 
@@ -135,7 +135,7 @@ def test_a_student_is_told_no_value(wrong: Path, scene: Assignment) -> None:
 
 def test_a_fault_of_drawing_is_no_fault_of_values(tmp_path: Path, scene: Assignment) -> None:
     path = tmp_path / "dan.svg"
-    path.write_bytes(made(task("shaper"), UNSCALED))
+    path.write_bytes(made(task("shaper"), UNSCALED, TABLED))
     with pytest.raises(AssertionError, match=r"not drawn as a sheet is drawn:\n.*no scale is written"):
         assert_well_drawn(path, scene)
     assert_close_to_analysis(path, scene)

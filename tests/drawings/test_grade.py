@@ -33,7 +33,7 @@ from drawings.grading.verdict import OF_QUANTITIES, Verdict
 from drawings.paper.strokes import Text
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
-from tests.drawings.students import task
+from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
 
@@ -46,7 +46,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A class of four: one is right, one has a mistake, one hands in a page of the web, one the same again."""
     own, where = task("shaper"), tmp_path_factory.mktemp("class")
     (where / "ann.svg").write_bytes(own.originals.drawn(own.originals.sheets[0]))
-    (where / "bob.svg").write_bytes(made(own, MISTAKES[0]))
+    (where / "bob.svg").write_bytes(made(own, MISTAKES[0], TABLED))
     (where / "cid.svg").write_bytes(b"<html><body>log in</body></html>")
     (where / "dan.svg").write_bytes((where / "bob.svg").read_bytes())
     return where

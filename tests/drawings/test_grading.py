@@ -7,6 +7,7 @@ import math
 import re
 import tomllib
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +21,9 @@ from drawings.grading.graded import FAIL, PASS, REJECTED, grade
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from geometry.draughtsman import Draughtsman, copies
 from tests import parts
-from tests.drawings.students import Task, drawn, gone_on, lettered, marks_of, task, true_places
+from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.gallery import LINKAGES
-from tests.parts import first
+from tests.parts import first, several
 from tests.rows import over
 
 PX = 96 / 25.4
@@ -50,10 +51,11 @@ def test_every_sheet_of_a_linkage_is_right(scene: str) -> None:
                 assert grade(own.originals.drawn(sheet), own.plans, by).wrong == ()
 
 
-def made(own: Task, row: dict[str, Any]) -> bytes:
-    """Draw the sheet with a mistake of the table."""
+def made(own: Task, row: dict[str, Any], without: tuple[str, ...] = ASIDE) -> bytes:
+    """Draw the sheet with a mistake of the table, and without some of its parts."""
     plan = own.plan(*row["plan"])
     sheet, places = own.sheet(plan.sheet), true_places(plan)
+    draw = partial(drawn, sheet, plan, aside=without)
     start, _, end = row.get("vector", " ").partition(" ")
     vector = places.get(end, 0j) - places.get(start, 0j)
     by = row.get("by", 0)
@@ -68,17 +70,17 @@ def made(own: Task, row: dict[str, Any]) -> bytes:
         "plan times": lambda place: place * by,
     }
     if row["how"] in one:
-        return drawn(sheet, plan, gone_on(plan, {start: places[start], end: places[start] + one[row["how"]]()}))
+        return draw(gone_on(plan, {start: places[start], end: places[start] + one[row["how"]]()}))
     if row["how"] in every:
-        return drawn(sheet, plan, {letter: every[row["how"]](place) for letter, place in places.items()})
+        return draw({letter: every[row["how"]](place) for letter, place in places.items()})
     if row["how"] == "branch":
         other = turned_over(marks_of(plan)[end])
         assert other is not None
-        return drawn(sheet, plan, gone_on(plan, {end: other}))
+        return draw(gone_on(plan, {end: other}))
     if row["how"] == "moved":
         aside = places[end] * (1 + by * plan.scales[plan.plan] / abs(places[end]))
-        return drawn(sheet, plan, {**places, end: aside})
-    return drawn(sheet, plan, places, lambda stroke: kept(stroke, plan, row))
+        return draw({**places, end: aside})
+    return draw(places, lambda stroke: kept(stroke, plan, row))
 
 
 def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
@@ -121,7 +123,7 @@ def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
-@pytest.mark.parametrize(("slip", "share"), [(0.2, 1.0), (2.0, 0.0)])
+@pytest.mark.parametrize(("slip", "share"), several([(0.2, 1.0), (2.0, 0.0)], 9))
 def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: float) -> None:
     own = task("shaper")
     plans = [plan for plan in own.plans if plan.plan in POLES and plan.position == 2]

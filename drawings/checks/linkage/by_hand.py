@@ -81,8 +81,8 @@ def missing_rows(leaf: Leaf, due: Mapping[str, Set[str]]) -> Iterator[Wrong]:
     heads = [text.plain.rsplit(", ", 1)[0].split(EQUAL) for row in rows for text in row]
     order, seen = list(due), {name for head in heads for name in head}
     places = sorted(min(map(order.index, own)) for head in heads if (own := [one for one in head if one in due]))
-    whole = leaf.metadata["of"] == 1 or not places
-    run, before = (order, []) if whole else (order[places[0] : places[-1]], order[: places[0]])
+    first, last = (0, len(order)) if leaf.metadata["of"] == 1 else (places[0], places[-1]) if places else (0, 0)
+    run, before = order[first:last], order[:first]
     lost = (name for name in run if name not in seen and not due[name] & {*before})
     yield from (message("wrong.row_missing", name=name) for name in lost)
 

@@ -38,6 +38,7 @@ class CellAsked(NamedTuple):
     position: int | None = None
     read: tuple[str, ...] = ()  # the vectors that it is read off, as their letters are seen
     reading: Reading | None = None  # or the rate
+    sheet: str = ""  # the sheet of the task that it stands on
 
     def allowed(self, by: Allowances, rough: float) -> float:
         """Give what it may be out, of a sheet that is written so roughly, mm."""

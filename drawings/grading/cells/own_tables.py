@@ -80,7 +80,9 @@ class _Own:
         scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
         course = self.sought[1] in COURSES
         cells = {
-            key: self._cell(key, value, most[self._told(key)] if course else abs(value), scales[sheet.name])
+            key: self._cell(key, value, most[self._told(key)] if course else abs(value), scales[sheet.name])._replace(
+                sheet=sheet.name
+            )
             for key, (_, sheet) in self.cells.items()
             if (value := self._value(key)) is not None and key[2] not in self.beside
         }

@@ -7,7 +7,7 @@ is a point seen from the pole. The arrays of a figure have a value for each of i
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -98,6 +98,7 @@ class FigureAsked:
     curved: tuple[int, ...] = ()  # the places that one line goes through, and may be read off it
     arms: tuple[str, ...] = ()  # the letters of masses whose arms it is of
     rings: tuple[int, ...] = ()  # in which ring each of its bearings is drawn, from the outermost, 1
+    units: Mapping[str, str] = field(default_factory=dict)  # of its scales that are neither of its values nor of SI
 
     @property
     def scale(self) -> float:
@@ -111,9 +112,9 @@ class FigureAsked:
 
     @property
     def stated(self) -> dict[str, str]:
-        """The letters that its scales are written with, and their units: that of its values is known."""
-        last = tuple(self.scales)[-1]
-        return {letter: self.unit if letter == last and not self.on_paper else "" for letter in self.scales if letter}
+        """The letters that its scales are written with, and their units, as far as these are known."""
+        last = {} if self.on_paper else {tuple(self.scales)[-1]: self.unit}
+        return {letter: {**last, **self.units}.get(letter, "") for letter in self.scales if letter}
 
     @property
     def places(self) -> npt.NDArray[np.intp]:

@@ -37,6 +37,7 @@ class DrawnFigure:
     aside: frozenset[int] = field(default_factory=frozenset)
     apart: frozenset[int] = field(default_factory=frozenset)
     free: bool = False  # whether it was drawn on the axes of a form, without marks
+    doubled: bool = False  # whether another curve, which differs, is drawn on its axes
     lines: tuple[Values, ...] = ()  # in true units: of a figure that is read off lines at what is nearest
 
     def off(self, due: Values) -> Sizes:

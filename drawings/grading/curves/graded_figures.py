@@ -54,11 +54,13 @@ def figure_verdicts(
     marked: Collection[str],
     allowed: Callable[[FigureAsked], Sizes],
     vectors: Mapping[str, complex] = MappingProxyType({}),
+    empty: Collection[str] = (),
 ) -> Iterator[Verdict]:
     """Judge the figures of a sheet; one of the same sheet of the task that is not there is missing.
 
     `sheets` are those that the plans beside them are of, `marked` those whose plans bear data: on any other one a curve
-    cannot be read. `vectors` are those of plans beside them, by their names, that figures may rest on.
+    cannot be read. `vectors` are those of plans beside them, by their names, that figures may rest on. On the axes of
+    `empty` ones nothing is drawn.
     """
     for sheet in dict.fromkeys(one.sheet for one in asked):
         due, found = [one for one in asked if one.sheet == sheet], drawn.get(sheet, ())
@@ -66,7 +68,9 @@ def figure_verdicts(
         for one in due if found or sheet in sheets else ():
             if one.key in there:
                 yield from judge.verdicts(there[one.key], allowed(one))
-            elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or sheet in marked:
+            elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or (
+                sheet in marked or one.plan in empty
+            ):
                 yield from _missing(one)
             else:
                 yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)

@@ -95,6 +95,7 @@ class _Diagram:
         yield FigureAsked(
             key=self.plan, plan=self.plan, sheet=self.own.name, unit=first.unit,
             scales={self.whole.quantity: self.whole.scale, first.quantity: first.scale},
+            units={self.whole.quantity: self.whole.unit},
             items=tuple(Item(name, None, k, f"{first.quantity}({name})") for k, name in enumerate(drawn)),
             true=1j * np.array([one.size for one in due]), slack=np.zeros(len(due)),
             error=np.full(len(due), PRICKED), kind=ORDINATES, returns=True,

@@ -28,7 +28,7 @@ def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
         return None
     written = written_at(seen, own, asked.stated)
     across, up = (written.get(letter) for letter in asked.scales)
-    lines = [one - own.origin for one in _lines(seen, own)]
+    lines = [one - own.origin for one in lines_within(seen, own)]
     if across is None or up is None or not lines:
         return None
     places = asked.paper.along / across
@@ -54,7 +54,7 @@ def _read(lines: Sequence[Values], places: Sizes, due: Sizes) -> Heights:
     return Heights(high, float(np.nansum(np.abs(high - due))))
 
 
-def _lines(seen: SeenSheet, own: Blank) -> Iterator[Values]:
+def lines_within(seen: SeenSheet, own: Blank) -> Iterator[Values]:
     """Give the lines and chains that lie within the axes."""
     strokes = [one for one in seen.leaf.groups if one.data.get("kind") != AXES and one.name != FRAME]
     straight = (np.array([one.start, one.end]) for one in flat(strokes) if isinstance(one, Line))

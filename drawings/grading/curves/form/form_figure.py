@@ -9,10 +9,10 @@ import numpy as np
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, Frame, chains, heights
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, chains, heights
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.form.form_axes import AXES, FRAME, Blank, axes, every_axes, written_at
-from drawings.grading.curves.form.form_course import course_on_form
+from drawings.grading.curves.form.form_course import course_on_form, lines_within
 from drawings.grading.drawn_plan import Arrow
 
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
@@ -26,6 +26,20 @@ class ReadCurve(NamedTuple):
     places: Sizes
     high: Sizes
     shifts: dict[float, Sizes]
+    drawn: Values
+
+    @property
+    def is_graph(self) -> bool:
+        """Whether it may be the graph that is asked for: over most places, no straight line and no steps."""
+        steps = np.diff(self.drawn)
+        stepped = (np.minimum(np.abs(steps.real), np.abs(steps.imag)) <= PLACED).all()
+        straight = (away(self.drawn[[0, -1]], self.drawn) <= THROUGH).all()
+        return 2 * int(np.isfinite(self.high).sum()) > len(self.high) and not (stepped or straight)
+
+    def differs(self, other: ReadCurve) -> bool:
+        """Tell whether another one on the same axes goes elsewhere."""
+        apart = np.abs(self.high - other.high)
+        return self.frame == other.frame and bool((apart[np.isfinite(apart)] > THROUGH).any())
 
 
 def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
@@ -46,7 +60,16 @@ def from_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     mu = written.get(tuple(asked.scales)[-1])
     shift, high = _shifted(asked, mu or _fitted(asked, best.high), best)
     values = np.asarray(asked.way * high * (mu or _fitted(asked, high)))
-    return DrawnFigure(asked, values, _arrows(best, shift, high), mu is not None, shift, free=True)
+    doubled = any(one.is_graph and one.differs(best) for one in found) and best.is_graph
+    return DrawnFigure(asked, values, _arrows(best, shift, high), mu is not None, shift, free=True, doubled=doubled)
+
+
+def empty_axes(seen: SeenSheet) -> frozenset[str]:
+    """Give the plans on whose axes nothing is drawn that might be a curve."""
+    return frozenset(
+        plan for plan, own in every_axes(seen).items()
+        if next(_curves(seen, plan), None) is None and next(lines_within(seen, own), None) is None
+    )  # fmt: skip
 
 
 def _arrows(best: ReadCurve, shift: float, high: Sizes) -> dict[int, Arrow]:
@@ -71,7 +94,7 @@ def _read(seen: SeenSheet, asked: FigureAsked, frame: Frame, step: float) -> Ite
         own = frame.seen(one)
         if own.real.min() >= -beside - PLACED and own.real.max() <= places[-1] + 2 * beside + PLACED:
             shifts = {by: heights(own, places + by) for by in (-beside, beside)}
-            yield ReadCurve(frame, places, heights(own, places), shifts)
+            yield ReadCurve(frame, places, heights(own, places), shifts, own)
 
 
 def _curves(seen: SeenSheet, plan: str) -> Iterator[Values]:
