@@ -6,9 +6,10 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from drawings.checks.line_kinds import FORCE
 from drawings.grading.seeing.onlooker import BEGIN, END
 from drawings.paper.strokes import Fill, Leaf, Line, Polyline, Stroke
-from drawings.paper.walk import flat
+from drawings.paper.walk import flat, groups
 
 TIP = 1.0  # mm: how far the tip of an arrowhead may be from the end of its line
 HEAD = 12.0  # mm: a larger filled figure is no arrowhead
@@ -24,10 +25,14 @@ class Segment(NamedTuple):
 
 
 def segments(leaf: Leaf, heads: Mapping[int, Collection[str]]) -> list[Segment]:
-    """Give the straight lines of a sheet; one with an arrowhead goes to it, with two both ways, another as drawn."""
+    """Give the straight lines of a sheet; one with an arrowhead goes to it, with two both ways, another as drawn.
+
+    Our own arrows of forces are left out: they are not to scale, and no side of a polygon that bears their letters.
+    """
     own = list(flat(leaf.groups))
     tips = [spot for one in own for spot in _tips(one)]
-    straight = [one for one in own if isinstance(one, Line) or _straight(one)]
+    unscaled = {id(one) for group in groups(leaf.groups) if group.data.get("kind") == FORCE for one in group.strokes}
+    straight = [one for one in own if (isinstance(one, Line) or _straight(one)) and id(one) not in unscaled]
     double = [one for one in straight if {BEGIN, END} <= set(heads.get(id(one), ()))]
     back = (Segment(end, start, True) for start, end, _ in (_segment(one, heads, tips) for one in double))
     return [*(_segment(one, heads, tips) for one in straight), *back]

@@ -12,6 +12,7 @@ from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts
+from drawings.grading.segments import segments
 from drawings.paper.strokes import Group, Leaf, Line
 from drawings.pens.svg import svg
 
@@ -42,3 +43,9 @@ def kind(force: str, turned: float, by: Allowances) -> str:
 )
 def test_an_arrow_may_be_turned_as_far_as_a_hand_slips(force: str, turned: float, by: Allowances, said: str) -> None:
     assert kind(force, turned, by) == said
+
+
+@pytest.mark.parametrize(("kind", "sides"), [("force", 0), ("vector", 1)])
+def test_an_arrow_that_is_not_to_scale_is_no_side_of_a_polygon(kind: str, sides: int) -> None:
+    arrow = Group((Line(100 + 100j, 120 + 100j),), data={"kind": kind, "name": "F_s"})
+    assert len(segments(Leaf(200.0, 200.0, (Group((arrow,)),)), {})) == sides
