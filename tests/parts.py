@@ -26,6 +26,11 @@ def some(rows: Iterable[Any], every: int, names: Iterable[str | None] = repeat(N
     ]
 
 
+def several(rows: Iterable[tuple[Any, ...]], every: int) -> list[Any]:
+    """Keep every so many rows of a test of several arguments, as `some` does of a test of one."""
+    return [pytest.param(*one.values[0], marks=one.marks) for one in some(rows, every)]
+
+
 def first(rows: Iterable[Any], names: Iterable[str | None] = repeat(None)) -> list[Any]:
     """Keep the first row of a test in the everyday run; the rest, each of which takes long, are left to `--whole`."""
     every = list(rows)

@@ -20,6 +20,7 @@ ASKED = "sheet"  # the fixture that is one after another each sheet that is hand
 ANSWERED = "plandraft_sheet"  # the property of a test's report that says which sheet it answers for
 SHEETS = pytest.StashKey[tuple[Path, ...]]()
 ANSWERS = (".toml",)  # what lies in no folder of students
+LISTED = ("collectonly", "setuponly", "setupplan")  # options of pytest under which no test runs
 ENDS = ("passed", "failed", "error", "xfailed", "xpassed")
 
 
@@ -145,7 +146,12 @@ def _left(reporter: Any) -> list[str]:
 
 
 def _asked(reporter: Any) -> list[str]:
-    """Give the sheets that must be answered for: all, if the command names them or if one of them is."""
+    """Give the sheets that must be answered for: all, if the command names them or if one of them is.
+
+    None is due where the tests are only listed, or only what they take is set up.
+    """
+    if any(getattr(reporter.config.option, name, False) for name in LISTED):
+        return []
     due = reporter.config.option.plandraft_sheets or _answered(reporter)
     return [str(path) for path in _sheets(reporter.config)] if due else []
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from drawings.eye.sheet import see
-from drawings.grading.asked import Asked, Place, PlanAsked
+from drawings.grading.asked import Asked, Place, PlanAsked, ends_of
 from drawings.grading.drawn_plan import from_marks
 from drawings.grading.graded import OURS, PASS, REJECTED, Graded
 from drawings.grading.roll import grade_all
@@ -63,7 +63,7 @@ def _stated(measured: Measured) -> list[PlanAsked]:
     """Give the plans of a sheet with what its marks say that they are."""
     places: dict[Place, list[Asked]] = {}
     for mark in measured.marks:
-        start, _, end = mark.name.rpartition(" ")
+        start, end = ends_of(mark)
         places.setdefault((mark.plan, mark.position), []).append(Asked(mark.name, start, end, mark.stated, None))
     units = {(mark.plan, mark.position): mark.unit for mark in measured.marks}
     return [PlanAsked(*place, "", units[place], tuple(own), {}) for place, own in places.items()]

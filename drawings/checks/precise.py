@@ -11,6 +11,7 @@ from drawings.lettering.words import number
 from drawings.page.drafting import Drafting
 
 ALL_DIGITS = 15
+KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 LONG = 6  # digits that a written number has at the most
 _NUMBER = re.compile(r"[−-]?\d+(?:[.,]\d+)?")
 _QUANTITY = re.compile(rf"({_NUMBER.pattern})(°?)")

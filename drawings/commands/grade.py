@@ -8,6 +8,8 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from functools import partial
+from hashlib import sha256
+from itertools import chain, count
 from pathlib import Path
 
 from drawings.commands.stderr import tell
@@ -47,6 +49,7 @@ def run(options: argparse.Namespace) -> int:
     for kind in ungraded(originals, {**RECORDS, **FIGURES}):
         tell(word(language, "grade.ungraded", kind=kind))
     if not plans and not curves and not tables:
+        tell(word(language, "accept.ungraded", scene=plain_name(options.scene)))
         return CODES[REJECTED]
     if idle := idle_keys(marking, plans, curves, tables):
         tell(word(language, "grade.marks.idle", file=options.marks, names=idle))
@@ -58,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
     steps = dict(curve_hints(curves)) | {name: own for plan in plans for name, own in hints(plan)}
     _print(options, graded, steps, marking, language)
     if options.output:
-        _write(options.output, graded, steps, language)
+        write_feedback(options.output, graded, steps, language)
     _tell_twins(graded, language)
     _tell_strangers(graded, originals.digest, language)
     return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
@@ -93,26 +96,42 @@ def _print(
         print(word(language, "grade.tolerance", tolerance=written(options.tolerance)))
 
 
-def _write(folder: Path, graded: Sequence[tuple[Path, Graded]], steps: Hints, language: str) -> None:
+def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], steps: Hints, language: str) -> None:
     """Write the feedback sheets of those that were graded, one for each file."""
     folder.mkdir(parents=True, exist_ok=True)
-    names = Counter[str]()
+    taken = set[str]()
     for path, one in graded:
         if one.outcome not in MARKED:
             continue
-        source = regular_bytes(path, SHEET_BYTES + 1)
-        if not is_plain(source):
-            tell(word(language, "grade.packed", sheet=plain_name(path)))
+        source = _again(path, one)
+        if source is None or not is_plain(source):
+            tell(word(language, "grade.packed" if source else "grade.changed", sheet=plain_name(path)))
             continue
-        names[path.stem] += 1
-        number = f"-{names[path.stem]}" if names[path.stem] > 1 else ""
-        write(folder / f"{path.stem}{number}-feedback.svg", feedback(path, source, one, steps, language))
+        stem = _free(path.stem, taken)
+        write(folder / f"{stem}-feedback.svg", feedback(path, source, one, steps, language))
+
+
+def _again(path: Path, graded: Graded) -> bytes | None:
+    """Read a graded sheet once more; None where it is no longer the one that was graded."""
+    try:
+        source = regular_bytes(path, SHEET_BYTES + 1)
+    except OSError:
+        return None
+    return source if sha256(source).hexdigest() == graded.digest else None
+
+
+def _free(stem: str, taken: set[str]) -> str:
+    """Take a name that no other sheet has, however its letters are cased: by itself, or with a number."""
+    names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
+    free = next(name for name in names if name.casefold() not in taken)
+    taken.add(free.casefold())
+    return free
 
 
 def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     """Say which sheets are the same file under several names."""
     times = Counter(one.digest for _, one in graded if one.digest)
-    for digest in (digest for digest, count in times.items() if count > 1):
+    for digest in (digest for digest, often in times.items() if often > 1):
         names = tuple(plain_name(path) for path, one in graded if one.digest == digest)
         tell(word(language, "grade.twins", names=names))
 

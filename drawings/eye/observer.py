@@ -28,7 +28,7 @@ _SAID = "data-text"
 
 
 @dataclass
-class _Open:
+class Opened:
     """An element that has begun, and what was seen in it."""
 
     frame: Frame
@@ -45,13 +45,13 @@ class Observer:
     """Sees the elements of a sheet one by one."""
 
     def __init__(self) -> None:
-        self.open: list[_Open] = []
+        self.open: list[Opened] = []
         self.unseen: list[Unseen] = []
         self.clear: set[int] = set()  # strokes, by their ids, whose filling hides nothing
         self.gone: set[int] = set()  # and those that are not painted at all
         self.description, self.lettering = "", "strokes"
         self.paper = Viewport(0.0, 0.0, STAY, ())
-        self.root = _Open(Frame("svg", STAY, Look(), None), {})
+        self.root = Opened(Frame("svg", STAY, Look(), None), {})
 
     def opened(self, attributes: Mapping[str, str]) -> Viewport:
         """See the paper that a root lays what is drawn on."""
@@ -60,7 +60,7 @@ class Observer:
 
     def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
         """See an element begin."""
-        one = _Open(frame, attributes)
+        one = Opened(frame, attributes)
         self.open.append(one)
         if len(self.open) == 1:
             self.root = one
@@ -91,7 +91,7 @@ class Observer:
             case _ if one.strokes and self.open:  # a link, or what no viewer knows
                 self._close(one)
 
-    def _draw(self, one: _Open) -> None:
+    def _draw(self, one: Opened) -> None:
         """Take a shape: as letters where it is one path of them, or else as lines."""
         try:
             seen = ink(one.frame.look, scale_of(one.frame.to_paper))
@@ -100,7 +100,7 @@ class Observer:
         except SheetRefused:
             self._leave_aside(f"<{one.frame.tag}>")
 
-    def _line(self, one: _Open, seen: Ink) -> None:
+    def _line(self, one: Opened, seen: Ink) -> None:
         own = outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style)
         strokes = tuple(map(cornered, own))
         outer = self.open[-2]
@@ -113,7 +113,7 @@ class Observer:
         else:
             self._add(outer, (Group(strokes, one.attributes.get("id", ""), data),), seen)
 
-    def _letter(self, one: _Open, seen: Ink) -> bool:
+    def _letter(self, one: Opened, seen: Ink) -> bool:
         """Take a path as letters, if it is one of them; those of several pens are one text with its levels."""
         path, outer = one.attributes.get("d", ""), self.open[-2]
         if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
@@ -132,7 +132,7 @@ class Observer:
             self._add(outer, (written(letters, said or "", _penned(seen.style)),), seen)
         return True
 
-    def _typeset(self, one: _Open) -> None:
+    def _typeset(self, one: Opened) -> None:
         """Take an element of text."""
         plain, outer = "".join(one.heard), self.open[-1]
         if not plain.strip():
@@ -150,7 +150,7 @@ class Observer:
         else:
             self._add(outer, (joined([part], plain, _filled(seen.style.fill)),), seen)
 
-    def _close(self, one: _Open) -> None:
+    def _close(self, one: Opened) -> None:
         """Take a group: a text of several pens or sizes, or what holds others."""
         outer = self.open[-1]
         if text := _text(one):
@@ -159,7 +159,7 @@ class Observer:
         if group.strokes or group.name or group.data or group.title:
             outer.strokes.append(group)
 
-    def _add(self, outer: _Open, strokes: tuple[Stroke, ...], seen: Ink) -> None:
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
         outer.strokes += strokes
         own = [id(part) for part in flat(strokes)]
         self.clear.update(own if seen.clear else ())
@@ -176,7 +176,7 @@ class Observer:
         return next((own for one in reversed(self.open[1:]) if (own := one.attributes.get("id", ""))), "")
 
 
-def _text(one: _Open) -> Text | None:
+def _text(one: Opened) -> Text | None:
     """Read the letters that were collected in a group."""
     typed = [part for part in one.letters if isinstance(part, Typeset)]
     lined = [part for part in one.letters if isinstance(part, SeenLetter)]

@@ -116,9 +116,17 @@ def _takes(labels: Mapping[str, Sequence[Label]], places: Mapping[str, complex],
 
 
 def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
-    for ends, arrow in plan.arrows.items():
-        if not all(0 <= one.real <= leaf.width and 0 <= one.imag <= leaf.height for one in (arrow.end,)):
-            yield _of(plan, verdict.OUTSIDE, ends[1])
+    """Name the letters of arrows with an end off the paper; of one that is lettered itself its own."""
+    off = dict[str, None]()
+    for (start, end), arrow in plan.arrows.items():
+        own = start if end in plan.places else end
+        ends = ((own, arrow.start), (end, arrow.end))
+        off |= {letter: None for letter, spot in ends if letter and not _is_on(leaf, spot)}
+    yield from (_of(plan, verdict.OUTSIDE, letter) for letter in off)
+
+
+def _is_on(leaf: Leaf, spot: complex) -> bool:
+    return 0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height
 
 
 def _of(plan: DrawnPlan, kind: str, letter: str = "") -> Verdict:

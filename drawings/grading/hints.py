@@ -29,7 +29,8 @@ def hints(plan: PlanAsked) -> Iterator[tuple[str, tuple[Hint, ...]]]:
     for one in plan.vectors:
         if one.found is not None:
             yield one.name, tuple(_steps(max(one.found.span, key=lambda mark: mark.number)))
-    yield from ((name, (Hint(plan.plan, because("inertia_moment")),)) for name in plan.turns if name.startswith(COUPLE))
+    couple = Hint(plan_named(plan.plan), because("inertia_moment"))
+    yield from ((name, (couple,)) for name in plan.turns if name.startswith(COUPLE))
 
 
 def curve_hints(figures: Iterable[FigureAsked]) -> Iterator[tuple[str, tuple[Hint, ...]]]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations, permutations
 from typing import NamedTuple
 
 from drawings.checks.labelled import off
@@ -32,9 +33,13 @@ _POSITION = re.compile(r"(?:position|положени\w+|pos\.?|пол\.?)\s*№
 
 
 class Likeness(NamedTuple):
-    """How unlike a plan some arrows are: if they stand at another's place, how much they lack, how ill they fit."""
+    """How unlike a plan some arrows are: if another's place or heading is theirs, how much they lack, how ill they fit.
+
+    A heading may be nearer to another's arrows than to its own: those that are left then have another's.
+    """
 
     elsewhere: bool
+    headed: bool
     lacks: int
     misfit: float
 
@@ -68,12 +73,19 @@ def lettered_plans(
 ) -> Iterator[DrawnPlan]:
     """Find plans among figures: each is the one plan that its place, its letters, its heading or its shape say."""
     found = sorted(_candidates(asked, figures, texts, places), key=lambda one: one[0])
-    taken, placed = set[int](), set[object]()
-    for _, k, plan in found:
-        if k not in taken and plan.asked.place not in placed:
+    taken, own = set[int](), dict[object, DrawnPlan]()
+    for like, k, plan in found:
+        beside = not like.headed or plan.asked.sheet in {one.asked.sheet for one in own.values()}
+        if beside and k not in taken and plan.asked.place not in own:
             taken.add(k)
-            placed.add(plan.asked.place)
-            yield plan
+            own[plan.asked.place] = plan
+    sheets = {plan.asked.sheet for plan in own.values() if _is_half(plan)}
+    yield from (plan for plan in own.values() if not sheets or plan.asked.sheet in sheets)
+
+
+def _is_half(plan: DrawnPlan) -> bool:
+    """Tell whether half of a plan is there: a small figure beside it may bear some letters of another sheet's plan."""
+    return 2 * len(plan.lacking) <= len(plan.asked.vectors)
 
 
 def redrawn(plan: DrawnPlan, lines: Sequence[Segment]) -> DrawnPlan:
@@ -96,7 +108,7 @@ def _joins(line: Segment, start: complex, end: complex) -> bool:
 def _candidates(
     asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text], places: Sequence[FormPlace]
 ) -> Iterator[tuple[Likeness, int, DrawnPlan]]:
-    """Give what each figure may be, where no heading says otherwise, and how like that it is."""
+    """Give what each figure may be, and how like that it is."""
     headings = {plan.plan: own_headings(plan, asked, texts) for plan in asked}
     for k, figure in enumerate(figures):
         there = place_of(figure.spots, places)
@@ -107,8 +119,8 @@ def _candidates(
             if len(names) < LEAST or POLES.get(plan.plan) not in names:
                 continue
             drawn = _drawn(plan, figure, names, texts, here)
-            if here is not None or position is None or position == plan.position:
-                yield Likeness(there != here, len(plan.letters) - len(names), misfit(drawn)), k, drawn
+            headed = here is None and position not in (None, plan.position)
+            yield Likeness(there != here, headed, len(plan.letters) - len(names), misfit(drawn)), k, drawn
 
 
 def own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Text]) -> list[Text]:
@@ -154,6 +166,28 @@ def _named(plan: PlanAsked, figure: Figure, texts: Sequence[Text]) -> dict[str, 
     return found | {letter: found[first] for letter, first in beside.items() if first in found}
 
 
+def _close(plan: PlanAsked, found: Mapping[str, complex]) -> frozenset[tuple[str, str]]:
+    """Give the pairs of letters that lie at one place of the plan as it is to be: no farther apart than ends may be."""
+    there = true_places(plan)
+    known = combinations((letter for letter in found if letter in there), 2)
+    true, paper = max(((abs(there[a] - there[b]), abs(found[a] - found[b])) for a, b in known), default=(0.0, 0.0))
+    pairs = permutations(there, 2)
+    return frozenset((a, b) for a, b in pairs if abs(there[a] - there[b]) * paper <= JOINED * true)
+
+
+def true_places(plan: PlanAsked) -> dict[str, complex]:
+    """Give where the letters of a plan lie from the first of them, as its vectors lead from one to the next."""
+    found: dict[str, complex] = {}
+    for _ in plan.vectors:
+        for one in plan.vectors:
+            start, end = found.setdefault(one.start, 0j) if not found else found.get(one.start), found.get(one.end)
+            if start is not None and end is None:
+                found[one.end] = start + one.true
+            elif end is not None and start is None:
+                found[one.start] = end - one.true
+    return found
+
+
 def _settled(
     plan: PlanAsked, figure: Figure, near: Mapping[tuple[str, complex], float], first: dict[str, complex]
 ) -> dict[str, complex]:
@@ -168,23 +202,30 @@ def _settled(
         arrows = sum(1.0 if pair in ends else BACKWARD * (pair[::-1] in ends) for pair in pairs)
         return arrows * ARROW - sum(near[pair] for pair in names.items())
 
-    best, most = first, worth(first)
+    best, most, close = first, worth(first), _close(plan, first)
     for _ in range(ROUNDS):
-        better = max(_others(best, near), key=worth, default=best)
+        better = max(_others(best, near, close), key=worth, default=best)
         if worth(better) <= most:
             return best
         best, most = better, worth(better)
     return best
 
 
-def _others(names: Mapping[str, complex], near: Mapping[tuple[str, complex], float]) -> Iterator[dict[str, complex]]:
-    """Give what is had by bringing one letter to another place that it is near to, whose letter takes its own."""
+def _others(
+    names: Mapping[str, complex], near: Mapping[tuple[str, complex], float], close: Collection[tuple[str, str]]
+) -> Iterator[dict[str, complex]]:
+    """Give what is had by bringing one letter to another place that it is near to, whose letter takes its own.
+
+    Letters that belong to one place may share it.
+    """
     there = {spot: letter for letter, spot in names.items()}
     for letter, spot in near:
         if names.get(letter) == spot:
             continue
         moved, other = {**names, letter: spot}, there.get(spot)
         if other is not None:
+            if (letter, other) in close:
+                yield dict(moved)
             moved.pop(other)
             if letter in names and (other, names[letter]) in near:
                 moved[other] = names[letter]
@@ -195,14 +236,13 @@ def _drawn(
     plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts: Sequence[Text], place: FormPlace | None
 ) -> DrawnPlan:
     """Give the plan that a figure is: its arrows between its letters, laid as its letters are upright."""
-    ends = [(figure.nearest(one.start), figure.nearest(one.end)) for one in figure.arrows]
-    arrows = {}
+    lines = {(figure.nearest(one.start), figure.nearest(one.end)): one for one in reversed(figure.arrows)}
+    ends, arrows = list(lines), {}
     for one in plan.vectors:
         wanted = names.get(one.start), names.get(one.end)
-        if wanted in ends:
-            arrows[one.letters] = Arrow(names[one.start], names[one.end])
-        elif wanted[::-1] in ends:
-            arrows[one.letters] = Arrow(names[one.end], names[one.start])
+        line = lines.get(wanted) or lines.get(wanted[::-1])  # type: ignore[arg-type]
+        if line is not None:
+            arrows[one.letters] = Arrow(line.start, line.end)
     away = figure.away if place is None else place.away
     near = [(away(text), mu) for text, mu in scales_written(texts, plan)]
     bare = DrawnPlan(plan, arrows, 1.0, names, False)

@@ -34,47 +34,58 @@ Answer = TypeVar("Answer")  # of one sheet, as it is asked for: graded, or check
 
 
 class _Work(NamedTuple):
-    """A process that grades a sheet, until when it may be there."""
+    """A process that grades a sheet, until when it may be there, and whether it has the machine to itself."""
 
     path: Path
     process: Any
     until: float
+    alone: bool
 
 
 def grade_all(
     paths: Sequence[Path], grading: Callable[[bytes], Answer], workers: int | None = None
 ) -> Iterator[tuple[Path, Answer | Graded]]:
-    """Grade sheets, as many at a time as there are processors; each is answered for, in the order of the paths."""
-    waiting, done = list(dict.fromkeys(paths)), dict[Path, Answer | Graded]()
+    """Grade sheets, as many at a time as there are processors; each is answered for, in the order of the paths.
+
+    One that waits too long beside the others, and has not worked too long, is tried once more when they are done.
+    """
+    waiting, late, done = list(dict.fromkeys(paths)), list[Path](), dict[Path, Answer | Graded]()
     running: dict[Connection, _Work] = {}
     most = workers or os.cpu_count() or 1
     for path in dict.fromkeys(paths):
         while path not in done:
             while waiting and len(running) < most:
                 running |= _begun(waiting.pop(0), grading)
-            _gather(running, done)
+            if not running:
+                running |= _begun(late.pop(0), grading, alone=True)
+            late += _gather(running, done)
         yield path, done[path]
 
 
-def _begun(path: Path, grading: Callable[[bytes], Answer]) -> dict[Connection, _Work]:
+def _begun(path: Path, grading: Callable[[bytes], Answer], alone: bool = False) -> dict[Connection, _Work]:
     """Begin to grade a sheet in a process that knows all that this one does."""
     how: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
     ours, theirs = how.Pipe(duplex=False)
     process = how.Process(target=_work, args=(path, grading, theirs), daemon=True)
     process.start()
     theirs.close()
-    return {ours: _Work(path, process, time.monotonic() + PATIENCE)}
+    return {ours: _Work(path, process, time.monotonic() + PATIENCE, alone)}
 
 
-def _gather(running: dict[Connection, _Work], done: dict[Path, Answer | Graded]) -> None:
-    """Take what is graded, and end what takes too long."""
+def _gather(running: dict[Connection, _Work], done: dict[Path, Answer | Graded]) -> Iterator[Path]:
+    """Take what is graded, and end what takes too long; give what may have had to wait for others."""
     first = min(work.until for work in running.values())
     ready = wait(list(running), timeout=max(first - time.monotonic(), 0.0))
     late = [end for end, work in running.items() if end not in ready and time.monotonic() >= work.until]
     for end in (*ready, *late):
         assert isinstance(end, Connection)  # nothing else is waited for
         work = running.pop(end)
-        done[work.path] = _answer(end, work) if end in ready else Graded(REJECTED, reason=message("grade.late"))
+        if end in ready:
+            done[work.path] = _answer(end, work)
+        elif work.alone:
+            done[work.path] = Graded(REJECTED, reason=message("grade.late"))
+        else:
+            yield work.path
         work.process.kill()
         work.process.join()
         end.close()

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from drawings.lettering.words import fixed
+from plans.linkage.extreme import EQUAL
 from plans.model.mechanism import Mechanism, Output
 from plans.model.working import ways
 from plans.words.words import Message, message, word
 
-EQUAL = 1e-7  # rad: strokes whose crank angles differ by less are equal on paper and in any machine
 PLACES = 4  # decimals of an angle in degrees
 
 

@@ -23,6 +23,7 @@ def test_a24_standard_input_is_no_scene(
     assert capsys.readouterr().err == "-: No such file or directory\n"
 
 
+@pytest.mark.rest
 @pytest.mark.parametrize("name", some(["CON", "nul.svg", "aux", "COM1", "dot.", "space "], 6))
 def test_c11_a_sheet_is_named_after_its_scene_and_never_bare(name: str, tmp_path: Path) -> None:
     """A device's name with more behind it is no device, and a name ends with .svg or .md."""

@@ -112,6 +112,7 @@ def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
         assert fault.text
 
 
+@pytest.mark.rest
 def test_the_bench_judges_what_is_measured_back(tmp_path: Path) -> None:
     """A sheet is as sharp as its last decimal; the truth is the record in 50 digits."""
     study = study_of("engine", "A1")

@@ -223,6 +223,7 @@ def test_the_notes_say_which_polygons_are_left_out_as_mirror_images(tmp_path: Pa
     assert "against it; of order 2, 4, 6 the latter is the mirror image in the guide, not shown" in told
 
 
+@pytest.mark.rest
 def test_a_bank_at_rest_in_itself_has_no_graph(tmp_path: Path) -> None:
     """Two mechanisms in one place, each the other's image in the shaft: no force of any order is left."""
     study = Study(parse_scene(bank([(0, 0, 0), (180, 0, 180)], compensator(1)) + '[sheet]\nlanguage = "en"\n'))

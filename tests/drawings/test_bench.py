@@ -189,6 +189,7 @@ def test_a_start_up_draws_the_scene_in_processes_of_its_own(monkeypatch: pytest.
     assert ran[0][3:5] == ["draw", str((GALLERY / "shaper.toml").resolve())]
 
 
+@pytest.mark.rest
 def test_a_start_up_that_draws_nothing_has_no_time(tmp_path: Path) -> None:
     with pytest.raises(subprocess.CalledProcessError):
         startup.startup(tmp_path / "no.toml", 1)

@@ -20,7 +20,7 @@ from plans.model.cam import DWELL
 from tests.drawings.cam_contours import EVERY, levers, view_of
 from tests.drawings.collisions import collisions
 from tests.drawings.exhibits import exhibited, read_back
-from tests.parts import first
+from tests.parts import first, some
 
 PAPER = 1.5e-7  # m: rounding of a point on a sheet, at its smallest scale in these tests
 
@@ -65,7 +65,7 @@ def test_letters_are_clear_of_all_lines(case: tuple[str, str, str]) -> None:
     assert list(unlettered(leaf)) == []
 
 
-@pytest.mark.parametrize("name", ["groove", "rocker", "flat", "radial"])
+@pytest.mark.parametrize("name", some(["groove", "rocker", "flat", "radial"], 2))
 def test_sizes_are_drawn_as_long_as_they_are(name: str) -> None:
     view, _, measured = exhibit(name)
     found = {one.name: one.value for one in measured.vectors if one.name != "Q"}

@@ -20,7 +20,7 @@ from tests.drawings.cam_contours import EVERY, levers, view_of
 from tests.drawings.collisions import collisions
 from tests.drawings.exhibits import SHEET, read_back
 from tests.drawings.pages import said
-from tests.parts import first
+from tests.parts import first, several
 
 
 def scene(size: str = "A3", language: str = "en") -> Scene:
@@ -123,12 +123,19 @@ def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_sce
 
 @pytest.mark.parametrize(
     ("name", "language", "notes"),
-    [
-        ("groove", "en", ("counter-clockwise", "Groove 26.132 mm wide", "r_{r} = 13.066 mm", "path of the mill's")),
-        ("clockwise", "ru", ("по часовой стрелке", "Паз шириной 26,132 мм", "r_{р} = 13,066", "32,665, φ 240 … 360°")),
-        ("undercut", "en", ("Roller", "Not to be made: ", "undercut", "crosses itself", "0.0001 mm at most")),
-        ("wedge", "en", ("goes to the left", "Datum: O, where the follower's point")),
-    ],
+    several(
+        [
+            ("groove", "en", ("counter-clockwise", "Groove 26.132 mm wide", "r_{r} = 13.066 mm", "path of the mill's")),
+            (
+                "clockwise",
+                "ru",
+                ("по часовой стрелке", "Паз шириной 26,132 мм", "r_{р} = 13,066", "32,665, φ 240 … 360°"),
+            ),
+            ("undercut", "en", ("Roller", "Not to be made: ", "undercut", "crosses itself", "0.0001 mm at most")),
+            ("wedge", "en", ("goes to the left", "Datum: O, where the follower's point")),
+        ],
+        2,
+    ),
 )
 def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: tuple[str, ...]) -> None:
     _, (leaf, *_) = made(name, "A3", language)

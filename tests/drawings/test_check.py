@@ -23,7 +23,7 @@ from tests.forgeries.chance_edits import CHANGES
 from tests.forgeries.leaf_edits import swapped
 from tests.forgeries.sheets import GALLERY, KINDS, forged, judged
 from tests.fuzz_sheets import tried
-from tests.parts import first
+from tests.parts import first, several
 
 SCENE = GALLERY / "fan.toml"
 NAME = "fan-rotor.svg"
@@ -80,14 +80,14 @@ Change = Callable[[Path], object]
 
 @pytest.mark.parametrize(
     ("change", "says"),
-    [
+    several([
         (lambda folder: (folder / NAME).write_bytes((folder / NAME).read_bytes()[:9000]), "torn: the file breaks off"),
         (lambda folder: (folder / NAME).write_bytes((folder / NAME).read_bytes() + b"\n"), "the seal is broken"),
         (lambda folder: (folder / "fan-report.md").unlink(), "of the same set, fan-report.md is not there"),
         (lambda folder: (folder / "fan-report.md").write_bytes(b"x"), "of the same set, fan-report.md was changed"),
         (lambda folder: (folder / NAME).write_bytes(other_text()), "not the sheet that fan-manifest.json names"),
         (lambda folder: (folder / "fan.toml").write_bytes(SCENE.read_bytes() + b"#"), "drawn from another scene"),
-    ],
+    ], 2),
 )  # fmt: skip
 def test_what_became_of_a_file_is_told(folder: Path, capsys: Capture, change: Change, says: str) -> None:
     change(folder)

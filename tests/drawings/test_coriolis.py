@@ -59,6 +59,7 @@ def test_the_figure_has_two_arms_at_a_right_angle() -> None:
     assert abs(second - 1j * first) < 1e-9
 
 
+@pytest.mark.rest
 def test_what_vanishes_on_paper_has_no_rule() -> None:
     """At an extreme position the slotted link stands still, but for rounding: no arrow shows its noise."""
     text = SHAPER.read_text("utf-8").replace("plans = [2, 9]", "plans = [0, 2]")

@@ -76,6 +76,7 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
         assert collisions(leaf) == []
 
 
+@pytest.mark.rest
 def test_the_poles_of_a_part_of_a_turn_stand_on_the_paper(tmp_path: Path) -> None:
     """What goes forth alone wants poles far from its axis, though the graphs be as high as ever."""
     text = (ROOT / "drawings" / "gallery" / "crank-rocker.toml").read_text(encoding="utf-8").partition("[sheet]")[0]

@@ -12,6 +12,7 @@ from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.parts import several
 from tests.plans.dynamics_scenes import PLANING, study, text
 
 
@@ -51,12 +52,15 @@ def test_other_methods_from_the_points_of_the_loop() -> None:
 
 @pytest.mark.parametrize(
     ("asked", "said"),
-    [
-        ('fluctuation = "1/5"\nshafts = [{ inertia = 40 }]', "heavy enough without a flywheel"),
-        ('fluctuation = "1/25"', "the machine would stop"),
-        ('fluctuation = "1/40"\nflywheel.diameter = "0.2 m"', "No rim of D = 200"),
-        ('fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]', "gear: 0.4 kg·m²"),
-    ],
+    several(
+        [
+            ('fluctuation = "1/5"\nshafts = [{ inertia = 40 }]', "heavy enough without a flywheel"),
+            ('fluctuation = "1/25"', "the machine would stop"),
+            ('fluctuation = "1/40"\nflywheel.diameter = "0.2 m"', "No rim of D = 200"),
+            ('fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]', "gear: 0.4 kg·m²"),
+        ],
+        2,
+    ),
 )
 def test_what_is_special_is_said_in_words(asked: str, said: str) -> None:
     assert said in told(scene(asked))
@@ -92,7 +96,7 @@ def test_rounding_is_told_as_nothing() -> None:
     assert [cell for cell in cells if cell.lstrip("−").startswith("0.0000000000")] == []
 
 
-@pytest.mark.parametrize(("speed", "way"), [("120 rpm", "counter-clockwise"), ("-120 rpm", "clockwise")])
+@pytest.mark.parametrize(("speed", "way"), several([("120 rpm", "counter-clockwise"), ("-120 rpm", "clockwise")], 9))
 def test_rotation_and_working_stroke_are_told_without_forces(speed: str, way: str) -> None:
     lines = told(Study(parse_scene(text().replace("120 rpm", speed))))
     assert f"- Crank: turns {way}\n" in lines

@@ -23,7 +23,7 @@ from tests.plans.test_flywheel_rim import sized
 WIDE, THICK = sized(36.70337073, Rim(1.0, 1.2, 7200.0, 1.5)), sized(36.70337073, Rim(1.0, 0.55, 7200.0, 1.5))
 
 
-@pytest.mark.parametrize("rim", [WIDE, THICK, sized(0.06, Rim(1.0, 0.3, 7850.0, 0.5))])
+@pytest.mark.parametrize("rim", first([WIDE, THICK, sized(0.06, Rim(1.0, 0.3, 7850.0, 0.5))]))
 @pytest.mark.parametrize("page", first([("A1", "en"), ("A3", "ru")]))
 def test_sizes_are_measured_back(rim: Wheel, page: tuple[str, str]) -> None:
     size, language = page

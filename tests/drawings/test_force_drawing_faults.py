@@ -59,6 +59,7 @@ def test_what_hangs_on_the_schemes_and_the_lever_passes(tmp_path: Path) -> None:
     check(tmp_path)
 
 
+@pytest.mark.rest
 def test_what_has_gone_on_to_another_sheet_of_its_position_is_found_there() -> None:
     """No small sheet holds a whole group: a detail may stand apart from its plan, an equation from its lever."""
     study = loaded_memo(*shaper())

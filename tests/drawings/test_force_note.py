@@ -103,6 +103,7 @@ def test_both_roads_write_the_same_and_markdown_leaves_it_alone(name: str, posit
         assert not re.search("[а-яё]", re.sub(r"\\text\{.*?\}", "", formula)), formula
 
 
+@pytest.mark.rest
 def test_no_number_of_the_equations_can_be_another() -> None:
     made = study("shaper-loaded", BOOK)
     right = note(made, 2)

@@ -17,6 +17,7 @@ every_page = pytest.mark.parametrize(
 )
 
 
+@pytest.mark.rest
 @every_page
 def test_no_letter_of_a_force_sheet_touches_anything(page: Page) -> None:
     assert [touched for leaf in force_specimen.leaves(page) for touched in collisions(leaf)] == []

@@ -122,6 +122,7 @@ def test_every_kind_of_sheet_says_what_of_it_is_the_task() -> None:
     assert task.TABLES.keys() | {"positions"} == SHEETS.keys()
 
 
+@pytest.mark.rest
 def test_a_figure_that_nobody_knows_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     study, _ = form(GALLERY / "fan.toml")
     (leaf,) = leaves_of(study)["rotor"]

@@ -192,6 +192,7 @@ def small(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.rest
 def test_one_command_draws_a_gallery_and_removes_what_is_stale(small: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.main([str(small)]) == 0
     made = ["slider-crank-kinematics.svg", "slider-crank-forces.svg", "slider-crank-report.md"]

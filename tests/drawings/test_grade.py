@@ -7,13 +7,17 @@ import csv
 import io
 import json
 import re
+import time
 import tomllib
 from functools import partial
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
 
 from drawings.commands import cli
+from drawings.commands import grade as commanded
+from drawings.commands.grade import write_feedback
 from drawings.grading import roll
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import ungraded
@@ -92,6 +96,49 @@ def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(tmp_path: Path, monkeypat
     graded = [one for _, one in roll.grade_all(paths, broken)]
     assert [one.outcome for one in graded] == [OURS, REJECTED, REJECTED, PASS]
     assert [one.reason and one.reason.key for one in graded] == ["grade.bug", "grade.memory", "grade.late", None]
+
+
+def waits(source: bytes) -> Graded:
+    """Wait beside others, where a sheet says so for ever; one that has waited before is graded at once."""
+    before = Path(source.decode())
+    if before.suffix == ".never" or not before.exists():
+        before.touch()
+        time.sleep(600)
+    return Graded(PASS)
+
+
+@pytest.mark.rest  # the seconds of patience go by in it, though nothing works
+def test_a_sheet_that_had_to_wait_is_tried_once_more_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(roll, "PATIENCE", 2.0)
+    paths = [tmp_path / name for name in ("busy.svg", "never.svg", "again.svg")]
+    for path, before in zip(paths, ("one.busy", "two.never", "three.busy"), strict=True):
+        path.write_bytes(str(tmp_path / before).encode())
+    graded = [one for _, one in roll.grade_all(paths, waits, workers=3)]
+    assert [one.outcome for one in graded] == [PASS, REJECTED, PASS]
+    assert graded[1].reason is not None and graded[1].reason.key == "grade.late"
+
+
+def test_each_sheet_has_a_feedback_sheet_of_its_own(tmp_path: Path, capsys: Capture) -> None:
+    (sheet,) = task("shaper").originals.sheets
+    source, names = task("shaper").originals.drawn(sheet), ("a/x.svg", "b/x.svg", "c/x-2.svg", "d/X.svg")
+    for name in names:
+        (tmp_path / name).parent.mkdir()
+        (tmp_path / name).write_bytes(source)
+    graded = [(tmp_path / name, Graded(PASS, digest=sha256(source).hexdigest())) for name in names]
+    (tmp_path / "e.svg").write_bytes(b"<svg/>")
+    gone = [(tmp_path / name, graded[0][1]) for name in ("e.svg", "f.svg")]
+    write_feedback(tmp_path / "back", [*graded, *gone], {}, "en")
+    back = [path.name.removesuffix("-feedback.svg") for path in (tmp_path / "back").iterdir()]
+    assert sorted(back) == ["X-3", "x", "x-2", "x-2-2"]
+    said = capsys.readouterr().err
+    assert "e.svg: another file" in said and "f.svg: another file" in said
+
+
+def test_a_scene_that_asks_for_nothing_says_so(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
+    for name in ("plans_asked", "figures_asked", "tables_asked"):
+        monkeypatch.setattr(commanded, name, lambda _: ())
+    assert cli.main(["grade", str(GALLERY / "fan.toml"), "any.svg", "--language", "en"]) == 5
+    assert "fan.toml: none of its sheets is graded" in capsys.readouterr().err
 
 
 def test_points_are_those_of_the_table(tmp_path: Path, folder: Path) -> None:

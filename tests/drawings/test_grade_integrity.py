@@ -63,6 +63,7 @@ def test_a_right_plan_that_is_hidden_counts_for_nothing(own: Task) -> None:
         assert graded.outcome == REJECTED, how
 
 
+@pytest.mark.rest
 def test_a_fan_of_marks_of_one_name_is_rejected(own: Task) -> None:
     text = of(own)
     mark = re.search(r'<line [^>]*data-kind="vector"[^>]*/>', text)

@@ -23,7 +23,7 @@ from geometry.draughtsman import Draughtsman, copies
 from tests import parts
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.gallery import LINKAGES
-from tests.parts import first
+from tests.parts import first, several
 from tests.rows import over
 
 PX = 96 / 25.4
@@ -123,7 +123,7 @@ def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
-@pytest.mark.parametrize(("slip", "share"), [(0.2, 1.0), (2.0, 0.0)])
+@pytest.mark.parametrize(("slip", "share"), several([(0.2, 1.0), (2.0, 0.0)], 9))
 def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: float) -> None:
     own = task("shaper")
     plans = [plan for plan in own.plans if plan.plan in POLES and plan.position == 2]

@@ -23,6 +23,7 @@ from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
 from tests.drawings.test_grading import laid
+from tests.parts import first
 from tests.rows import over
 
 DRAWN = ("positions", "velocities", "accelerations", "diagrams", "notes")  # figures, which take long to read
@@ -36,7 +37,7 @@ def said(own: TableTask, source: bytes) -> list[str]:
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) for one in wrong)
 
 
-@pytest.mark.parametrize("by", [HAND, Allowances(EXACT)])
+@pytest.mark.parametrize("by", first([HAND, Allowances(EXACT)]))
 def test_our_own_tables_are_right(by: Allowances) -> None:
     own = table_task("shaper")
     graded = grade(svg(tables_of(own.originals.sheets[0])), (), by, (), own.tables)

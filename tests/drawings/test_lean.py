@@ -115,6 +115,7 @@ def names(listed: str) -> list[str]:
     return [name.partition(" (")[0] for name in listed.split(", ")]
 
 
+@pytest.mark.rest
 def test_the_trace_of_a_positions_only_run(tmp_path: Path) -> None:
     scene = tmp_path / "crank.toml"
     scene.write_text(Path(SHAPER).read_text("utf-8").replace('start = "extreme"', "start = 20"), "utf-8")

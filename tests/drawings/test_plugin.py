@@ -102,6 +102,12 @@ def test_who_chooses_among_the_tests_need_not_answer_for_all(run: Run, class_: P
     result.stdout.fnmatch_lines(["plandraft: 3 handed in, 1 answered for; not answered for: *bob.svg, *cid.svg"])
 
 
+@pytest.mark.parametrize("listing", ["--collect-only", "--setup-plan"])
+def test_where_no_test_runs_no_sheet_is_due(run: Run, class_: Path, listing: str) -> None:
+    result = run(f"--plandraft-sheets={class_}", listing)
+    assert result.ret == 0 and "handed in" not in result.stdout.str()
+
+
 def test_an_empty_folder_is_no_class_that_passes(run: Run, pytester: pytest.Pytester) -> None:
     result = run(f"--plandraft-sheets={pytester.mkdir('nobody')}")
     assert result.ret != pytest.ExitCode.OK

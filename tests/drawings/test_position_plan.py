@@ -34,6 +34,7 @@ from plans.scene.scene import parse_scene, read_scene
 from tests import parts
 from tests.drawings import mechanisms
 from tests.gallery import LINKAGES
+from tests.parts import first, several
 from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
@@ -278,7 +279,7 @@ def direction(line: Line) -> complex:
     return (line.end - line.start) / abs(line.end - line.start)
 
 
-@pytest.mark.parametrize("name", ["scotch yoke", "whitworth", "tangent", "shaper"])
+@pytest.mark.parametrize("name", first(["scotch yoke", "whitworth", "tangent", "shaper"]))
 def test_a_slotted_link_reaches_its_stone_in_every_position(name: str) -> None:
     found = drawn(name)
     slide = next(slide for slide in found.bones.mechanism.slides if slide.owner != FRAME)
@@ -331,14 +332,16 @@ def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
     assert sum(length(s) for s in fully) == pytest.approx(whole / 2, rel=0.02)
 
 
-@pytest.mark.parametrize(("name", "letter", "circles"), [("engine", "A", 2), ("engine", "B", 1), ("leg", "C", 2)])
+@pytest.mark.parametrize(
+    ("name", "letter", "circles"), several([("engine", "A", 2), ("engine", "B", 1), ("leg", "C", 2)], 9)
+)
 def test_a_hinge_of_three_links_is_a_double_circle(name: str, letter: str, circles: int) -> None:
     marks = drawn(name).groups["pairs"].strokes
     mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
     assert sum(isinstance(stroke, Circle) for stroke in mark.strokes) == circles
 
 
-@pytest.mark.parametrize(("name", "letter"), [("slider-crank", "S2"), ("engine", "S4"), ("engine", "S2")])
+@pytest.mark.parametrize(("name", "letter"), several([("slider-crank", "S2"), ("engine", "S4"), ("engine", "S2")], 9))
 def test_a_mass_centre_is_a_circle_with_two_opposite_quarters_filled(name: str, letter: str) -> None:
     found = drawn(name)
     marks = found.groups["pairs"].strokes

@@ -97,7 +97,7 @@ def test_an_ignored_signal_stays_ignored(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not FULL.exists(), reason="this system has no full device")
-@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["draw", "--help"]], ids=" ".join)
+@pytest.mark.parametrize("arguments", first([["--help"], ["--version"], ["draw", "--help"]]), ids=" ".join)
 def test_help_and_version_onto_a_full_device_end_with_7(arguments: list[str]) -> None:
     done = shell(f">{FULL}", *arguments)
     assert done.returncode == 7
@@ -131,7 +131,7 @@ def test_a_fault_that_nobody_hears_is_told_by_the_code() -> None:
     assert shell("2>&-", "unknown").returncode == 2
 
 
-@pytest.mark.parametrize("command", [["measure"], ["draw"], ["solve"]], ids=lambda c: c[0])
+@pytest.mark.parametrize("command", first([["measure"], ["draw"], ["solve"]]), ids=lambda c: c[0])
 def test_a_pipe_is_refused_at_once(tmp_path: Path, command: list[str]) -> None:
     os.mkfifo(tmp_path / "pipe")
     done = shell("", *command, tmp_path / "pipe")
@@ -139,7 +139,7 @@ def test_a_pipe_is_refused_at_once(tmp_path: Path, command: list[str]) -> None:
     assert done.stderr.decode() == f"{tmp_path / 'pipe'}: not a regular file\n"
 
 
-@pytest.mark.parametrize("place", ["folder", "pipe", "/dev/null"])
+@pytest.mark.parametrize("place", first(["folder", "pipe", "/dev/null"]))
 def test_the_schema_replaces_nothing_but_files(tmp_path: Path, place: str) -> None:
     (tmp_path / "folder").mkdir()
     os.mkfifo(tmp_path / "pipe")

@@ -113,6 +113,7 @@ def test_a_reaction_that_is_not_found_is_told_what_it_needs(run: Run) -> None:
     assert "bearings and a speed" in err
 
 
+@pytest.mark.rest
 def test_a_drawn_sheet_is_measured(run: Run, tmp_path: Path) -> None:
     code, out, err = run("draw", FAN, "-o", tmp_path)
     assert (code, err) == (0, "")
@@ -134,6 +135,7 @@ def test_the_bench_holds_both_roads_and_the_sheet_against_the_truth(run: Run) ->
     assert 1e-9 < errors[2] < 1e-5
 
 
+@pytest.mark.rest
 def test_a_rotor_is_begun_from_the_gallery(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert run("new", "four-masses")[0] == 0

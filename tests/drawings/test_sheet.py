@@ -202,6 +202,7 @@ def test_plans_that_one_sheet_cannot_show_legibly_go_on_following_sheets() -> No
     assert {int(k) for text in values for k in text.split()} == {0, 1, 2, 3, 5, 7, 8, 9}
 
 
+@pytest.mark.rest
 def test_the_first_named_plan_is_the_position_in_full_lines() -> None:
     _, leaf = drawn(four_bar() + "[sheet]\nplans = [7, 2]\n")
     assert leaf.metadata["shown"] == 7

@@ -58,6 +58,7 @@ def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str,
         assert collisions(leaf) == []
 
 
+@pytest.mark.rest
 def test_ticks_close_to_the_drawn_position_may_lie_under_its_block(tmp_path: Path) -> None:
     text = (CASES / "strokes" / "ram.toml").read_text(encoding="utf-8").replace('"forces"', '"kinematics"', 1)
     study = Study(parse_scene(text.replace("positions = 6", "positions = 60")))

@@ -240,6 +240,7 @@ def off(points: Complexes, line: Polyline) -> Floats:
     return best
 
 
+@pytest.mark.rest
 @over("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
 @over("anchor, slanted, rotation", [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)])
 def test_letters_stand_where_the_alphabet_has_them(content: str, anchor: str, slanted: bool, rotation: float) -> None:

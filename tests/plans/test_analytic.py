@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from plans.analytic.kinematics import Analysis, solve
 from plans.model.mechanism import Mechanism, Output
 from plans.model.motion import Motion
-from tests.parts import examples
+from tests.parts import examples, several
 from tests.plans import linkages
 
 EPS = float(np.finfo(float).eps)
@@ -158,12 +158,15 @@ def test_equal_strokes_begin_at_the_smaller_crank_angle():
 
 @pytest.mark.parametrize(
     ("mechanism", "link"),
-    [
-        (linkages.slotted_link(0.30, 0.10, 0.50), 3),  # turns fully: Whitworth's
-        (linkages.four_bar(0.3, 0.2, 0.25, 0.4, sketch={"B": 0.45 + 0.25j}), 3),  # the crank rocks
-        (linkages.four_bar(0.2, 0.1, 0.25, 0.3, sketch={"B": 0.25 + 0.2j}), 1),  # the crank itself
-        (linkages.parallelogram(0.1, 0.3), 2),  # stands still, and passes change points
-    ],
+    several(
+        [
+            (linkages.slotted_link(0.30, 0.10, 0.50), 3),  # turns fully: Whitworth's
+            (linkages.four_bar(0.3, 0.2, 0.25, 0.4, sketch={"B": 0.45 + 0.25j}), 3),  # the crank rocks
+            (linkages.four_bar(0.2, 0.1, 0.25, 0.3, sketch={"B": 0.25 + 0.2j}), 1),  # the crank itself
+            (linkages.parallelogram(0.1, 0.3), 2),  # stands still, and passes change points
+        ],
+        2,
+    ),
 )
 def test_an_output_without_extremes(mechanism, link):
     assert Analysis(mechanism).extremes(Output(link, None)) is None

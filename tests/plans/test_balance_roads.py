@@ -150,6 +150,7 @@ def test_a_guide_off_the_shaft_moves_the_mass_centre_by_its_distance() -> None:
     assert np.allclose(found.construction.before.centre.r, told, rtol=1e-14)
 
 
+@pytest.mark.rest
 @examples(2, 60)
 @given(chain=chains(most=3), masses=st.integers(0, 2**20))
 def test_both_roads_agree_on_any_linkage_of_dyads(chain, masses) -> None:

@@ -85,7 +85,7 @@ def test_limits_of_the_book_stand_beside_one_that_is_given():
 
 
 @BOTH
-@pytest.mark.parametrize("closure", [GROOVE, FORCE])
+@pytest.mark.parametrize("closure", some([GROOVE, FORCE], 2))
 def test_flaws_are_where_a_scan_leaves_the_interval(road, closure):
     """An offset that leans the angle below 0 on the rise: told with its sign, by formula (5.28) of any other road."""
     one = limited(TRANSLATING, closure, 40, 15)

@@ -227,6 +227,7 @@ def held(cam: Cam, own: Sizes) -> bool:
 EVERY_SENSE = [translating(), translating(-1), *(rocking(s, t) for s, t in product(BOTH, BOTH))]
 
 
+@pytest.mark.rest
 @over("cam", EVERY_SENSE[1::2])
 def test_the_pressure_angle_goes_to_its_limits_and_no_farther(cam: Cam) -> None:
     reaches_its_limits(cam)

@@ -16,6 +16,7 @@ from plans.checks.cam.settled import settled
 from plans.model.cam_motion import CamFound
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.parts import several
 
 # Shocks of both kinds, an angle beyond its limit, a spring that does not hold.
 SCENE = """
@@ -95,24 +96,27 @@ def test_both_roads_say_the_same():
 
 @pytest.mark.parametrize(
     ("other", "told"),
-    [
-        (lambda: shocks(2, jump=0.03), ["ΔS''"]),
-        (lambda: shocks(1, jump=0.03), ["ΔS'"]),
-        (lambda: shocks(1, turned=1.0), ["φ shocks"]),
-        (lambda: shocks(1, order=2), ["φ shocks"]),
-        (lambda: {"shocks": compared().theirs.shocks[1:]}, ["φ shocks"]),
-        (lambda: pressing("least"), ["N_min"]),
-        (lambda: pressing("most"), ["N_max"]),
-        (lambda: pressing("wear"), ["N·v_sl"]),
-        (lambda: pressing("preload"), ["preload"]),
-        (lambda: {"pressing": None}, ["N_min"]),
-        (lambda: {"flaws": compared().theirs.flaws[1:]}, ["flaws"]),
-        (lambda: {"mending": None}, ["R_0 mending"]),
-        (lambda: {"mending": 0.06}, ["R_0 mending"]),
-        (lambda: {"advised": None}, ["R_0 advised"]),
-        (lambda: advised(base=0.06), ["R_0 advised"]),
-        (lambda: advised(offset=0.0), ["e advised"]),
-    ],
+    several(
+        [
+            (lambda: shocks(2, jump=0.03), ["ΔS''"]),
+            (lambda: shocks(1, jump=0.03), ["ΔS'"]),
+            (lambda: shocks(1, turned=1.0), ["φ shocks"]),
+            (lambda: shocks(1, order=2), ["φ shocks"]),
+            (lambda: {"shocks": compared().theirs.shocks[1:]}, ["φ shocks"]),
+            (lambda: pressing("least"), ["N_min"]),
+            (lambda: pressing("most"), ["N_max"]),
+            (lambda: pressing("wear"), ["N·v_sl"]),
+            (lambda: pressing("preload"), ["preload"]),
+            (lambda: {"pressing": None}, ["N_min"]),
+            (lambda: {"flaws": compared().theirs.flaws[1:]}, ["flaws"]),
+            (lambda: {"mending": None}, ["R_0 mending"]),
+            (lambda: {"mending": 0.06}, ["R_0 mending"]),
+            (lambda: {"advised": None}, ["R_0 advised"]),
+            (lambda: advised(base=0.06), ["R_0 advised"]),
+            (lambda: advised(offset=0.0), ["e advised"]),
+        ],
+        2,
+    ),
 )
 def test_what_one_road_says_otherwise_is_told(other, told):
     assert apart(replace(compared().theirs, **other())) == told

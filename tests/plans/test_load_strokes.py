@@ -18,6 +18,7 @@ from plans.model.motion import Extremes
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.parts import some
 from tests.plans.force_cases import ROADS, compared
 from tests.plans.test_load_lines import PUMP
 from tests.plans.test_loading import AGAINST, AT_60, AT_90, ENGINE, ON_B, ON_D, ROCKER, SHAPER, loaded
@@ -41,7 +42,7 @@ def found(text: str, by: str, shown: Output | None = None) -> Extremes:
     return drawn.extremes
 
 
-@pytest.mark.parametrize("by", ROADS)
+@pytest.mark.parametrize("by", some(ROADS, 3))
 @pytest.mark.parametrize(
     ("text", "working", "begin", "reach"),
     [
@@ -76,7 +77,7 @@ def test_the_faster_stroke_may_be_the_working_one(by: str) -> None:
     assert (fast.phi[1] - fast.phi[0]) % (2 * math.pi) == pytest.approx(math.pi - theta)
 
 
-@pytest.mark.parametrize("by", ROADS)
+@pytest.mark.parametrize("by", some(ROADS, 3))
 @pytest.mark.parametrize(
     ("output", "sense"),
     [

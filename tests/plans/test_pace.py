@@ -71,6 +71,7 @@ def assert_same_forces(one: Kinetostatics, other: Kinetostatics) -> None:
         assert np.array_equal(reaction.force, other.reactions[key].force, equal_nan=True), key
 
 
+@pytest.mark.rest
 @pytest.mark.part
 @over("path", LINKAGES if parts.whole else LINKAGES[::4])
 def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit(path: Path) -> None:

@@ -11,13 +11,14 @@ import numpy as np
 
 from drawings.checks.balance import balance_graphs as graphs
 from drawings.checks.balance import figure_parts as parts
-from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_lines import Figure
 from drawings.checks.balance.figure_parts import Axis
 from drawings.checks.balance.share_level import bare, curve_letter
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line, written_scales
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import moment_graph, share_graph
 from drawings.figures.graphs.curve_graph import BEFORE as THIN

@@ -9,8 +9,9 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.balance import balance_marks as marks
-from drawings.checks.balance.balance_expected import KNOWN, Expected, Side
+from drawings.checks.balance.balance_expected import Expected, Side
 from drawings.checks.balance.balance_schemes import PRIMES, runs
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import shaking_hodograph, static_polygon
 from drawings.figures.balance.scheme import AFTER, BEFORE

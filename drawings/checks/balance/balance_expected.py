@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.checks.precise import KNOWN
 from drawings.figures.balance.nothing import Nothing
 from drawings.figures.balance.scheme import AFTER, BEFORE
 from drawings.measure.measure import Measured
@@ -26,7 +27,6 @@ from plans.model.mechanism import FRAME, Mechanism
 
 ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told
 APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
-KNOWN = 1e-9  # of the largest of its kind: what both roads and the file differ by in a number that is written
 
 
 class Side(NamedTuple):

@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from drawings.checks.balance import balance_marks as marks
-from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import PRIMES
 from drawings.checks.balance.share_level import bare, curve_letter, level, taken
 from drawings.checks.graphs.scale_line import written_scales
 from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.precise import KNOWN
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import moment_graph, share_graph

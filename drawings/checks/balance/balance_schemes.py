@@ -13,8 +13,9 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.balance import balance_marks as marks
-from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_marks import Cover
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance.balance_scheme import PATH, RIM, STILL
 from drawings.figures.balance.lanes import MOST

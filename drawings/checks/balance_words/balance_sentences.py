@@ -8,10 +8,11 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance_words.bounds import of_largest
 from drawings.checks.balance_words.main_points import EQUALS, MainPoints, straight
 from drawings.checks.balance_words.sentences import number
+from drawings.checks.precise import KNOWN
 from drawings.lettering.balance_letters import FORCE
 from drawings.lettering.indices import with_index
 from plans.balance.study import COSTS

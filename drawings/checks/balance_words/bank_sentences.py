@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from drawings.checks.balance.balance_expected import KNOWN
 from drawings.checks.balance_words.main_points import ANGLE
 from drawings.checks.balance_words.sentences import TURNS, Sentence, number
 from drawings.checks.bank.bank_expected import DOUBTFUL, LEFT, PAPER, WHOLE, WHOLE_MOMENT, Expected
+from drawings.checks.precise import KNOWN
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters

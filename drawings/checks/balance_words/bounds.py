@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_expected import Expected
+from drawings.checks.precise import KNOWN
 from plans.balance.study import CENTRE, COSTS
 from plans.model.motion import Floats
 

@@ -9,8 +9,9 @@ from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
-from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance_words.sentences import TURNS, number
+from drawings.checks.precise import KNOWN
 from drawings.figures.balance.scheme import AFTER, BEFORE
 from plans.balance.weights import line_of
 from plans.model.kinetostatics import NOTHING

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from drawings.checks.balance_words.sentences import Sentence, in_report, told_otherwise
+from drawings.checks.balance_words.sentences import Sentence, told_otherwise
+from drawings.checks.note.lines import in_report, parts
 from plans.words.words import Message, message
-
-_HEAD = "#"  # how a chapter begins
 
 
 def listed(note: str, sure: bool = True) -> Sentence:
@@ -45,7 +44,4 @@ def wrong_chapter(text: str, due: Sequence[Sentence], alike: int = 1) -> Iterato
 
 def _chapters(text: str, first: str) -> Iterator[list[str]]:
     """Give the lines of each chapter that begins with a line."""
-    lines = [line for line in text.splitlines() if line.strip()]
-    for start in (k for k, line in enumerate(lines) if line == first):
-        ends = (k for k in range(start + 1, len(lines)) if lines[k].startswith(_HEAD))
-        yield lines[start : next(ends, len(lines))]
+    return ([first, *own] for own in parts(text, first))

@@ -101,11 +101,6 @@ def on_sheet(note: str) -> str:
     return flat(Text(0j, note).plain)
 
 
-def in_report(note: str) -> str:
-    """Write a note as a report has it: without the braces of its indices."""
-    return flat(note.replace("{", "").replace("}", ""))
-
-
 def notes(leaf: Leaf) -> str:
     """Read the notes of a sheet as one line."""
     own = (text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,)))

@@ -13,8 +13,9 @@ import numpy as np
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_law_rows import Course, ExpectedRow, expected_rows
 from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read
-from drawings.checks.graphs.graph import KNOWN, Graph
+from drawings.checks.graphs.graph import Graph
 from drawings.checks.graphs.scale_line import written_scales
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.law_graph import LEAST, MARKED
 from drawings.lettering.words import number

@@ -14,6 +14,7 @@ from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read
 from drawings.checks.graphs.linework import FAR, Linework, Way
 from drawings.checks.graphs.scale_line import scale_line, written_scales
 from drawings.checks.labelled import NEAREST
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME
 from drawings.measure.measure import Measured
@@ -25,7 +26,6 @@ from plans.model.cam_motion import Extreme
 from plans.model.motion import Floats
 from plans.words.words import message
 
-KNOWN = 1e-9  # of an angle: both roads agree far better
 DENSE = 721  # turns at which the least and the greatest angle are looked up: the axis goes beyond both
 
 

@@ -14,6 +14,7 @@ from drawings.checks.cam.cam_units import BARE
 from drawings.checks.documents import ruled
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.linkage import by_hand
+from drawings.checks.precise import KNOWN
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, within
 from drawings.page.drafting import Drafting
@@ -27,7 +28,6 @@ from plans.model.cam_motion import BEND, SLOPE, CamFound, Shock
 
 NAME = "sizes"
 DIGITS = 5  # of a value
-KNOWN = 1e-9  # of a value, that both roads may differ by
 MM = 1000.0
 LAST = 1e-12  # of a size: what is less is written as 0
 

@@ -11,7 +11,7 @@ from drawings.checks.cam.due_notes import DueNotes
 from drawings.checks.documents import written_notes
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.graphs.scale_line import ratio
-from drawings.checks.precise import precise, tells
+from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.wrong import Wrong
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
@@ -20,7 +20,6 @@ from plans.words.words import message
 
 BLOCK = "title-block"  # the name of its figure
 DIGITS = (4, 5)  # of the numbers of the notes; of the phases
-KNOWN = 1e-9  # of a number, that both roads may differ by
 MM = 1000.0
 _SIZE = re.compile(r"(?P<name>[^=]+?)\s=\s(?P<value>[−\d.,]+)°?")
 

@@ -10,6 +10,7 @@ from functools import partial
 
 import numpy as np
 
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong
 from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, THETA, read, written
 from drawings.files.enclosure import Enclosure
@@ -23,7 +24,6 @@ from plans.words.words import message
 
 ROUNDED = 0.5 * 10.0**-DIGITS
 # Of a value: what the arithmetic of either road moves, which a radius of curvature and an angle near a pole gather.
-SHARE = 1e-9
 MM = 1000.0  # of a metre
 
 
@@ -89,7 +89,7 @@ def _first(off: Callable[[Floats, Floats], Floats], seen: Floats, exact: Floats)
 
 def _off(seen: Floats, exact: Floats) -> Floats:
     """Give how far numbers are off, less what is allowed."""
-    return np.abs(seen - exact) - ROUNDED - SHARE * np.abs(exact)
+    return np.abs(seen - exact) - ROUNDED - KNOWN * np.abs(exact)
 
 
 def _bends_off(seen: Floats, exact: Floats) -> Floats:
@@ -98,7 +98,7 @@ def _bends_off(seen: Floats, exact: Floats) -> Floats:
     An edge, whose radius is no more than the rounding, bends by that: there it is the radii that are compared.
     """
     bend, true = (np.copysign(1 / np.maximum(np.abs(one), ROUNDED), one) for one in (seen, exact))
-    bent = np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max()
+    bent = np.abs(bend - true) - ROUNDED * true**2 - KNOWN * np.abs(true).max()
     edge = np.abs(exact) <= ROUNDED
     with np.errstate(invalid="ignore"):  # of a straight place both are infinite
         return np.where(edge, np.abs(seen) - ROUNDED - np.abs(exact), bent)

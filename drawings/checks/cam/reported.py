@@ -16,7 +16,8 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_units import BARE
 from drawings.checks.cam.due_notes import DueNotes
 from drawings.checks.documents import chapters
-from drawings.checks.precise import precise, tells
+from drawings.checks.note.lines import cells, in_report, parts
+from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.reading import reads
 from drawings.page.drafting import Drafting, drafting_of
 from plans.cam.study import LAWS
@@ -33,7 +34,6 @@ DIGITS, PHASES, CHORDS, SAID = (
     3,
     5,
 )  # of numbers: of most, of the phases, of what chords leave out, said first
-KNOWN = 1e-9  # of the largest of a row, that both roads may differ by
 MM = 1000.0
 # Units in which S' and S'' are told, and how many of them are one of SI, by their own.
 CHORDED = {"count": "…", "slope": "…", "travel": "…"}
@@ -56,7 +56,7 @@ def headline(study: Study) -> Callable[[str], bool] | None:
     """Give what tells whether a line says the main sizes of all cams; None where no cam has any to be found."""
     drafting = precise(drafting_of(study.scene))
     notes = (DueNotes(found, drafting) for found in study.comparison("cam").analysis.cams)
-    due = "; ".join(_plain(line) for one in notes for line in one.sizes())
+    due = "; ".join(in_report(line) for one in notes for line in one.sizes())
     return (lambda line: tells(line, due, (SAID,), KNOWN)) if due else None
 
 
@@ -82,16 +82,15 @@ class ReportedCam:
     def _part(self, key: str) -> list[str]:
         """Give the lines under a heading, up to the next one; none where it does not stand exactly once."""
         head = word(self.drafting.language, f"report.{key}", name=self.expected.cam.name).strip()
-        parts = f"\n{self.text}".split(f"\n{head}\n")
-        own = re.split(r"\n#", f"\n{parts[1]}")[0] if len(parts) == 2 else ""
-        return [line for line in own.splitlines() if line.strip()]
+        found = list(parts(self.text, head))
+        return found[0] if len(found) == 1 else []
 
     def _listed(self, seen: Sequence[str], due: Sequence[tuple[str, int]]) -> Iterator[Message]:
         """Hold the lines of a list, each to what is due with so many digits."""
         for line, (note, digits) in zip_longest(seen, due, fillvalue=("", DIGITS)):
             told = line if isinstance(line, str) else ""
-            if not tells(told, f"- {_plain(note)}", (digits,), KNOWN):
-                yield message("wrong.told", text=told or _plain(note))
+            if not tells(told, f"- {in_report(note)}", (digits,), KNOWN):
+                yield message("wrong.told", text=told or in_report(note))
 
     @property
     def _notes(self) -> DueNotes:
@@ -124,7 +123,7 @@ class ReportedCam:
 
     def _rows(self) -> Iterator[Message]:
         """Hold the table of all numbered positions: its heads, and each cell."""
-        lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in self._part("cam_values")]
+        lines = [cells(line) for line in self._part("cam_values")]
         heads, rows = (lines[0] if lines else []), lines[2:]
         columns = [*self._columns()]
         if heads != ["i", *(head for head, _ in columns)]:
@@ -182,8 +181,3 @@ def _bends(text: str, k: int, radii: Floats) -> bool:
 def _share(values: Floats, exact: Floats) -> float:
     most = float(np.abs(exact).max())
     return float(np.abs(values - exact).max()) / most if most else 0.0
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import pairwise
 
-from drawings.checks.cyclogram.cyclogram_charts import SHARE
 from drawings.checks.cyclogram.cyclogram_words import DIGITS as ANGLE_DIGITS
 from drawings.checks.cyclogram.cyclogram_words import angle, doing, in_style, row_name, setting
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.labelled import along
-from drawings.checks.precise import precise, tells
+from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.extent import bounds
 from drawings.measure.measured import MeasuredVector
@@ -204,7 +203,7 @@ class BarStrokes:
             Text, lambda one: one.plain == done and over(one), on("letter", BARS, name=f"{bar.name} {done}")
         )
         exact = angle(span, precise(self.drafting))
-        self.inventory.take(Text, lambda one: tells(one.plain, exact, (ANGLE_DIGITS,), SHARE) and over(one))
+        self.inventory.take(Text, lambda one: tells(one.plain, exact, (ANGLE_DIGITS,), KNOWN) and over(one))
 
     def _settings(self) -> None:
         """Hold the dimensions of the setting angles; what they say is read by itself."""
@@ -225,7 +224,7 @@ class BarStrokes:
             own.take(Line, partial(_leads, end.real, level), wrong)
 
     def _on(self, text: Text, level: float, told: str) -> bool:
-        return abs(text.at.imag - level) < 2 * TICKED and tells(text.plain, told, (ANGLE_DIGITS,), SHARE)
+        return abs(text.at.imag - level) < 2 * TICKED and tells(text.plain, told, (ANGLE_DIGITS,), KNOWN)
 
 
 def _inside(box: tuple[float, float, float, float], field: tuple[float, float, float, float]) -> bool:

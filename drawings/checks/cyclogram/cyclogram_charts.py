@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from drawings.checks.cyclogram.cyclogram_words import DIGITS, angle, row_name
 from drawings.checks.cyclogram.due_rows import parts
-from drawings.checks.precise import precise, tells
+from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
@@ -21,7 +21,6 @@ BESIDE_RINGS = "ring-names"  # the names that have no room in their rings
 SETTING = "set."  # the names of setting angles begin so
 UPPER = 0.07  # rad of the abscissa: so far over its lower level is the upper one of a row
 ANGLE = 1e-9  # rad: an arc of a leaf is not rounded yet
-SHARE = 1e-9  # of a number, that the two roads may differ by
 
 
 def bars(measured: Measured, rows: Sequence[Row], begin: float = 0.0) -> Iterator[Wrong]:
@@ -88,7 +87,7 @@ def angles(leaf: Leaf, rows: Sequence[Row], drafting: Drafting) -> Iterator[Wron
         due += [f"{exact.number(one)}°" for one in turns]
         for text in (text.plain for group in leaf.groups if group.name.startswith(chart) for text in texts((group,))):
             told = text.rsplit(" ", 1)[-1] if text.endswith("°") else ""
-            if told[:1].isdigit() and "−" not in text and not any(tells(told, one, (DIGITS,), SHARE) for one in due):
+            if told[:1].isdigit() and "−" not in text and not any(tells(told, one, (DIGITS,), KNOWN) for one in due):
                 yield message("wrong.told", text=text)
 
 

@@ -10,13 +10,12 @@ from functools import cached_property
 from itertools import pairwise
 
 from drawings.checks.cyclogram.cyclogram_bars import ticks
-from drawings.checks.cyclogram.cyclogram_charts import SHARE
 from drawings.checks.cyclogram.cyclogram_words import DIGITS as ANGLE_DIGITS
 from drawings.checks.cyclogram.cyclogram_words import label, row_name
 from drawings.checks.cyclogram.due_rows import THIN
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.graphs.inventory import Inventory
-from drawings.checks.precise import precise, tells
+from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.extent import bounds
 from drawings.page.drafting import Drafting
@@ -99,7 +98,7 @@ class RingStrokes:
             own.take(
                 Text,
                 lambda one, exact=exact, span=span: (
-                    tells(one.plain, exact, (ANGLE_DIGITS,), SHARE)  # type: ignore[misc]
+                    tells(one.plain, exact, (ANGLE_DIGITS,), KNOWN)  # type: ignore[misc]
                     and there(one, span.start, span.end)
                 ),
                 on("letter", CIRCLE, name=label(span, self.drafting)),

@@ -8,12 +8,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
-from drawings.checks.cyclogram.cyclogram_charts import SHARE
 from drawings.checks.cyclogram.due_notes import DueNotes
 from drawings.checks.documents import chapters
 from drawings.checks.documents.told_cell import Cell
-from drawings.checks.note.lines import part
-from drawings.checks.precise import precise, tells
+from drawings.checks.note.lines import in_report, part
+from drawings.checks.precise import KNOWN, precise, tells
 from drawings.page.drafting import Drafting, drafting_of
 from plans.cyclogram.study import CYCLOGRAM
 from plans.model.cyclogram import Position
@@ -35,8 +34,8 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
     notched = all(one.notched for one in comparison.construction.positions)
     notes = [*DueNotes(comparison.analysis, notched, study[CYCLOGRAM].cams, precise(drafting)).all()]
     for line, note in zip_longest(seen[: len(notes)], notes, fillvalue=""):
-        if not tells(line, f"- {_plain(note)}", (DIGITS,), SHARE):
-            yield message("wrong.told", text=line or _plain(note))
+        if not tells(line, f"- {in_report(note)}", (DIGITS,), KNOWN):
+            yield message("wrong.told", text=line or in_report(note))
     own = seen[len(notes) :]
     for k, one in enumerate(comparison.analysis.positions):
         line = own[k] if k < len(own) else ""
@@ -50,21 +49,16 @@ def headline(study: Study) -> Callable[[str], bool]:
     """Give what tells whether a line says when the tool is off the work."""
     comparison = study.comparison(CYCLOGRAM)
     notes = DueNotes(comparison.analysis, True, study[CYCLOGRAM].cams, precise(drafting_of(study.scene)))
-    return lambda line: tells(line, _plain(notes.window()), (DIGITS,), SHARE)
+    return lambda line: tells(line, in_report(notes.window()), (DIGITS,), KNOWN)
 
 
 def _tells(line: str, number: int, one: Position, drafting: Drafting) -> bool:
     """Tell whether a line says what a position is, at which share of the stroke, and its turn by both roads."""
     turned = Cell(math.degrees(one.turned), digits=DIGITS, turns=True)
-    for share in {drafting.number(one.share * (1 + off), SHARED) for off in (-SHARE, 0.0, SHARE)}:
+    for share in {drafting.number(one.share * (1 + off), SHARED) for off in (-KNOWN, 0.0, KNOWN)}:
         parts = {"position": number, "role": drafting.word(f"role {one.role}"), "share": share}
         due = word(drafting.language, "report.characteristic", plan=PLAN, analysis=ANALYSIS, **parts)
         found = re.fullmatch(re.escape(due).replace(PLAN, "(.+)").replace(ANALYSIS, "(.+)"), line)
         if found is not None:
             return all(turned.holds(text) for text in found.groups())
     return False
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

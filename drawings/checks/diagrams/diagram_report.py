@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.checks.note.lines import part
-from drawings.checks.note.motion_tables import cells
+from drawings.checks.note.lines import cells, part
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import fixed

@@ -10,8 +10,9 @@ import numpy as np
 
 from drawings.checks.diagrams.expected_rows import ExpectedRow
 from drawings.checks.graphs.figure_strokes import FLUSH, NEAR, FigureStrokes, figure, read
-from drawings.checks.graphs.graph import KNOWN, Graph
+from drawings.checks.graphs.graph import Graph
 from drawings.checks.graphs.scale_line import written_scales
+from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.figures.diagrams.row_graph import LEAST, MARKED

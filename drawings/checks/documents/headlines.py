@@ -9,6 +9,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from drawings.checks.precise import KNOWN
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong
 from drawings.lettering import words as lettering
@@ -22,7 +23,6 @@ BALANCING = "plans.forces.primary:balancing_quantity"  # which a scene with forc
 
 DIGITS = 5
 RATIO, ANGLE = 4, 3  # decimals of the time ratio, and of a swing in degrees
-KNOWN = 1e-9  # of a number, that both roads may differ by
 BEGUN = re.compile(r"[Hψ] = |K = |\|.+\|\w+ = ")  # how each number that is said first begins
 
 # Of a study to what tells whether a line is what a technique says of it; to None where none is sure to be said.

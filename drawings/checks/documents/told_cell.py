@@ -7,9 +7,8 @@ import re
 from typing import NamedTuple
 
 from drawings.checks import reading
+from drawings.checks.precise import KNOWN
 from drawings.checks.reading import reads
-
-SHARE = 1e-9  # of a number, that the two roads may differ by
 
 
 class Cell(NamedTuple):
@@ -28,4 +27,4 @@ class Cell(NamedTuple):
         if value is None or (self.places and len(re.split("[.,]", text)[-1]) != self.places):
             return False
         whole = 360.0 * round((value - self.true) / 360.0) if self.turns else 0.0
-        return reads(text, self.true + whole, SHARE * max(abs(self.true), 1.0), self.digits)
+        return reads(text, self.true + whole, KNOWN * max(abs(self.true), 1.0), self.digits)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from drawings.checks.graphs.figure_strokes import read
-from drawings.checks.precise import tells
+from drawings.checks.precise import KNOWN, tells
 from drawings.checks.reading import NOTES
 from drawings.checks.wrong import Wrong, within
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
-
-KNOWN = 1e-9  # of a number, that both roads may differ by
 
 
 def faults(leaf: Leaf, due: Iterable[str], digits: Collection[int]) -> Iterator[Wrong]:

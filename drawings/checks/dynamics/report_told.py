@@ -13,6 +13,7 @@ from drawings.checks.documents import chapters
 from drawings.checks.dynamics.due_notes import DueNotes
 from drawings.checks.dynamics.dynamics_expected import KNOWN, Expected
 from drawings.checks.dynamics.told_table import NOTHING, DueCell
+from drawings.checks.note.lines import cells, in_report
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import number
@@ -214,7 +215,10 @@ class ReportTold(NamedTuple):
                 yield message("wrong.missing", name=_bare(told))
 
     def _run(self, runs: Mapping[str, Run]) -> Iterator[Wrong]:
-        """Hold the stages of the run by each road, its steady turn, and how it was found."""
+        """Hold the stages of the run by each road, its steady turn, and how it was found.
+
+        That of the table is held to the table, for its step leads off the exact run by what both rows show together.
+        """
         if not runs:
             return
         rows = [row for by, run in runs.items() for row in self._stages(by, run)]
@@ -278,7 +282,7 @@ def _tables(text: str) -> Iterator[list[list[str]]]:
     run: list[list[str]] = []
     for line in [*text.splitlines(), ""]:
         if line.startswith("|"):
-            run.append([cell.strip() for cell in line.strip()[1:-1].split("|")])
+            run.append(cells(line))
         elif run:
             yield run
             run = []
@@ -289,8 +293,8 @@ def _says(text: str, due: DueCell | Shared | str) -> bool:
 
 
 def _bare(line: str) -> str:
-    """Write a sentence as a report does: without the braces of its indices."""
-    return " ".join(line.replace("{", "").replace("}", "").replace("^2", "²").split())
+    """Write a sentence as a report does, squares as they are read."""
+    return in_report(line.replace("^2", "²"))
 
 
 def _tells(line: str, true: str) -> bool:

@@ -14,7 +14,9 @@ from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats, Motion
 
 BETWEEN = 12  # angles over a turn, beside those of the positions
-APART = 0.37  # of a step: no division of a turn into whole numbers of positions falls on these angles
+# Of a step: no division of a turn into whole numbers of positions falls on these angles; the others are taken where a
+# load jumps beside one of the first, so that the drawn curve has its jump up to half a degree off.
+APART, BESIDE = 0.37, 0.61
 
 
 @dataclass(frozen=True)
@@ -23,11 +25,12 @@ class ForcesBetween:
 
     statics: Statics
     comparison: ForceComparison
+    apart: float = APART
 
     @cached_property
     def turned(self) -> Floats:
         """How far the crank has turned from position 0, degrees in the sense of rotation."""
-        return 360.0 * (np.arange(BETWEEN) + APART) / BETWEEN
+        return 360.0 * (np.arange(BETWEEN) + self.apart) / BETWEEN
 
     @cached_property
     def motion(self) -> Motion:

@@ -138,7 +138,7 @@ class LeverForces(NamedTuple):
         return nearest if self._imaged(nearest, line, bill, spots) <= FINE else link
 
     def _imaged(self, link: int, line: tuple[str, str], bill: ForceBill, spots: Sequence[complex]) -> float:
-        """Give how far from any image of the lever the images of two points are, taken of a link."""
+        """Give how far a line's ends, imaged as points of a link, are from the images that the lever has, mm."""
         ends = [self._laid().on(-1j * bill.speed(link, bill.place(name))) for name in line]
         return max(min(abs(spot - end) for spot in spots) for end in ends)
 

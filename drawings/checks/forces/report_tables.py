@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.checks.note.lines import cells
 from drawings.checks.reading import reads
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
@@ -84,10 +85,10 @@ class ForceTables(NamedTuple):
         if not columns:
             return
         for lines in self._tables():
-            heads = [_bare(cell) for cell in _cells(lines[0])]
+            heads = [_bare(cell) for cell in cells(lines[0])]
             first = word(self._language, "table.position")
             if heads[0] == _bare(first) and _alike(heads[1:], [one.head for one in columns]):
-                yield from self._rows([_cells(line) for line in lines[2:]], columns, digits)
+                yield from self._rows([cells(line) for line in lines[2:]], columns, digits)
                 return
         yield message("wrong.missing", name=", ".join(one.head for one in columns))
 
@@ -146,7 +147,7 @@ class ForceTables(NamedTuple):
         told = balancing_quantity(self.statics.study.mechanism.drive)
         parts = {"letter": lettering.letter(language, told.name), "unit": lettering.word(language, told.unit)}
         heads = [word(language, f"report.{key}", **parts) for key in ("by_plans", "by_equilibrium")]
-        rows = [_cells(line) for line in seen if line.startswith("|")]
+        rows = [cells(line) for line in seen if line.startswith("|")]
         if list(self._balancing()) and not any(row[1:3] == heads for row in rows):
             yield message("wrong.missing", name="; ".join(heads))
         yield from self._pointed(rows)
@@ -170,10 +171,6 @@ class ForceTables(NamedTuple):
 
     def _number(self, value: float) -> str:
         return number(value, self._language)
-
-
-def _cells(line: str) -> list[str]:
-    return [cell.strip() for cell in line.strip().strip("|").split("|")]
 
 
 def _bare(text: str) -> str:

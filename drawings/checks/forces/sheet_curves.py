@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
-from drawings.checks.forces.curves_between import ForcesBetween
+from drawings.checks.forces.curves_between import BESIDE, ForcesBetween
 from drawings.checks.forces.force_curves import ReactionHodograph, TurnGraph
 from drawings.checks.forces.laid_scheme import FINE
 from drawings.checks.forces.polygon_chain import heads
@@ -72,6 +72,11 @@ class SheetCurves:
     def _between(self) -> ForcesBetween:
         return ForcesBetween(self.statics, self.comparison)
 
+    def _fewest(self, held: Callable[[ForcesBetween], Iterable[Wrong]]) -> list[Wrong]:
+        """Hold a curve between the positions: one that is wrong is so at other angles too."""
+        first = list(held(self._between))
+        return min(first, list(held(replace(self._between, apart=BESIDE))), key=len) if first else first
+
     def _graph(self, sizes: Floats, slack: float) -> Iterator[Wrong]:
         """Hold the graph of what balances the drive, with the curve between its positions where it is over a turn."""
         study, group = self.statics.study, figure(self.leaf, BALANCING)
@@ -82,13 +87,18 @@ class SheetCurves:
         symbol = force_letter(told.name, study.language).split("_")[0]
         none = np.zeros(0)
         turn = self._whole(group)
-        dense = (self._between.turned, self._between.balancing) if turn else (none, none)
         quantity = force_letter(told.name, study.language), told.unit
         axis = ("φ", "°") if drive.turns else ("s", "m")
-        yield from TurnGraph(
-            group, self.leaf.metadata["scales"][BALANCING], scales.get(symbol, math.nan), axis, quantity,
-            self._stations(group), sizes, *dense, slack, self.position, (study.language, study.scene.sheet.notation),
-        ).faults()  # fmt: skip
+
+        def held(own: ForcesBetween) -> Iterator[Wrong]:
+            dense = (own.turned, own.balancing) if turn else (none, none)
+            return TurnGraph(
+                group, self.leaf.metadata["scales"][BALANCING], scales.get(symbol, math.nan), axis, quantity,
+                self._stations(group), sizes, *dense, slack, self.position,
+                (study.language, study.scene.sheet.notation),
+            ).faults()  # fmt: skip
+
+        yield from self._fewest(held)
 
     def _stations(self, group: FigureStrokes) -> Floats:
         """Give the abscissas of the positions: of a swing from where it begins, which the first ordinate tells."""
@@ -122,11 +132,15 @@ class SheetCurves:
             return
         vectors = [mark for mark in self.measured.vectors if mark.plan == plan]
         yield from heads(group, vectors)
-        between = self._between.found.reactions[key].force if self.statics.study.mechanism.drive.turns else one.force
-        at = pole.at - pole.value / pole.scale
-        yield from ReactionHodograph(
-            plan, group, at, pole.scale, one.force, between, self.slack, self.position, letter
-        ).faults()
+        at, turns = pole.at - pole.value / pole.scale, self.statics.study.mechanism.drive.turns
+
+        def held(own: ForcesBetween) -> Iterator[Wrong]:
+            between = own.found.reactions[key].force if turns else one.force
+            return ReactionHodograph(
+                plan, group, at, pole.scale, one.force, between, self.slack, self.position, letter
+            ).faults()
+
+        yield from self._fewest(held)
 
     def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Wrong]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]

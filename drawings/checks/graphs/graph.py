@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from drawings.checks.graphs.figure_strokes import NEAR, FigureStrokes, read
-from drawings.checks.precise import tells
+from drawings.checks.precise import KNOWN, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
@@ -15,7 +15,6 @@ from drawings.page.drafting import Drafting
 from plans.words.words import message
 
 PER_CENT = 2  # digits of how far chords are off
-KNOWN = 1e-9  # of a value: both roads agree far better
 
 
 class Graph(ABC):

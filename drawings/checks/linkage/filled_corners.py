@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from drawings.checks.arrowheads import FINE
 from drawings.checks.linkage.bars import SHOWN
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.link_bars import bars, flat, hanging
@@ -48,10 +49,7 @@ def faults(plan: LaidPlan) -> Iterator[Message]:
 
 def centred(block: Polyline, spot: complex) -> bool:
     """Tell whether the symbol of a slide is about a place."""
-    return abs(sum(block.points) / len(block.points) - spot) <= NEAR
-
-
-NEAR = 0.02  # mm: less than a twentieth of the thinnest line
+    return abs(sum(block.points) / len(block.points) - spot) <= FINE
 
 
 def corners_of(mechanism: Mechanism, link: int, on_paper: Placed, blocks: Blocks) -> Iterator[Corner]:
@@ -93,5 +91,5 @@ def _rod(mechanism: Mechanism, slide: Slide, on_paper: Placed) -> tuple[complex,
 def _ends(lines: Sequence[tuple[complex, complex]], spot: complex) -> Iterator[complex]:
     """Give the ends of the lines that go through a place, or whose line does."""
     for start, end in lines:
-        if abs(((spot - start) * (end - start).conjugate()).imag) <= NEAR * abs(end - start):
+        if abs(((spot - start) * (end - start).conjugate()).imag) <= FINE * abs(end - start):
             yield from (start, end)

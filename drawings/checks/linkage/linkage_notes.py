@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.precise import ALL_DIGITS, rounded, tells
+from drawings.checks.precise import ALL_DIGITS, KNOWN, rounded, tells
 from drawings.checks.reading import NOTES, notes
 from drawings.checks.wrong import within
 from drawings.lettering.words import fixed, number, runs, word
@@ -25,7 +25,6 @@ from plans.words.words import Message
 
 DIGITS = (0, 4)  # of the numbers of notes: fixed decimals, or four digits
 MOST = 16  # lengths that a sheet tells
-ROUNDED = 1e-9  # share of a number that both roads differ by at the most, beside what extremes are allowed
 
 
 def faults(leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Iterator[Message]:
@@ -53,7 +52,7 @@ def begun(seen: list[str], due: list[str], digits: Collection[int]) -> int | Non
     """Give where a sentence begins among words, each of its numbers rounded; None where it is not said."""
     true, length = " ".join(due), len(due)
     starts = (k for k, one in enumerate(seen) if one == due[0])
-    return next((k for k in starts if tells(" ".join(seen[k : k + length]), true, digits, ROUNDED)), None)
+    return next((k for k in starts if tells(" ".join(seen[k : k + length]), true, digits, KNOWN)), None)
 
 
 class _Due(NamedTuple):

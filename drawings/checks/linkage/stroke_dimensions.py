@@ -20,6 +20,7 @@ from plans.model.mechanism import FRAME, Output, Slide
 from plans.model.order import POSITIONS
 from plans.words.words import Message
 
+PAST = 2.0  # mm that an extension line goes past the line of its dimension
 ABOVE = 2.0  # sizes of its letters that a number stands off its line at the most
 
 
@@ -37,7 +38,9 @@ class DueStroke(NamedTuple):
         square = all(abs(((one.end - one.start) * along.conjugate()).real) <= EXACT for one in extensions)
         size = abs(self.ends[1] - self.ends[0])
         right = text.plain == self.text and abs(feet[0]) <= EXACT and abs(feet[1] - size) <= EXACT
-        return right and level and square and self._lined(text, line, heads, along)
+        over = (abs(((one.end - line.start) * along.conjugate()).imag) - PAST for one in extensions)
+        past = all(abs(one) <= EXACT for one in over)
+        return right and level and square and past and self._lined(text, line, heads, along)
 
     def _lined(self, text: Text, line: Line, heads: Sequence[Fill], along: complex) -> bool:
         """Tell whether the line goes from foot to foot, its number on it, and both heads point at the feet."""
@@ -49,7 +52,9 @@ class DueStroke(NamedTuple):
         pointed = len(tips) == 2 and all(
             abs(tip - complex(foot, own[0].imag)) <= EXACT for (tip, _), foot in zip(tips, (0.0, size), strict=True)
         )
-        return reaches and above and pointed and abs(tips[0][1] + tips[1][1]) <= EXACT
+        within = pointed and tips[0][1] < 0 and 0.0 <= own[2].real <= size  # arrows and number between the feet
+        whole = not within or (low >= -EXACT and high <= size + EXACT)
+        return reaches and above and pointed and whole and abs(tips[0][1] + tips[1][1]) <= EXACT
 
 
 def faults(leaf: Leaf, laid: LaidMechanism, road: Analysis, others: bool = True) -> Iterator[Message]:

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from drawings.checks.precise import ALL_DIGITS, tells
+from drawings.checks.precise import ALL_DIGITS, KNOWN, tells
 from drawings.lettering.words import number
 from drawings.lettering.words import word as lettered
 from plans.linkage.study import LinkageStudy
 from plans.words.words import word
-
-ROUNDED = 1e-9  # share of an angle that arithmetic moves it by
 
 
 def head_of(study: LinkageStudy, k: int, digits: int = ALL_DIGITS) -> str:
@@ -28,7 +26,7 @@ def split(lines: Sequence[str], heads: Sequence[str]) -> tuple[list[str], list[l
     before, at = list[str](), 0
     current = before
     for line in lines:
-        found = next((k for k in range(at, len(heads)) if tells(line, heads[k], (0, 4), ROUNDED)), None)
+        found = next((k for k in range(at, len(heads)) if tells(line, heads[k], (0, 4), KNOWN)), None)
         if found is None:
             current.append(line)
         else:

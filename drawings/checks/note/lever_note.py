@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.checks.forces.scheme_forces import Floor
+from drawings.checks.note.lines import cells
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong
 from drawings.report.formula import DIGITS, Formula
@@ -126,4 +127,4 @@ class LeverNote:
 
 
 def _cells(line: str) -> list[str]:
-    return [cell.strip().strip("$") for cell in line.strip().strip("|").split("|")]
+    return [cell.strip("$") for cell in cells(line)]

@@ -23,6 +23,7 @@ from drawings.checks.wrong import Wrong
 from drawings.lettering.words import decimal, number
 from drawings.paper.limits import MANY
 from drawings.report.markdown import header
+from plans.analytic.extremes import EQUAL
 from plans.checks.compare import MotionComparison, notches
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
@@ -38,7 +39,6 @@ if TYPE_CHECKING:
 
 # What is said of a meeting whose kappa is so large, the largest first.
 GRADES = ((600.0, "not_graded"), (60.0, "warning"), (10.0, "note"))
-EQUAL = 1e-7  # rad: strokes whose angles differ by less are equal in any machine
 
 
 def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Wrong]:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.checks.linkage.value_rows import is_something
-from drawings.checks.note.lines import part
+from drawings.checks.note.lines import cells, part
 from drawings.checks.reading import reads
 from drawings.lettering.words import fixed
 from drawings.lettering.words import word as lettered
@@ -104,11 +104,6 @@ class MotionTables(NamedTuple):
             len(own) == len(parts) and any(_tells(own, [true + turn for true in parts], slack) for turn in turns)
             for own in roads
         )
-
-
-def cells(line: str) -> list[str]:
-    """Give the cells of a row of a table."""
-    return [cell.strip() for cell in line.strip().strip("|").split("|")]
 
 
 def _tells(texts: Sequence[str], parts: Sequence[float], slack: float) -> bool:

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from drawings.checks.precise import rounded, tells
+from drawings.checks.precise import KNOWN, rounded, tells
 from drawings.checks.wrong import Wrong
 from plans.words.words import message
 
 DIGITS = (0, 4, 5, 10)  # of the numbers of a report: fixed decimals, or so many digits
-ROUNDED = 1e-9  # share of a number that both roads differ by at the most
 
 
 def is_line(line: str, due: str) -> bool:
     """Tell whether a line says what is due, whose numbers have all digits."""
-    return tells(_plain(line), _plain(due), DIGITS, ROUNDED)
+    return tells(_plain(line), _plain(due), DIGITS, KNOWN)
 
 
 def lines(texts: Iterable[str]) -> list[str]:

@@ -7,6 +7,7 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from drawings.checks.documents import chapters
+from drawings.checks.note.lines import in_report, parts
 from drawings.checks.precise import precise
 from drawings.checks.reading import NOTES
 from drawings.checks.rotor.rotor_sentences import GRAM_MILLIMETRES, IN_REPORT, RotorSentences, tells
@@ -51,16 +52,13 @@ def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Ite
 
 def _part(text: str, key: str, drafting: Drafting) -> list[str]:
     """Give the lines of a chapter up to the next head of any kind; a balanced machine's of the same head is before."""
-    head = word(drafting.language, f"report.{key}").strip().partition("\n")[0]
-    _, found, rest = f"\n{text}".rpartition(f"\n{head}\n")
-    lines = [line for line in rest.splitlines() if line.strip()] if found else []
-    return lines[: next((k for k, line in enumerate(lines) if line.startswith("#")), len(lines))]
+    return [[], *parts(text, word(drafting.language, f"report.{key}"))][-1]
 
 
 def headline(study: Study) -> Callable[[str], bool] | None:
     """Give what tells whether a line says the counterweights of a rotor; nothing where rounding decides."""
     own = RotorSentences(study["rotor"].rotor, study.comparison("rotor").analysis, drafting_of(study.scene))
-    due = "; ".join(map(_plain, own.counterweights()))
+    due = "; ".join(map(in_report, own.counterweights()))
     return (lambda line: tells(line, due, IN_REPORT)) if own.settled else None
 
 
@@ -108,11 +106,6 @@ def _drawn(leaves: Sequence[Leaf]) -> Iterator[tuple[str, complex]]:
 def _held(seen: Sequence[str], due: Sequence[str], digits: int = IN_REPORT) -> Iterator[Wrong]:
     """Hold lines one for one."""
     for line, true in zip_longest(seen, due, fillvalue=""):
-        plain = _plain(true)
+        plain = in_report(true)
         if not tells(" ".join(line.removeprefix("- ").split()), plain, digits):
             yield message("wrong.told", text=line) if line else within("missing_from", NOTES, name=plain)
-
-
-def _plain(note: str) -> str:
-    """Write a note without the braces of its indices."""
-    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -90,7 +90,7 @@ def _candidates(
                 continue
             drawn = _drawn(plan, cluster, *written, here)
             if len(drawn.arrows) >= max(LEAST, len(plan.vectors) / 2):  # a scheme has some of the letters too
-                yield Likeness(there != here, len(drawn.lacking), misfit(drawn)), k, drawn
+                yield Likeness(there != here, False, len(drawn.lacking), misfit(drawn)), k, drawn
 
 
 def _drawn(

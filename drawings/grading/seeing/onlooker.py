@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from drawings.eye.ink import Ink, length
-from drawings.eye.observer import Observer, _Open
+from drawings.eye.observer import Observer, Opened
 from drawings.eye.typeset import EM
 from drawings.grading.seeing.page_units import boxed_in, stated
 from drawings.lettering.lettering import lacking, text_width
@@ -51,13 +51,13 @@ class Onlooker(Observer):
             placed = {name: one.attributes[name] for name in ("x", "y") if name in one.attributes}
             self.open[-1].attributes = {**placed, **self.open[-1].attributes}
 
-    def _add(self, outer: _Open, strokes: tuple[Stroke, ...], seen: Ink) -> None:
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
         if self.open and (heads := _heads(self.open[-1].attributes)):
             self.heads |= {id(part): heads for part in flat(strokes)}
         super()._add(outer, strokes, seen)
 
 
-def _begun(one: _Open) -> Mapping[str, str]:
+def _begun(one: Opened) -> Mapping[str, str]:
     """Give the attributes of a text as if it were set from its beginning, wherever it is anchored."""
     share, plain = SHARES.get(one.frame.look.text_anchor, 0.0), "".join(one.heard).strip()
     if not share or lacking(plain):

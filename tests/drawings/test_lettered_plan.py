@@ -1,0 +1,43 @@
+"""Plans without data whose letters crowd: a part too short to see shares a place, a heading is the nearest figure's."""
+
+from __future__ import annotations
+
+from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.lettered_plan import figure_of, lettered_plans
+from drawings.grading.segments import Segment
+from drawings.paper.strokes import Text
+
+SPOTS = {"π": 0j, "a": 60 + 0j, "n_BA": 60 + 0.6j, "b": 30 + 40j}  # mm from the pole: n_BA is hardly off a
+PAIRS = [("π", "a"), ("a", "n_BA"), ("n_BA", "b"), ("π", "b")]
+
+
+def plan(position: int, turn: complex = 1 + 0j) -> PlanAsked:
+    own = tuple(Asked(f"a_{end}", start, end, (SPOTS[end] - SPOTS[start]) * turn, None) for start, end in PAIRS)
+    return PlanAsked("accelerations", position, "sheet", "m/s2", own, {"accelerations": 1.0}, symbol="a")
+
+
+def drawn(one: PlanAsked, at: complex) -> tuple[list[Segment], list[Text]]:
+    """Draw a plan at 1 (m/s2)/mm, each letter a little beside its place."""
+    turn = one.vectors[0].true / SPOTS["a"]
+    lines = [Segment(at + SPOTS[start] * turn, at + SPOTS[end] * turn, True) for start, end in PAIRS]
+    return lines, [Text(at + spot * turn + 1 + 1j, letter, 3.5) for letter, spot in SPOTS.items()]
+
+
+def read(*own: tuple[list[Segment], list[Text]], headings: tuple[Text, ...] = ()) -> list[DrawnPlan]:
+    words = [text for _, texts in own for text in texts]
+    return list(lettered_plans([plan(2), plan(8, -1j)], [figure_of(lines) for lines, _ in own], [*words, *headings]))
+
+
+def test_a_part_too_short_for_a_place_of_its_own_shares_that_of_another() -> None:
+    (found,) = read(drawn(plan(2), 100 + 100j))
+    assert found.asked.position == 2
+    assert found.lacking == []
+    assert all(abs(found.arrows[one.letters].vector - one.true) < 1e-9 for one in found.asked.vectors)
+
+
+def test_a_figure_that_is_nearer_to_the_heading_of_another_is_still_told() -> None:
+    """Both figures have the one heading nearest; it is of that which it fits, and the other is the plan left over."""
+    both = drawn(plan(2), 100 + 100j), drawn(plan(8, -1j), 100 + 0j)
+    found = read(*both, headings=(Text(110 + 70j, "position 8", 5.0),))
+    assert {one.asked.position: one.places["π"] for one in found} == {2: 100 + 100j, 8: 100 + 0j}
