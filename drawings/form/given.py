@@ -16,8 +16,9 @@ from plans.techniques import TECHNIQUES
 NUMERAL = re.compile(r"\d+(?:[.,]\d+)?")
 TOLD = 3  # digits: a number of fewer counts or names something, and tells no value
 SKETCH = "sketch"  # where points lie about is what the plan of positions has to find
-# Degrees, or mm of a plate, by which the rows of a table count, though no scene gives them.
-STEPS: Final = frozenset(2.5 * step for step in range(145))
+# Degrees of two turns, or mm of a plate, by which the rows of a table count, though no scene gives them.
+TURN = "360"  # positions that a turn is looked through in, as heads of tables say
+STEPS: Final = frozenset(2.5 * step for step in range(289))
 # What a number of a scene is written in: its own unit, a thousandth or a thousand of it; degrees; turns a minute.
 UNITS: Final = tuple(
     power * turn for power in (1.0, 1e3, 1e-3) for turn in (1.0, math.pi / 180, 180 / math.pi, math.pi / 30)
@@ -36,6 +37,8 @@ class Given(NamedTuple):
         (True, False)
         >>> Given(()).says("215"), Given(()).says("φ = 215°"), Given(()).says("R = 215 N")
         (True, True, False)
+        >>> Given(()).says("Largest of 360 positions")
+        True
         """
         return all(self._knows(one[0]) or _counts(one) for one in NUMERAL.finditer(text))
 
@@ -51,7 +54,7 @@ def _counts(numeral: re.Match[str]) -> bool:
     """Tell whether a number is by what the rows of a table count: the name of a row alone, or degrees."""
     alone = numeral[0] == numeral.string.strip()
     degrees = numeral.string[numeral.end() :].lstrip().startswith("°")
-    return (alone or degrees) and float(numeral[0].replace(",", ".")) in STEPS
+    return numeral[0] == TURN or ((alone or degrees) and float(numeral[0].replace(",", ".")) in STEPS)
 
 
 def given(scene: Scene) -> Given:

@@ -33,6 +33,7 @@ from plans.study import Study
 from tests.drawings.conftest import Run
 from tests.gallery import GALLERY, SCENES
 from tests.parts import first
+from tests.rows import over
 
 IN_TURN = sorted(SCENES, key=lambda path: path.stem != "crank-rocker")  # the first every day, all with --whole
 ROUNDED = range(3, 8)  # digits that a result may be written with
@@ -144,6 +145,14 @@ def test_a_form_has_places_poles_and_the_heads_of_its_tables() -> None:
 
 def planted(leaf: Leaf, *strokes: Any) -> bytes:
     return blank_file(replace(leaf, groups=(*leaf.groups, Group(strokes))))
+
+
+@pytest.mark.rest
+@over("path", IN_TURN)
+def test_a_form_has_nothing_of_its_answer(path: Path) -> None:
+    study, leaves = form(path)
+    for leaf in leaves:
+        see_blank(blank_file(leaf), study)
 
 
 def test_a_form_with_anything_of_its_answer_is_withheld() -> None:
