@@ -14,7 +14,7 @@ LENGTHS = "l"  # what a scale of lengths is lettered
 METRE = 1000.0  # mm
 _STATED = re.compile(
     r"(?<![^\W\d_])(?P<kind>μ|mu|K|К)[_\s]?[{(]?(?P<letter>[^\s=:≈{}()]{1,6}?)[})]?\s*[=:≈]\s*"
-    rf"{NUMBER}(?=(?P<rest>[^;=,]*))"
+    rf"{NUMBER}(?:\s*/\s*(?P<under>\d+(?:[.,]\d+)?))?(?=(?P<rest>[^;=,]*))"
 )
 _RATIO = re.compile(r"\(?(?:M|М|[Ss]cale|[Мм]асштаб)?\s*(\d+(?:[.,]\d+)?)\s*:\s*(\d+(?:[.,]\d+)?)\)?")
 
@@ -40,8 +40,9 @@ def scales_of(text: Text, letter: str, unit: str) -> Iterator[float]:
     """
     plain = plainly(levelled(text))
     for found in _STATED.finditer(plain):
-        if folded(found["letter"]) == folded(letter) and (value := value_of(found)[0]):
-            mu = value * _worth(found["rest"], unit, found["kind"] in "KК")
+        under = float((found["under"] or "1").replace(",", "."))
+        if folded(found["letter"]) == folded(letter) and (value := value_of(found)[0]) and under:
+            mu = value / under * _worth(found["rest"], unit, found["kind"] in "KК")
             yield 1 / mu if found["kind"] in "KК" else mu
     if letter == LENGTHS and (ratio := _RATIO.fullmatch(plain)):
         paper, true = (float(one.replace(",", ".")) for one in ratio.groups())
@@ -55,12 +56,22 @@ def _worth(rest: str, unit: str, inverse: bool) -> float:
     A unit of another quantity is taken as it is: it is the number that tells a plan by its scale.
     """
     words = re.split(r"\(\d", rest)[0].split()
-    due, mm = (f"mm/({unit})", METRE) if inverse else (f"({unit})/mm", 1 / METRE)
     for count in range(len(words), 0, -1):
-        own = " ".join(words[:count])
-        times = in_unit(own, due) if unit else None
-        if times is None and (worth := in_system(own)) is not None:
-            times = worth * mm
+        times = _times(" ".join(words[:count]), unit, inverse)
         if times is not None:
             return times
     return 1.0
+
+
+def _times(own: str, unit: str, inverse: bool) -> float | None:
+    """Give what a unit is worth in that which is due, or in that of the system where none is known.
+
+    Where it has no mm in it, it is of what one mm shows.
+    """
+    if unit:
+        told = in_unit(own, f"mm/({unit})" if inverse else f"({unit})/mm")
+        return in_unit(own, unit) if told is None and not inverse else told
+    worth = in_system(own)
+    if worth is None or not re.search("mm|мм", own):
+        return worth
+    return worth * METRE if inverse else worth / METRE
