@@ -25,15 +25,11 @@ from drawings.commands.check import lines, plain
 from drawings.files.json_text import json_text
 from drawings.grading import told
 from drawings.grading.allowance import EXACT, Allowances
-from drawings.grading.asked import PlanAsked, plans_asked
-from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.cells.own_tables import tables_asked
-from drawings.grading.curves.asked_figure import FigureAsked
-from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import MARKED, grade
 from drawings.grading.hints import hints
 from drawings.grading.marking import Marking
+from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.original.originals import Originals
 from drawings.original.sheet_check import check
 from tests.forgeries.chance_edits import CHANGES, HANDED_IN
@@ -69,23 +65,17 @@ def tried(own: Originals, name: str, source: bytes, folder: Path) -> str:
 
 
 @cache
-def asked(own: Originals) -> tuple[tuple[PlanAsked, ...], tuple[FigureAsked, ...], tuple[TableAsked, ...]]:
-    """Give the plans, the curves and the tables that a scene asks for, found once."""
-    return plans_asked(own), figures_asked(own), tables_asked(own)
-
-
-def sheets_asked(own: Originals) -> set[str]:
-    """Give the sheets of a scene on which anything is graded."""
-    plans, curves, tables = asked(own)
-    return {one.sheet for one in (*plans, *curves)} | {sheet for one in tables for sheet in one.sheets}
+def asked(own: Originals) -> SheetTask:
+    """Give what the sheets of a scene ask for, found once."""
+    return sheet_task(own)
 
 
 def handed_in(own: Originals, name: str, source: bytes, _: Path) -> str:
     """Grade one sheet, and tell of it in every form; give how it ended."""
-    plans, curves, tables = asked(own)
-    steps = {key: one for plan in plans for key, one in hints(plan)}
+    task = asked(own)
+    steps = {key: one for plan in task.plans for key, one in hints(plan)}
     for by in (Allowances(), Allowances(EXACT)):
-        graded = grade(source, plans, by, curves, tables)
+        graded = grade(source, task, by)
     for language in ("en", "ru"):
         json_text(told.plain(Path(name), graded, Marking(), language))
         list(told.lines(Path(name), graded, Marking(), steps, language))
@@ -108,7 +98,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     ends, bugs, longest = Counter[str](), 0, 0.0
     own = trials(wanted.scene or SCENES, wanted.seed)
     if wanted.grade:
-        own = [one for one in own if one[1] in sheets_asked(one[0])]
+        own = [one for one in own if one[1] in asked(one[0]).sheets]
     until = time.monotonic() + wanted.seconds
     with TemporaryDirectory() as folder:
         for number in range(wanted.sheets):

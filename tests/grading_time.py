@@ -15,9 +15,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import plans_asked
 from drawings.grading.graded import grade
 from drawings.grading.roll import grade_all
+from drawings.grading.sheet_task import sheet_task
 from drawings.original.originals import Originals
 from tests.drawings.test_grading import bare
 from tests.gallery import GALLERY
@@ -42,11 +42,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--scene", default="shaper", help="of the gallery")
     wanted = parser.parse_args(arguments)
     own = Originals(GALLERY / f"{wanted.scene}.toml")
-    plans = plans_asked(own)
+    task = sheet_task(own)
     with TemporaryDirectory() as folder:
         paths = class_of(own, wanted.sheets, Path(folder))
         began, ends = time.monotonic(), Counter[str]()
-        for _, graded in grade_all(paths, partial(grade, plans=plans, by=Allowances())):
+        for _, graded in grade_all(paths, partial(grade, task=task, by=Allowances())):
             ends[graded.outcome] += 1
         spent, work = time.monotonic() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
     print(f"{wanted.sheets} sheets: {dict(sorted(ends.items()))}")

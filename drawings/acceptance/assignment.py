@@ -9,14 +9,10 @@ from typing import TypeAlias
 
 from drawings.acceptance.reading import AcceptanceError, OnPaper, alone, held
 from drawings.grading.allowance import Allowance, Allowances
-from drawings.grading.asked import PlanAsked, plans_asked
-from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.cells.own_tables import tables_asked
-from drawings.grading.curves.asked_figure import FigureAsked
-from drawings.grading.curves.figure_records import figures_asked
 from drawings.grading.graded import PASS, Graded, grade
 from drawings.grading.hints import hints
 from drawings.grading.own_sheets import grade_own
+from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import Hints
 from drawings.grading.tolerance_text import allowance
 from drawings.original.originals import Originals
@@ -39,24 +35,14 @@ class Assignment:
         return self.originals.language
 
     @cached_property
-    def plans(self) -> tuple[PlanAsked, ...]:
-        """The plans that the sheets ask for."""
-        return plans_asked(self.originals)
-
-    @cached_property
-    def curves(self) -> tuple[FigureAsked, ...]:
-        """The curves that the sheets ask for."""
-        return figures_asked(self.originals)
-
-    @cached_property
-    def tables(self) -> tuple[TableAsked, ...]:
-        """The tables that the sheets ask for."""
-        return tables_asked(self.originals)
+    def task(self) -> SheetTask:
+        """What the sheets ask for."""
+        return sheet_task(self.originals)
 
     @cached_property
     def hints(self) -> Hints:
         """The steps by which each quantity is found, by its name."""
-        return {name: own for plan in self.plans for name, own in hints(plan)}
+        return {name: own for plan in self.task.plans for name, own in hints(plan)}
 
     def graded(self, path: Path, tolerance: str) -> Graded:
         """Grade a sheet; one that cannot be read is rejected with the reason."""
@@ -64,7 +50,7 @@ class Assignment:
         if by is None:
             raise AcceptanceError(message("accept.tolerance", tolerance=tolerance))
         self._try_own(by)
-        return alone(path, partial(grade, plans=self.plans, by=Allowances(by), curves=self.curves, tables=self.tables))
+        return alone(path, partial(grade, task=self.task, by=Allowances(by)))
 
     def held(self, path: Path) -> OnPaper | Graded:
         """Hold a sheet against the one that the scene gives; one that cannot be read is rejected."""
@@ -73,10 +59,10 @@ class Assignment:
 
     def _try_own(self, by: Allowance) -> None:
         """Grade the scene's own sheets first: nobody is answered by what they do not pass."""
-        if not self.plans and not self.curves and not self.tables:
+        if not self.task.sheets:
             raise AcceptanceError(message("accept.ungraded", scene=self.originals.path.name))
         if by not in self._sound:
-            if grade_own(self.originals, self.plans, Allowances(by), self.curves, self.tables).outcome != PASS:
+            if grade_own(self.originals, self.task, Allowances(by)).outcome != PASS:
                 raise AcceptanceError(message("grade.self"))
             self._sound.add(by)
 

@@ -16,9 +16,8 @@ from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
 from drawings.files.json_text import print_json
 from drawings.grading.allowance import Allowances
-from drawings.grading.asked import plans_asked, ungraded
-from drawings.grading.cells.own_tables import tables_asked
-from drawings.grading.curves.figure_records import FIGURES, figures_asked
+from drawings.grading.asked import ungraded
+from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.hints import curve_hints, hints
@@ -27,6 +26,7 @@ from drawings.grading.marking import Marking, MarkingError, read_marking
 from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
 from drawings.grading.roll import grade_all
+from drawings.grading.sheet_task import sheet_task
 from drawings.grading.told import HEAD, Hints, lines, plain, plain_name, row
 from drawings.grading.tolerance_text import allowance, written
 from drawings.original.originals import Originals
@@ -43,22 +43,21 @@ def run(options: argparse.Namespace) -> int:
     marking = read_marking(options.marks) if options.marks else Marking()
     by = _allowances(options, marking)
     originals = Originals(options.scene)
-    plans = plans_asked(originals)
+    task = sheet_task(originals)
     language = options.language or originals.language
-    curves, tables = figures_asked(originals), tables_asked(originals)
     for kind in ungraded(originals, {**RECORDS, **FIGURES}):
         tell(word(language, "grade.ungraded", kind=kind))
-    if not plans and not curves and not tables:
+    if not task.sheets:
         tell(word(language, "accept.ungraded", scene=plain_name(options.scene)))
         return CODES[REJECTED]
-    if idle := idle_keys(marking, plans, curves, tables):
+    if idle := idle_keys(marking, task):
         tell(word(language, "grade.marks.idle", file=options.marks, names=idle))
-    own = grade_own(originals, plans, by, curves, tables)
+    own = grade_own(originals, task, by)
     if own.outcome != PASS:
         tell(word(language, "grade.self"))
         return CODES[OURS]
-    graded = list(grade_all(options.sheets, partial(grade, plans=plans, by=by, curves=curves, tables=tables)))
-    steps = dict(curve_hints(curves)) | {name: own for plan in plans for name, own in hints(plan)}
+    graded = list(grade_all(options.sheets, partial(grade, task=task, by=by)))
+    steps = dict(curve_hints(task.curves)) | {name: own for plan in task.plans for name, own in hints(plan)}
     _print(options, graded, steps, marking, language)
     if options.output:
         write_feedback(options.output, graded, steps, language)

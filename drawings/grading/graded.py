@@ -6,15 +6,13 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
-from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
@@ -37,6 +35,9 @@ from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
 from plans.words.words import Message, message
+
+if TYPE_CHECKING:
+    from drawings.grading.sheet_task import SheetTask
 
 PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
 PART = "incomplete"  # nothing is wrong, and something that is due is not read
@@ -66,15 +67,6 @@ class Graded(NamedTuple):
         return tuple(one for one in self.verdicts if one.kind in verdict.UNSEEN)
 
 
-class _Task(NamedTuple):
-    """What is asked for: plans, curves and tables, and what is allowed."""
-
-    plans: Sequence[PlanAsked]
-    curves: Sequence[FigureAsked]
-    tables: Sequence[TableAsked]
-    by: Allowances
-
-
 class _Found(NamedTuple):
     """What of that is found on a sheet."""
 
@@ -96,18 +88,12 @@ class _Found(NamedTuple):
         return (*dict.fromkeys(cells), *(plan_named(one.asked.plan) for one in own))
 
 
-def grade(
-    source: bytes,
-    plans: Sequence[PlanAsked],
-    by: Allowances,
-    curves: Sequence[FigureAsked] = (),
-    tables: Sequence[TableAsked] = (),
-) -> Graded:
+def grade(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     """Grade one sheet; what cannot be read is rejected with the reason."""
-    return _graded(source, _Task(plans, curves, tables, by))._replace(digest=sha256(source).hexdigest())
+    return _graded(source, task, by)._replace(digest=sha256(source).hexdigest())
 
 
-def _graded(source: bytes, task: _Task) -> Graded:
+def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     try:
         seen, onlooker = _seen(source)
     except SheetRefused as refused:
@@ -123,7 +109,7 @@ def _graded(source: bytes, task: _Task) -> Graded:
         return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
     if found.unread:
         return Graded(REJECTED, reason=message("grade.unread", names=", ".join(found.unread)))
-    said = tuple(_verdicts(seen, found, task))
+    said = tuple(_verdicts(seen, found, task, by))
     if not all(math.isfinite(one.off or 0.0) for one in said):
         return Graded(REJECTED, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
@@ -146,9 +132,9 @@ def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
     return seen._replace(leaf=legible(seen.leaf)), onlooker
 
 
-def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
+def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
     """Judge all that is found on a sheet; what its sheet of the task asks for beside is missing."""
-    yield from once(tuple(_judged(seen, found.plans, task.by)))
+    yield from once(tuple(_judged(seen, found.plans, by)))
     sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, seen)
     there = {plan.asked.place for plan in found.plans}
     told = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
@@ -156,12 +142,12 @@ def _verdicts(seen: SeenSheet, found: _Found, task: _Task) -> Iterator[Verdict]:
         if plan.sheet in sheets and (told or plan.lettered) and plan.place not in there:
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
-    allowed = partial(allowed_of, by=task.by, coarse=seen.measured.quantum)
+    allowed = partial(allowed_of, by=by, coarse=seen.measured.quantum)
     vectors, empty = dict(_vectors(found.plans)), empty_axes(seen) if task.curves else frozenset()
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
     own = [one for figures in found.figures.values() for one in figures]
     shown = Shown(found.plans, own, sheets)
-    yield from table_verdicts(found.tables, task.tables, shown, task.by, seen)
+    yield from table_verdicts(found.tables, task.tables, shown, by, seen)
 
 
 def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:

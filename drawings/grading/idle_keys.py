@@ -8,16 +8,15 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.curves.asked_figure import FigureAsked
 from drawings.grading.marking import OTHERS, Marking, keys_of
+from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import RIGHT, Verdict
 
 
-def idle_keys(
-    marking: Marking, plans: Sequence[PlanAsked], curves: Sequence[FigureAsked], tables: Sequence[TableAsked]
-) -> tuple[str, ...]:
+def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
     """Give the keys of points and of tolerances that are of no quantity of a task, as their tables have them."""
-    drawn, cells = list(_drawn(plans, curves)), list(_cells(tables))
+    drawn, cells = list(_drawn(task.plans, task.curves)), list(_cells(task.tables))
     points = {key for one in (*drawn, *cells) for key in keys_of(one)} | {OTHERS}
-    read = {key for table in tables for cell in table.cells.values() for key in _names(cell.quantity)}
+    read = {key for table in task.tables for cell in table.cells.values() for key in _names(cell.quantity)}
     slips = {key for one in drawn for key in _names(one.name)} | read
     idle = [f"points.{key}" for key in marking.points if key not in points]
     return (*idle, *(f"tolerance.{key}" for key in marking.tolerance if key not in slips))

@@ -25,6 +25,7 @@ from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.marking import Marking
+from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import lines
 from drawings.original.originals import Originals
 from drawings.paper.strokes import Circle, Leaf
@@ -43,7 +44,7 @@ DAILY = [next(row for row in MISTAKES if row["scene"] == scene) for scene in ("s
 
 
 def said(own: CurveTask, source: bytes) -> list[str]:
-    wrong = grade(source, (), HAND, own.figures).wrong
+    wrong = grade(source, SheetTask(curves=own.figures), HAND).wrong
     out = [(one.off, one.allowed) for one in wrong if one.kind == "wrong" and one.off and one.allowed]
     assert all(off > allowed for off, allowed in out)
     return sorted(" ".join(filter(None, (one.plan, one.name, one.kind))) for one in wrong)
@@ -57,7 +58,7 @@ def ours_are_right(own: CurveTask) -> None:
     for sheet in own.originals.sheets:
         due = [one for one in own.figures if one.sheet == sheet.name]
         for by in (HAND, Allowances(EXACT), SHARE) if due else ():
-            graded = grade(own.originals.drawn(sheet), (), by, own.figures)
+            graded = grade(own.originals.drawn(sheet), SheetTask(curves=own.figures), by)
             assert (graded.outcome, graded.wrong) == (PASS, ()), sheet.name
             assert len(graded.verdicts) == sum(len(one.items) for one in due)
 
@@ -144,7 +145,7 @@ def test_a_graph_on_the_axes_of_a_form_is_read() -> None:
     due = dict.fromkeys(("travel", "velocity", "acceleration"), 1.0)
     assert said(own, on_form(own, {**due, "acceleration": -1.0})) == ["diagrams-acceleration opposite"]
     assert said(own, on_form(own, due, scaled=False)) == [f"diagrams-{key} unscaled" for key in sorted(due)]
-    lost = grade(on_form(own, {"travel": 1.0}), (), HAND, own.figures).wrong
+    lost = grade(on_form(own, {"travel": 1.0}), SheetTask(curves=own.figures), HAND).wrong
     assert {one.kind for one in lost} == {"missing"}
 
 
@@ -249,7 +250,7 @@ def test_curves_without_marks_and_axes_are_not_read() -> None:
     own = curve_task("slider-crank")
     text = own.originals.drawn(own.originals.sheets[0]).decode()
     bare = re.sub(r"<metadata.*?</metadata>", "", re.sub(r' data-(?!text)[a-z]+="[^"]*"', "", text), flags=re.DOTALL)
-    graded = grade(bare.encode(), (), HAND, own.figures)
+    graded = grade(bare.encode(), SheetTask(curves=own.figures), HAND)
     assert graded.outcome == REJECTED
     assert graded.reason is not None and "plandraft form" in str(graded.reason)
 
@@ -269,7 +270,7 @@ def test_a_compensator_follows_the_force_that_the_polygon_was_drawn_with() -> No
 def test_what_follows_is_told_by_its_name_alone() -> None:
     own = curve_task("slider-crank")
     row = next(row for row in MISTAKES if row["scene"] == "slider-crank" and row["how"] == "times")
-    graded = grade(made(own, row), (), HAND, own.figures)
+    graded = grade(made(own, row), SheetTask(curves=own.figures), HAND)
     told = list(lines(Path("ann.svg"), graded, Marking(), {}, "en"))
     assert "v_1, v_2" in told[-1]
     assert "None" not in " ".join(told)

@@ -7,6 +7,7 @@ import pytest
 from drawings.grading.allowance import Allowances
 from drawings.grading.form_places import FormPlace, form_places, place_of
 from drawings.grading.graded import grade
+from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Text
 from tests.drawings.form_students import form_leaf, on_form
 from tests.drawings.students import task
@@ -19,7 +20,7 @@ def test_a_plan_on_a_form_is_the_one_that_its_pole_is_for() -> None:
     """Each of the two plans stands nearer to the heading of the other, which is over the next place below."""
     own = task("shaper")
     plans = [plan for plan in own.plans if plan.plan == "accelerations"]
-    graded = grade(on_form(form_leaf("shaper"), plans, SCALE), own.plans, Allowances())
+    graded = grade(on_form(form_leaf("shaper"), plans, SCALE), SheetTask(own.plans), Allowances())
     said = {(one.position, one.kind) for one in graded.verdicts if one.plan == "accelerations"}
     assert said == {(2, "right"), (9, "right")}
 

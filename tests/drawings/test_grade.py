@@ -28,6 +28,7 @@ from drawings.grading.idle_keys import idle_keys
 from drawings.grading.lettered_plan import own_headings
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
 from drawings.grading.records import RECORDS
+from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import gathered, row
 from drawings.grading.verdict import OF_QUANTITIES, Verdict
 from drawings.paper.strokes import Text
@@ -68,7 +69,7 @@ def test_a_class_is_graded_to_the_last_file(folder: Path, capsys: Capture) -> No
 
 def test_feedback_tells_no_value(folder: Path) -> None:
     own, path = task("shaper"), folder / "bob.svg"
-    graded = grade(path.read_bytes(), own.plans, Allowances())
+    graded = grade(path.read_bytes(), SheetTask(own.plans), Allowances())
     text = feedback(path, path.read_bytes(), graded, {}, "en").decode()
     picture = re.search(r"base64,([^\"]+)", text)
     assert picture is not None and base64.b64decode(picture[1]) == path.read_bytes()
@@ -135,8 +136,7 @@ def test_each_sheet_has_a_feedback_sheet_of_its_own(tmp_path: Path, capsys: Capt
 
 
 def test_a_scene_that_asks_for_nothing_says_so(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
-    for name in ("plans_asked", "figures_asked", "tables_asked"):
-        monkeypatch.setattr(commanded, name, lambda _: ())
+    monkeypatch.setattr(commanded, "sheet_task", lambda _: SheetTask())
     assert cli.main(["grade", str(GALLERY / "fan.toml"), "any.svg", "--language", "en"]) == 5
     assert "fan.toml: none of its sheets is graded" in capsys.readouterr().err
 
@@ -144,7 +144,7 @@ def test_a_scene_that_asks_for_nothing_says_so(monkeypatch: pytest.MonkeyPatch, 
 def test_points_are_those_of_the_table(tmp_path: Path, folder: Path) -> None:
     own, table = task("shaper"), tmp_path / "marks.toml"
     table.write_text('[points]\ndefault = 1\n"a^k" = 3\n[keeps]\ncoriolis = 0.5\n', encoding="utf-8")
-    graded = grade((folder / "bob.svg").read_bytes(), own.plans, Allowances())
+    graded = grade((folder / "bob.svg").read_bytes(), SheetTask(own.plans), Allowances())
     won, most = points_of(graded.verdicts, read_marking(table))
     assert most - won == 1.5
     assert most == points_of(graded.verdicts, Marking())[1] + 4  # two positions
@@ -199,13 +199,13 @@ def test_keys_that_change_nothing_are_told() -> None:
     own = task("shaper")
     good = Marking({"default": 1, "v": 2, "v_B": 1, "a^k": 1}, tolerance={"v_B": "1 mm"})
     idle = Marking({"v_Q": 1, "table": 1}, tolerance={"a^q": "1 mm"})
-    assert idle_keys(good, own.plans, (), ()) == ()
-    assert idle_keys(idle, own.plans, (), ()) == ("points.v_Q", "points.table", "tolerance.a^q")
+    assert idle_keys(good, SheetTask(own.plans)) == ()
+    assert idle_keys(idle, SheetTask(own.plans)) == ("points.v_Q", "points.table", "tolerance.a^q")
 
 
 def test_a_row_holds_no_formula(folder: Path) -> None:
     own = task("shaper")
-    graded = partial(grade, plans=own.plans, by=Allowances())((folder / "bob.svg").read_bytes())
+    graded = partial(grade, task=SheetTask(own.plans), by=Allowances())((folder / "bob.svg").read_bytes())
     text = io.StringIO()
     csv.writer(text).writerow(row(Path("=cmd()\x1b.svg"), graded, Marking(), "en"))
     assert text.getvalue().startswith("'=cmd()\N{REPLACEMENT CHARACTER}.svg,mistakes,")

@@ -10,6 +10,7 @@ import pytest
 from drawings.commands import cli
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import PASS, REJECTED, grade
+from drawings.grading.sheet_task import SheetTask
 from tests.drawings.students import Task, task
 from tests.drawings.test_grading import by_an_editor
 from tests.gallery import GALLERY
@@ -39,9 +40,9 @@ def test_arrows_that_go_both_ways_answer_nothing(own: Task, how: object) -> None
     source = by_an_editor(plan, plan.scales[plan.plan]).decode()
     path = re.search(r"<path style[^>]*>", source)
     assert path is not None and callable(how)
-    graded = grade(source.encode(), own.plans, HAND)
+    graded = grade(source.encode(), SheetTask(own.plans), HAND)
     assert graded.reason is None
-    graded = grade(source.replace(path[0], how(path[0])).encode(), own.plans, HAND)
+    graded = grade(source.replace(path[0], how(path[0])).encode(), SheetTask(own.plans), HAND)
     assert graded.outcome == REJECTED
     start, end = plan.vectors[0].letters
     assert f"arrows go both ways between the letters {start} {end}" in str(graded.reason)
@@ -59,7 +60,7 @@ def test_a_right_plan_that_is_hidden_counts_for_nothing(own: Task) -> None:
     start, end = text.index("<g "), text.rindex("</svg>")
     for how in ('style="display:none"', 'opacity="0"'):
         source = f"{text[:start]}<g {how}>{text[start:end]}</g>{text[end:]}".encode()
-        graded = grade(source, own.plans, HAND)
+        graded = grade(source, SheetTask(own.plans), HAND)
         assert graded.outcome == REJECTED, how
 
 
@@ -68,7 +69,7 @@ def test_a_fan_of_marks_of_one_name_is_rejected(own: Task) -> None:
     text = of(own)
     mark = re.search(r'<line [^>]*data-kind="vector"[^>]*/>', text)
     assert mark is not None
-    graded = grade(text.replace(mark[0], mark[0] * 1000).encode(), own.plans, HAND)
+    graded = grade(text.replace(mark[0], mark[0] * 1000).encode(), SheetTask(own.plans), HAND)
     assert (graded.outcome, "on the sheet twice" in str(graded.reason)) == (REJECTED, True)
 
 
@@ -79,7 +80,7 @@ def test_the_sheet_of_another_scene_is_told(own: Task, tmp_path: Path, capsys: p
     sheet.write_text(of(own), encoding="utf-8")
     assert cli.main(["grade", str(scene), str(sheet)]) == 0  # its numbers are the same
     assert "by their data of another scene" in capsys.readouterr().err
-    graded = grade(sheet.read_bytes(), own.plans, HAND)
+    graded = grade(sheet.read_bytes(), SheetTask(own.plans), HAND)
     assert graded.scene == own.originals.digest
 
 
@@ -94,10 +95,10 @@ def test_the_sheet_of_another_scene_is_told(own: Task, tmp_path: Path, capsys: p
     ],
 )
 def test_what_is_no_svg_is_told_what_it_is(own: Task, source: bytes, what: str) -> None:
-    graded = grade(source, own.plans, HAND)
+    graded = grade(source, SheetTask(own.plans), HAND)
     assert (graded.outcome, f"this is {what}, not an SVG sheet" in str(graded.reason)) == (REJECTED, True)
 
 
 def test_a_right_sheet_is_right(own: Task) -> None:
-    graded = grade(of(own).encode(), own.plans, HAND)
+    graded = grade(of(own).encode(), SheetTask(own.plans), HAND)
     assert graded.outcome == PASS

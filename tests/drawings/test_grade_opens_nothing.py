@@ -15,6 +15,7 @@ import pytest
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import PASS, REJECTED, Graded, grade
 from drawings.grading.roll import answered, grade_all
+from drawings.grading.sheet_task import SheetTask
 from tests.drawings.students import Task, drawn, task, true_places
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no process that knows what its parent knows")
@@ -52,7 +53,7 @@ def source(own: Task) -> str:
     """A right sheet; it has been graded once, so that all is imported."""
     plan = next(plan for plan in own.plans if plan.plan == "velocities")
     found = drawn(own.sheet(plan.sheet), plan, true_places(plan))
-    assert grade(found, own.plans, Allowances()).outcome == PASS
+    assert grade(found, SheetTask(own.plans), Allowances()).outcome == PASS
     return found.decode().replace("<svg ", '<svg xmlns:xlink="http://www.w3.org/1999/xlink" ', 1)
 
 
@@ -86,7 +87,7 @@ def test_only_the_sheet_is_opened(own: Task, source: str, tmp_path: Path, what: 
     if "entity of a file" in what:
         hostile = re.sub("(<title>)", r"\1&x;", hostile, count=1)
     path.write_text(hostile, encoding="utf-8")
-    outcome, opened, left = watched(path, partial(grade, plans=own.plans, by=Allowances()))
+    outcome, opened, left = watched(path, partial(grade, task=SheetTask(own.plans), by=Allowances()))
     assert outcome in (PASS, REJECTED)
     assert (opened, left) == ({str(path)}, set())
 

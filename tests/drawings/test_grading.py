@@ -18,6 +18,7 @@ from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.continuation import turned_over
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
+from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from geometry.draughtsman import Draughtsman, copies
 from tests import parts
@@ -36,7 +37,7 @@ POLES = {"velocities": "p", "accelerations": "π"}
 @pytest.mark.parametrize("by", [HAND, Allowances(EXACT)], ids=["hand", "exact"])
 def test_our_own_sheet_is_right(by: Allowances) -> None:
     own = task("slider-crank")
-    graded = grade(own.originals.drawn(own.originals.sheets[0]), own.plans, by)
+    graded = grade(own.originals.drawn(own.originals.sheets[0]), SheetTask(own.plans), by)
     assert (graded.outcome, graded.wrong) == (PASS, ())
     assert len(graded.verdicts) > 20
 
@@ -48,7 +49,7 @@ def test_every_sheet_of_a_linkage_is_right(scene: str) -> None:
     for sheet in own.originals.sheets:
         if any(plan.sheet == sheet.name for plan in own.plans):
             for by in (HAND, Allowances(EXACT)):
-                assert grade(own.originals.drawn(sheet), own.plans, by).wrong == ()
+                assert grade(own.originals.drawn(sheet), SheetTask(own.plans), by).wrong == ()
 
 
 def made(own: Task, row: dict[str, Any], without: tuple[str, ...] = ASIDE) -> bytes:
@@ -113,7 +114,7 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
 
 
 def said(own: Task, source: bytes) -> list[str]:
-    return sorted(f"{one.name} {one.kind}" for one in grade(source, own.plans, HAND).wrong)
+    return sorted(f"{one.name} {one.kind}" for one in grade(source, SheetTask(own.plans), HAND).wrong)
 
 
 @pytest.mark.part
@@ -138,7 +139,7 @@ def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: floa
             for letter, mark in marks_of(plans[-1]).items()
         }
         source = drawn(own.sheet(plans[-1].sheet), plans[-1], spots)
-        vectors = [one for one in grade(source, own.plans, HAND).wrong if one.letters != ("", "")]
+        vectors = [one for one in grade(source, SheetTask(own.plans), HAND).wrong if one.letters != ("", "")]
         passed += not vectors
     assert passed == share * count
 
@@ -147,7 +148,7 @@ def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: floa
     "source", [b"", b"<html/>", b"%PDF-1.7", b'<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>']
 )
 def test_what_is_no_sheet_is_rejected(source: bytes) -> None:
-    graded = grade(source, task("slider-crank").plans, HAND)
+    graded = grade(source, SheetTask(task("slider-crank").plans), HAND)
     assert graded.outcome == REJECTED
     assert graded.reason is not None
 
@@ -158,8 +159,8 @@ def test_a_tolerance_is_a_share_of_the_largest() -> None:
         {"scene": "shaper", "plan": ["velocities", 9], "vector": "p a", "how": "times", "by": 1.01},
     )
     source = made(own, row)
-    assert grade(source, own.plans, Allowances(Allowance(share=0.02))).outcome == PASS
-    assert grade(source, own.plans, Allowances(Allowance(share=0.002))).outcome == FAIL
+    assert grade(source, SheetTask(own.plans), Allowances(Allowance(share=0.02))).outcome == PASS
+    assert grade(source, SheetTask(own.plans), Allowances(Allowance(share=0.002))).outcome == FAIL
 
 
 def bare(source: bytes) -> bytes:
@@ -203,7 +204,7 @@ def by_an_editor(plan: PlanAsked, mu: float, turn: float = 0.0) -> bytes:
 def test_a_plan_drawn_in_an_editor_is_found_wherever_it_is(turn: float) -> None:
     own = task("shaper")
     plan = own.plan("velocities", 9)
-    graded = grade(by_an_editor(plan, 0.02, turn), own.plans, HAND)
+    graded = grade(by_an_editor(plan, 0.02, turn), SheetTask(own.plans), HAND)
     judged = {one.name: one.kind for one in graded.verdicts if (one.plan, one.position) == plan.place}
     assert judged == {one.name: "right" for one in plan.vectors}
     assert {one.kind for one in graded.wrong} == {"missing"}  # the other plans of the sheet
@@ -234,4 +235,6 @@ def test_a_sheet_that_was_moved_as_a_whole_is_laid_back(how: str) -> None:
 @pytest.mark.parametrize("how", first(["scale(0.9 0.8)", "translate(600 0) scale(-1 1)"]))
 def test_a_stretched_or_mirrored_sheet_is_rejected(how: str) -> None:
     own = task("shaper")
-    assert grade(laid(own.originals.drawn(own.originals.sheets[0]), how), own.plans, HAND).outcome == REJECTED
+    assert (
+        grade(laid(own.originals.drawn(own.originals.sheets[0]), how), SheetTask(own.plans), HAND).outcome == REJECTED
+    )

@@ -21,6 +21,7 @@ from drawings.grading.allowance import Allowances
 from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.graded import FAIL, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, points_of
+from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Group, Text
 from drawings.pens.svg import svg
@@ -37,7 +38,7 @@ def test_a_table_that_was_taken_off_a_sheet_of_ours_is_missing() -> None:
     leaf = tables_of(sheet)
     kept = tuple(one for one in leaf.groups if table_of(sheet.kind, one.name) != "output")
     assert len(kept) < len(leaf.groups)
-    graded = grade(svg(replace(leaf, groups=kept)), (), HAND, (), own.tables)
+    graded = grade(svg(replace(leaf, groups=kept)), SheetTask(tables=own.tables), HAND)
     assert graded.outcome == FAIL
     assert {(one.plan, one.kind) for one in graded.wrong} == {("table output", "missing")}
     won, most = points_of(graded.verdicts, Marking())
@@ -49,7 +50,7 @@ def test_a_table_whose_lines_are_lost_is_not_read_and_not_missing() -> None:
     sheet = own.originals.sheets[0]
     leaf = tables_of(sheet)
     groups = (unruled(one) if table_of(sheet.kind, one.name) == "output" else one for one in leaf.groups)
-    graded = grade(svg(replace(leaf, groups=tuple(groups))), (), HAND, (), own.tables)
+    graded = grade(svg(replace(leaf, groups=tuple(groups))), SheetTask(tables=own.tables), HAND)
     assert (graded.outcome, [one.kind for one in graded.unseen]) == (PART, ["untabled"])
 
 
@@ -65,7 +66,7 @@ def test_a_row_that_was_taken_off_a_form_is_missing() -> None:
     leaf = tables_of(sheet._replace(leaf=form_of(own.originals.study)["kinematics"][0]))
     less = replace(leaf, groups=tuple(unnamed(one, "atA,") for one in leaf.groups))
     source = written(less, table, {key_of(table, "vB", "by plan", 2): "1.517"})
-    graded = grade(source, (), HAND, (), own.tables)
+    graded = grade(source, SheetTask(tables=own.tables), HAND)
     kinds = Counter(one.kind for one in graded.verdicts)
     assert kinds == {"right": 1, "missing": sum(len(one.cells) for one in own.tables) - 1}
 
@@ -83,8 +84,8 @@ def test_one_of_two_copies_of_a_table_is_to_be_left() -> None:
     same, other = (
         beside(svg(leaf), written(leaf, table, {key_of(table, "vB", "by plan", 2): text})) for text in ("", "9.99")
     )
-    assert grade(same, (), HAND, (), own.tables).outcome == PASS  # what stands in one of them alone
-    graded = grade(other, (), HAND, (), own.tables)
+    assert grade(same, SheetTask(tables=own.tables), HAND).outcome == PASS  # what stands in one of them alone
+    graded = grade(other, SheetTask(tables=own.tables), HAND)
     assert graded.outcome == REJECTED
     assert "twice, and not the same: v_B (by plan)" in str(graded.reason)
 
@@ -100,7 +101,7 @@ def test_one_of_two_curves_on_a_pair_of_axes_is_to_be_left() -> None:
     source, other = on_form(own, {"velocity": 1.0}), on_form(own, {"velocity": 1.3})
     begun = other.index(b'<path style="fill:none;stroke:#00f')
     path = other[begun : other.index(b"<text x=", begun)]
-    graded = grade(source.replace(b"</svg>", path + b"</svg>"), (), HAND, own.figures)
+    graded = grade(source.replace(b"</svg>", path + b"</svg>"), SheetTask(curves=own.figures), HAND)
     assert graded.outcome == REJECTED
     assert "twice, and not the same" in str(graded.reason)
     assert empty_axes(see(source)) == {"diagrams-travel", "diagrams-acceleration"}

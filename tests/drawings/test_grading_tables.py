@@ -18,6 +18,7 @@ from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, PART, PASS, REJECTED, grade
 from drawings.grading.marking import points_of, read_marking
+from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
@@ -33,14 +34,14 @@ MISTAKES = tomllib.loads((CASES / "table_mistakes.toml").read_text("utf-8"))["mi
 
 
 def said(own: TableTask, source: bytes) -> list[str]:
-    wrong = grade(source, (), HAND, (), own.tables).wrong
+    wrong = grade(source, SheetTask(tables=own.tables), HAND).wrong
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) for one in wrong)
 
 
 @pytest.mark.parametrize("by", first([HAND, Allowances(EXACT)]))
 def test_our_own_tables_are_right(by: Allowances) -> None:
     own = table_task("shaper")
-    graded = grade(svg(tables_of(own.originals.sheets[0])), (), by, (), own.tables)
+    graded = grade(svg(tables_of(own.originals.sheets[0])), SheetTask(tables=own.tables), by)
     assert (graded.outcome, graded.wrong) == (PASS, ())
     assert len(graded.verdicts) == 2 * 2 * 22 + 12 * 4
 
@@ -82,7 +83,7 @@ def test_a_cell_that_we_print_wrongly_is_not_the_truth(
     tables = tables_asked(originals)
     asked = next(one for one in tables if one.sought == table.sought).cells[key]
     assert asked.true == pytest.approx((true,), abs=5e-4)
-    wrong = grade(svg(leaf), (), HAND, (), tables).wrong
+    wrong = grade(svg(leaf), SheetTask(tables=tables), HAND).wrong
     assert [one.name for one in wrong] == [called]
 
 
@@ -101,11 +102,13 @@ def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
 def test_of_a_blank_form_all_cells_are_missing() -> None:
     own = table_task("shaper")
     leaf = form_of(own.originals.study)["kinematics"][0]
-    graded = grade(svg(leaf), task("shaper").plans, HAND, (), own.tables)
+    graded = grade(svg(leaf), SheetTask(task("shaper").plans, tables=own.tables), HAND)
     assert graded.outcome == FAIL
     assert {one.kind for one in graded.verdicts if one.plan.startswith("table")} == {"missing"}
     alone = grade(
-        svg(tables_of(own.originals.sheets[0]._replace(leaf=leaf))), task("shaper").plans, HAND, (), own.tables
+        svg(tables_of(own.originals.sheets[0]._replace(leaf=leaf))),
+        SheetTask(task("shaper").plans, tables=own.tables),
+        HAND,
     )
     assert alone.outcome == REJECTED  # with its plans lost it is not marked down
 
@@ -117,7 +120,7 @@ def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
     table, leaf = own.table("values"), tables_of(form)
     right = {key_of(table, "vB", "by plan", 2): "1.517", key_of(table, "ω4", "by plan", 9): "-2.587"}
     wrong = {key_of(table, "vD", "by plan", 2): "0.7"}
-    graded = grade(written(leaf, table, right | wrong), (), HAND, (), own.tables)
+    graded = grade(written(leaf, table, right | wrong), SheetTask(tables=own.tables), HAND)
     kinds = Counter(one.kind for one in graded.verdicts)
     assert kinds == {"right": 2, "wrong": 1, "missing": 2 * 2 * 22 + 12 * 4 - 3}
     assert [" ".join((one.name, one.kind)) for one in graded.wrong if one.kind != "missing"] == ["v_D (by plan) wrong"]
@@ -145,10 +148,10 @@ def test_a_number_read_off_a_wrong_plan_follows() -> None:
     size, rate = abs(moved["b"]), 1.3 * 1.598
     texts = {key_of(table, "vB", "by plan", 2): f"{size:.3f}", key_of(table, "ω4", "by plan", 2): f"{-rate:.3f}"}
     source = both(sheet, plan, moved, table, texts)
-    verdicts = grade(source, asked.plans, HAND, (), own.tables).verdicts
+    verdicts = grade(source, SheetTask(asked.plans, tables=own.tables), HAND).verdicts
     kinds = {one.name: one.kind for one in verdicts if one.plan == "table values" and one.position == 2}
     assert (kinds["v_B (by plan)"], kinds["ω_4 (by plan)"]) == ("follows", "follows")
-    alone = grade(written(tables_of(sheet), table, texts), (), HAND, (), own.tables)
+    alone = grade(written(tables_of(sheet), table, texts), SheetTask(tables=own.tables), HAND)
     assert sorted(one.name for one in alone.wrong) == ["v_B (by plan)", "ω_4 (by plan)"]
 
 
@@ -157,7 +160,7 @@ def test_points_of_a_cell_are_told_apart_from_those_of_its_vector(tmp_path: Path
     marks.write_text('[points]\ndefault = 1\nv_B = 5\ntable = 0.25\n"table v_B" = 2\n[keeps]\nsign = 0.5\n', "utf-8")
     table = own.table("values")
     wrong = {key_of(table, "vB", "by plan", 2): "", key_of(table, "ω4", "by plan", 2): "1.6"}
-    graded = grade(written(tables_of(own.originals.sheets[0]), table, wrong), (), HAND, (), own.tables)
+    graded = grade(written(tables_of(own.originals.sheets[0]), table, wrong), SheetTask(tables=own.tables), HAND)
     won, most = points_of(graded.verdicts, read_marking(marks))
     assert (most, most - won) == (0.25 * (21 * 4 + 12 * 4) + 2 * 4, 2 + 0.125)
 
@@ -166,7 +169,7 @@ def test_feedback_frames_a_table_that_is_empty() -> None:
     own = table_task("shaper")
     table, leaf = own.table("output"), tables_of(own.originals.sheets[0])
     source = written(leaf, table, dict.fromkeys(table.cells, ""))
-    graded = grade(source, (), HAND, (), own.tables)
+    graded = grade(source, SheetTask(tables=own.tables), HAND)
     text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
     (frame,) = re.findall(r'<polygon points="([^"]*)"', text)
     spots = [complex(*map(float, spot.split(","))) for spot in frame.split()]
@@ -180,7 +183,7 @@ def test_feedback_frames_a_table_that_is_empty() -> None:
 def test_feedback_marks_the_cell_and_tells_no_value() -> None:
     own = table_task("shaper")
     source = made(own, next(one for one in MISTAKES if one["says"] == ["ω_4 (by plan) sign"]))
-    graded = grade(source, (), HAND, (), own.tables)
+    graded = grade(source, SheetTask(tables=own.tables), HAND)
     text = feedback(Path("ann.svg"), source, graded, {}, "en").decode()
     notes = " ".join(re.findall(r"<text[^>]*>([^<]*)</text>", text))
     assert "the sign is wrong" in " ".join(notes.split())
@@ -198,6 +201,6 @@ def test_what_an_editor_draws_in_a_cell_is_not_marked_down() -> None:
         f'<path d="M{box.left + 2} {leaf.height - box.low - 4}l3 -1l1 3" fill="none" stroke="#000" stroke-width="0.3"/>'
     )
     source = written(leaf, table, {key: ""}).replace(b"</svg>", path.encode() + b"</svg>")
-    graded = grade(source, (), HAND, (), own.tables)
+    graded = grade(source, SheetTask(tables=own.tables), HAND)
     assert [(one.name, one.kind) for one in graded.verdicts if not one.good] == [("v_B (by plan)", "illegible")]
     assert graded.outcome == PART

@@ -14,6 +14,7 @@ import pytest
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import PASS, grade
+from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import UNGROUPED
 from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
@@ -139,7 +140,7 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
 
 
 def said(own: Task, source: bytes) -> list[str]:
-    graded = grade(source, own.plans, HAND)
+    graded = grade(source, SheetTask(own.plans), HAND)
     assert graded.reason is None, graded.reason.worded("en")
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) or one.kind for one in graded.wrong)
 
@@ -167,7 +168,7 @@ def test_every_sheet_of_the_gallery_is_right(scene: str) -> None:
     for sheet in own.originals.sheets:
         if any(plan.sheet == sheet.name for plan in own.plans):
             for by in (HAND, Allowances(EXACT)):
-                graded = grade(own.originals.drawn(sheet), own.plans, by)
+                graded = grade(own.originals.drawn(sheet), SheetTask(own.plans), by)
                 assert (graded.outcome, graded.wrong) == (PASS, ())
                 assert any(one.letter for plan in own.plans for one in plan.vectors)
 
@@ -187,7 +188,7 @@ def told_by_letters(scene: str) -> None:
     own = task(scene)
     for sheet in own.originals.sheets:
         if any(plan.sheet == sheet.name and plan.lettered for plan in own.plans):
-            graded = grade(bare(own.originals.drawn(sheet)), own.plans, HAND)
+            graded = grade(bare(own.originals.drawn(sheet)), SheetTask(own.plans), HAND)
             assert (graded.reason, graded.wrong) == (None, ())
             assert len(graded.verdicts) > 3
 
@@ -223,7 +224,7 @@ def passed(scene: str, place: tuple[str, int | None], slip: float, count: int = 
             now[key] = Laid(
                 at[1] - at[0] + complex(ends[1] - ends[0]), (at[2] if len(at) > 2 else 0j) + complex(ends[0])
             )
-        graded = grade(sheet_of(own, plans, now, lambda stroke: stroke), own.plans, HAND)
+        graded = grade(sheet_of(own, plans, now, lambda stroke: stroke), SheetTask(own.plans), HAND)
         good += not [one for one in graded.wrong if one.letters != ("", "")]
     return good
 
@@ -251,7 +252,7 @@ def test_a_turned_sheet_is_not_told_that_its_scales_are_missing() -> None:
 def test_the_arrows_of_a_scheme_that_was_taken_apart_are_not_graded() -> None:
     own = task("shaper-loaded")
     sheet = own.originals.sheets[0]
-    graded = grade(re.sub(rb' id="(scheme|lever)-[^"]*"', b"", own.originals.drawn(sheet)), own.plans, HAND)
+    graded = grade(re.sub(rb' id="(scheme|lever)-[^"]*"', b"", own.originals.drawn(sheet)), SheetTask(own.plans), HAND)
     figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.senses}
     assert graded.wrong == ()
     assert {(one.plan, one.position) for one in graded.verdicts if one.kind == UNGROUPED} == figures
@@ -281,7 +282,7 @@ def by_an_editor(plan: PlanAsked, mu: float, turn: float) -> bytes:
 def test_a_polygon_drawn_in_an_editor_is_found_wherever_it_is(turn: float) -> None:
     own = task("fan")
     plan = own.plan("couples", None)
-    graded = grade(by_an_editor(plan, 0.0005, turn), own.plans, HAND)
+    graded = grade(by_an_editor(plan, 0.0005, turn), SheetTask(own.plans), HAND)
     judged = {one.name: one.kind for one in graded.verdicts if one.plan == plan.plan}
     assert judged == {one.name: "right" for one in plan.vectors}
     assert {one.kind for one in graded.wrong} == {"missing"}  # the other polygon of the sheet

@@ -11,6 +11,7 @@ from drawings.commands import cli
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import FAIL, PASS
 from drawings.grading.own_sheets import grade_own
+from drawings.grading.sheet_task import SheetTask
 from drawings.original.originals import Original, Originals
 from tests.drawings import (
     cell_students,
@@ -42,8 +43,8 @@ def one_ordinate() -> tuple[Any, bytes]:
 
 
 def graded(own: Any) -> str:
-    asked = [getattr(own, name, ()) for name in ("plans", "figures", "tables")]
-    return grade_own(own.originals, asked[0], Allowances(), *asked[1:]).outcome
+    task = SheetTask(*(getattr(own, name, ()) for name in ("plans", "figures", "tables")))
+    return grade_own(own.originals, task, Allowances()).outcome
 
 
 @pytest.mark.parametrize("broken", some([one_vector, one_cell, one_ordinate], 3))

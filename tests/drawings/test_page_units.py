@@ -12,6 +12,7 @@ from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import PASS, grade
 from drawings.grading.seeing.page_units import stated
+from drawings.grading.sheet_task import SheetTask
 from drawings.measure.viewport import PIXEL, viewport
 from tests import parts
 from tests.drawings.students import Task, task
@@ -36,7 +37,7 @@ def own_sheet() -> tuple[Task, bytes]:
 def test_a_sheet_of_ours_is_right_however_its_root_is_written(how: str) -> None:
     own, source = own_sheet()
     for one in (source, bare(source)):
-        graded = grade(WAYS[how](one), own.plans, Allowances())
+        graded = grade(WAYS[how](one), SheetTask(own.plans), Allowances())
         assert (graded.outcome, graded.paper) == (PASS, (841.0, 594.0))
 
 
@@ -67,6 +68,6 @@ def test_an_old_inkscape_draws_ninety_units_to_the_inch() -> None:
 def test_the_feedback_sheet_shows_it_as_it_was_read() -> None:
     own, source = own_sheet()
     source = WAYS["in mm without a viewBox"](source)
-    text = feedback(Path("ann.svg"), source, grade(source, own.plans, Allowances()), {}, "en").decode()
+    text = feedback(Path("ann.svg"), source, grade(source, SheetTask(own.plans), Allowances()), {}, "en").decode()
     shown = base64.b64decode(re.findall(r"base64,([^\"]*)", text)[0])
     assert b'viewBox="0 0 841 594"' in shown

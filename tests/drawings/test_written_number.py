@@ -8,6 +8,7 @@ from drawings.grading.allowance import Allowances
 from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.written_number import number
 from drawings.grading.graded import grade
+from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Text
 from tests.drawings.cell_students import key_of, table_task, tables_of, written
 from tests.rows import over
@@ -71,4 +72,6 @@ def test_a_cell_with_a_unit_that_is_not_understood_is_told() -> None:
 
 
 def kinds(tables: tuple[TableAsked, ...], source: bytes) -> dict[str, str]:
-    return {one.name: one.kind for one in grade(source, (), Allowances(), (), tables).verdicts if not one.good}
+    return {
+        one.name: one.kind for one in grade(source, SheetTask(tables=tables), Allowances()).verdicts if not one.good
+    }

@@ -8,6 +8,7 @@ from dataclasses import replace
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import grade
 from drawings.grading.seeing.written_scale import stated_scales
+from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Stroke, Text
 from tests.drawings.curve_students import curve_task
 from tests.drawings.students import drawn, task, true_places
@@ -61,7 +62,9 @@ def test_a_plan_is_measured_by_its_scale_however_written(row: tuple[str, list[st
     own, (text, kinds) = task("shaper"), row
     plan = own.plan("velocities", 2)
     source = drawn(own.sheet(plan.sheet), plan, true_places(plan), lambda one: rescaled(one, text))
-    wrong = [one for one in grade(source, own.plans, HAND).wrong if one.plan == plan.plan and one.position == 2]
+    wrong = [
+        one for one in grade(source, SheetTask(own.plans), HAND).wrong if one.plan == plan.plan and one.position == 2
+    ]
     assert [one.kind for one in wrong] == kinds
 
 
