@@ -98,9 +98,11 @@ class Sides(NamedTuple):
             return Kind((MAIN,))
         if {f"{REACTION}^{part}_{pair}" for part in "nt"} & {*self.names}:
             return Kind((MEDIUM,))
+        split = f"{REACTION}^u_{pair}" in self.names  # on a slide a part may be the whole
         inner = pair in {indices(*both) for both in permutations(self.links, 2)}
         short = all(abs(one.end - one.start) < 2 * SEEN for one in vector.strokes if isinstance(one, Line))
-        return Kind((MAIN, MEDIUM)) if inner or short or not self.whole else Kind((MAIN,))  # parts too short stand away
+        either = inner or split or short or not self.whole  # parts that are too short stand away
+        return Kind((MAIN, MEDIUM)) if either else Kind((MAIN,))
 
 
 def _arrows(figure: Group) -> Iterator[tuple[Stroke, Kind]]:
