@@ -9,12 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.checks.cam.cam_page import pole_of
 from drawings.checks.cam.verify_profile import check
+from drawings.checks.graphs.figure_strokes import FigureStrokes
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.figures.cam.manufacturing import PLAN, manufacture
 from drawings.lettering.lettering import lettered
 from drawings.page.drafting import drafting_of
-from drawings.paper.strokes import Curve, Group, Leaf, Stroke
+from drawings.paper.strokes import Curve, Group, Leaf, Line, Stroke
 from drawings.pens.svg import svg
 from drawings.sheets.cam_profile import sheets
 from plans.analytic.cam.findings import cam_found
@@ -96,3 +98,8 @@ def test_a_planted_fault_is_seen(fault: tuple[Change, str], tmp_path: Path) -> N
         checked(spoilt, found, tmp_path)
     assert wrong in str(told.value)
     assert "against the analysis" not in said(told.value, "ru")
+
+
+def test_a_pole_that_has_lost_its_circle_is_nowhere() -> None:
+    pole = Group((Line(0j, 1 + 0j),), "", {"kind": "pole", "scale": "0.001"})
+    assert pole_of(FigureStrokes(Group((pole,), "profile"))) is None

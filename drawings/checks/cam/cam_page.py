@@ -44,9 +44,7 @@ def headed(strokes: FigureStrokes, plan: str, title: str, mu: float, drafting: D
 
 
 def pole_of(strokes: FigureStrokes) -> tuple[complex, float] | None:
-    """Give where O is on paper, mm, and the scale, m/mm."""
+    """Give where O is on paper, mm, and the scale, m/mm; None where it has no circle, as on a sheet that was edited."""
     poles = (one for one in groups((strokes.group,)) if one.data.get("kind") == "pole")
-    for one in poles:
-        circle = next(stroke for stroke in one.strokes if isinstance(stroke, Circle))
-        return circle.centre, float(one.data["scale"])
-    return None
+    circles = ((own.centre, one) for one in poles for own in one.strokes if isinstance(own, Circle))
+    return next(((centre, float(one.data["scale"])) for centre, one in circles), None)
