@@ -37,12 +37,14 @@ def tells(text: str, true: str, digits: Collection[int], share: float = 0.0) -> 
     """Tell whether a text says what another one does with all digits, in words alike, each number rounded.
 
     A number has one of the given numbers of digits; to the half of its last one comes a share of itself. Of degrees
-    it is a share of the full turn, from which they come by differences, and a full turn more is the same angle.
+    it is a share of the full turn, from which they come by differences, and a full turn is the same angle as none.
 
     >>> tells("J = 36.7 at 24", "J = 36.70337 at 24", (4,)), tells("J = 36.8 at 24", "J = 36.70337 at 24", (4,))
     (True, False)
     >>> tells("φ = 0°", "φ = 359.999999999°", (4,), 1e-9), tells("φ = 0°", "φ = 359.99°", (4,), 1e-9)
     (True, False)
+    >>> tells("ψ = 373°", "ψ = 13°", (4,), 1e-9)
+    False
     """
     if _words(text) != _words(true):
         return False
@@ -73,10 +75,11 @@ def _short(numeral: str) -> str:
 
 
 def _holds(written: str, true: str, digits: Collection[int], share: float, turn: float) -> bool:
-    """Tell whether a number is another one rounded, or so after a turn; what has no digits left of it is 0."""
+    """Tell whether a number is another one rounded, a full turn for none; what has no digits left of it is 0."""
     if written == true:
         return True
     value = float(true.replace("−", "-").replace(",", "."))
     slack = share * max(abs(value), turn)
-    alike = {value, value - turn, value + turn} if share else {value}
+    whole = bool(turn and share) and min(abs(value), abs(turn - value)) <= slack
+    alike = {0.0, value, turn} if whole else {value}
     return any(reads(written, one, slack, count) for count in digits for one in alike)

@@ -12,8 +12,8 @@ import numpy as np
 from drawings.checks.documents import chapters
 from drawings.checks.dynamics.due_notes import DueNotes
 from drawings.checks.dynamics.dynamics_expected import KNOWN, Expected
-from drawings.checks.dynamics.told_table import NOTHING, DueCell
-from drawings.checks.note.lines import cells, in_report
+from drawings.checks.dynamics.told_table import NOTHING, DueCell, Shared
+from drawings.checks.note.lines import in_report, tables
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import number
@@ -35,20 +35,6 @@ LARGEST = 1.0  # fluctuation: of a machine that comes to rest once in a turn it 
 LOST = 1e-9  # of the largest work or energy: what is left of a solver's account is rounding
 STAGES = ("stage", "from", "to", "driving", "useful_work", "braking", "weights", "energy", "closing")
 _NUMBER = re.compile(r"[−-]?\d+(?:[.,]\d+)?(?P<share>(?=\s%))?")
-
-
-class Shared(NamedTuple):
-    """A difference in per cent, written with an exponent; nothing where it is less than rounding shows."""
-
-    value: float
-
-    def holds(self, text: str) -> bool:
-        """Tell whether a text says it to its last digit."""
-        if text == NOTHING:
-            return abs(self.value) <= 200 * KNOWN
-        found = re.fullmatch(r"-?\d[.,]\d{1,2}e[+-]\d\d", text)
-        least = 200 * KNOWN + 5.0001e-3 * 10 ** math.floor(math.log10(abs(self.value) or 1.0))
-        return found is not None and abs(float(text.replace(",", ".")) - self.value) <= least
 
 
 Due = Sequence[DueCell | Shared | str]
@@ -266,7 +252,7 @@ class ReportTold(NamedTuple):
 
     def _table(self, heads: Sequence[str], rows: Sequence[Due]) -> Iterator[Wrong]:
         """Hold the table whose heads are those that are due."""
-        found = next((table for table in _tables(self.text) if table[0] == [*heads]), None)
+        found = next((table for table in tables(self.text) if table[0] == [*heads]), None)
         if found is None:
             yield message("wrong.missing", name=", ".join(filter(None, heads)))
             return
@@ -275,17 +261,6 @@ class ReportTold(NamedTuple):
             yield from (message("wrong.row_cell", text=text, name=row[0]) for text in wrong)
         if [len(row) for row in found[2:]] != [len(row) for row in rows]:
             yield message("wrong.row_missing", name=heads[0])
-
-
-def _tables(text: str) -> Iterator[list[list[str]]]:
-    """Give the tables of a report, row by row, the rule under the heads among them."""
-    run: list[list[str]] = []
-    for line in [*text.splitlines(), ""]:
-        if line.startswith("|"):
-            run.append(cells(line))
-        elif run:
-            yield run
-            run = []
 
 
 def _says(text: str, due: DueCell | Shared | str) -> bool:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from drawings.checks import reading
 from drawings.checks.documents import ruled
+from drawings.checks.dynamics.dynamics_expected import KNOWN
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.wrong import Wrong, within
 from drawings.paper.strokes import Group, Leaf
@@ -33,6 +34,20 @@ class DueCell(NamedTuple):
         if self.places and not re.fullmatch(rf"\S+[.,]\d{{{self.places}}}", text):
             return False
         return reading.reads(text, self.value, self.slack, self.digits)
+
+
+class Shared(NamedTuple):
+    """A difference in per cent, written with an exponent; nothing where it is less than rounding shows."""
+
+    value: float
+
+    def holds(self, text: str) -> bool:
+        """Tell whether a text says it to its last digit."""
+        if text == NOTHING:
+            return abs(self.value) <= 200 * KNOWN
+        found = re.fullmatch(r"-?\d[.,]\d{1,2}e[+-]\d\d", text)
+        least = 200 * KNOWN + 5.0001e-3 * 10 ** math.floor(math.log10(abs(self.value) or 1.0))
+        return found is not None and abs(float(text.replace(",", ".")) - self.value) <= least
 
 
 class DueTable(NamedTuple):

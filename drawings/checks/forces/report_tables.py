@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.note.lines import cells
+from drawings.checks.note.lines import cells, tables
 from drawings.checks.reading import reads
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
@@ -84,22 +84,13 @@ class ForceTables(NamedTuple):
         """Hold the table whose heads are those of the columns."""
         if not columns:
             return
-        for lines in self._tables():
-            heads = [_bare(cell) for cell in cells(lines[0])]
+        for rows in tables(self.text):
+            heads = [_bare(cell) for cell in rows[0]]
             first = word(self._language, "table.position")
             if heads[0] == _bare(first) and _alike(heads[1:], [one.head for one in columns]):
-                yield from self._rows([cells(line) for line in lines[2:]], columns, digits)
+                yield from self._rows(rows[2:], columns, digits)
                 return
         yield message("wrong.missing", name=", ".join(one.head for one in columns))
-
-    def _tables(self) -> Iterator[list[str]]:
-        run: list[str] = []
-        for line in [*self.text.splitlines(), ""]:
-            if line.startswith("|"):
-                run.append(line)
-            elif run:
-                yield run
-                run = []
 
     def _rows(self, rows: Sequence[Sequence[str]], columns: Sequence[Column], digits: int) -> Iterator[Message]:
         count = len(columns[0].values)

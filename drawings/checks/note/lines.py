@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import groupby
 
 CHAPTER, ANY = "## ", "#"  # how the next head begins: of a chapter, or of any part
 
@@ -31,6 +32,17 @@ def cells(line: str) -> list[str]:
     ['0', '', '1.5']
     """
     return [cell.strip() for cell in line.strip()[1:-1].split("|")]
+
+
+def tables(text: str) -> Iterator[list[list[str]]]:
+    """Give the tables of a report, row by row, the rule under the heads among them.
+
+    >>> list(tables("| a | b |\\n|---|---|\\n| 1 | 2 |\\n\\n| c |"))
+    [[['a', 'b'], ['---', '---'], ['1', '2']], [['c']]]
+    """
+    for tabled, lines in groupby(text.splitlines(), lambda line: line.startswith("|")):
+        if tabled:
+            yield [cells(line) for line in lines]
 
 
 def in_report(note: str) -> str:
