@@ -1,15 +1,19 @@
-"""The self-check of a written sheet: everything on it that can be measured or read is held against the analysis."""
+"""The self-check of written sheets: each is as it was laid out, and states what the analysis gives (самопроверка)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
-from drawings.checks.documents import numbering, scales
-from drawings.checks.labelled import unlettered
+from drawings.checks import hold
+from drawings.checks.documents import block_faults, scale_faults
+from drawings.checks.expected import Expected
+from drawings.checks.letters import unlettered
 from drawings.checks.seen.differences import differences
 from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong, on
+from drawings.checks.written import marked_scales
 from drawings.collation.edit import lone
 from drawings.collation.figures import Figures
 from drawings.collation.items import items
@@ -18,7 +22,9 @@ from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check
 from drawings.paper.limits import QUANTUM, SheetRefused
+from drawings.paper.statement import Key
 from drawings.paper.strokes import Arc, Leaf, Text
+from drawings.paper.walk import unstated
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
 from plans.scene.sheet import SheetTable
@@ -34,34 +40,64 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> SeenSheet:
-    """See and measure a written sheet: it is as it was laid out, it states what it shows, it has no faults of its kind.
+class Written(NamedTuple):
+    """A sheet as it was laid out, and as it was seen in its file; without being seen it cannot be measured."""
 
-    What is drawn on it is held to what was laid out, stroke by stroke, and that to the analysis with all its digits.
-    """
+    leaf: Leaf
+    seen: SeenSheet | SheetRefused
+
+
+def written(path: Path, leaf: Leaf) -> Written:
+    """See a written sheet."""
     try:
-        seen = see(path.read_bytes())
+        return Written(leaf, see(path.read_bytes()))
     except SheetRefused as refused:
-        raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    laid = plain(leaf, seen.leaf.lettering)
-    if wrong := [*wrongs(seen.measured, laid, faults), *obscured(laid, seen), *differences(laid, seen)]:
-        raise SelfCheckFailed(message("check.sheet", marks=first(list(dict.fromkeys(wrong)))))
-    return seen
+        return Written(leaf, refused)
 
 
-def wrongs(measured: Measured, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> list[Wrong]:
-    """List what is wrong with a measured sheet."""
-    wrong: list[Wrong] = [on("on", miss.key.plan, name=miss.key.name) for miss in check(measured)]
-    return [*wrong, *faults(measured, leaf), *unlettered(leaf)]
+def wrongs(sheets: Sequence[Written], due: Mapping[Key, Expected], sheet: SheetTable) -> list[list[Wrong]]:
+    """List, for each sheet of a kind, what is wrong with it.
+
+    It is held stroke by stroke to what was laid out, and that with all its digits to the analysis. What stands on no
+    sheet lacks on those that bear its figure.
+    """
+    told = [[*_wrong(one, due, sheet)] for one in sheets]
+    own = [hold.stated_keys(one.leaf) for one in sheets]
+    lost = [row for key, row in due.items() if not row.may_lack and not any(key in keys for keys in own)]
+    for row in lost:
+        bearing = [k for k, keys in enumerate(own) if any(key[1] == row.figure for key in keys)]
+        for k in bearing or [0]:
+            told[k].append(hold.told("missing_on", row.key))
+    return told
 
 
-def obscured(laid: Leaf, seen: SeenSheet) -> list[Wrong]:
-    """List lettering that is covered, and whatever lies off the paper or under an area larger than a symbol.
+def _wrong(one: Written, due: Mapping[Key, Expected], sheet: SheetTable) -> Iterator[Wrong]:
+    if isinstance(one.seen, SheetRefused):
+        yield message("check.unmeasured", refusal=one.seen)
+        return
+    yield from differences(unstated(plain(one.leaf, one.seen.leaf.lettering)), one.seen)
+    yield from measured_wrongs(one.seen.measured, one.leaf, due)
+    yield from block_faults(one.leaf, sheet)
+
+
+def measured_wrongs(
+    measured: Measured, leaf: Leaf, due: Mapping[Key, Expected], only: Iterable[Key] = ()
+) -> Iterator[Wrong]:
+    """List what a measured sheet states otherwise than the analysis; of `only` some none may lack."""
+    yield from (on("on", miss.key.plan, name=miss.key.name) for miss in check(measured))
+    yield from hold.faults(hold.seen(measured, leaf), due, frozenset(only))
+    yield from unlettered(leaf, {key: row.letter for key, row in due.items()})
+    yield from marked_scales(leaf)
+
+
+def obscured(leaf: Leaf, seen: SeenSheet) -> list[Message]:
+    """Tell what is right and badly drawn: lettering that is covered, whatever is off the paper or under a large area.
 
     A line may be short and end under a hinge, an arc be one of those that notch the centre of a cam's roller.
     """
     if not any(one.reason in (COVERED, OUTSIDE) for one in seen.unseen):
         return []
+    laid = unstated(plain(leaf, seen.leaf.lettering))
     figures = Figures(laid)
     right = {id(item.stroke): item for item in items(laid)}
     under = list(veiled(laid))
@@ -72,40 +108,18 @@ def obscured(laid: Leaf, seen: SeenSheet) -> list[Wrong]:
     return [lone("hidden", item, figures, reason=reason).told for item, reason in held]
 
 
-def verify_enclosure(path: Path, enclosure: Enclosure) -> None:
-    """See that a written file beside the sheets has no faults."""
-    wrong = list(enclosure.faults(path.read_bytes()))
-    if wrong:
-        raise SelfCheckFailed(message("check.enclosure", marks=first(wrong)))
+def scale_wrongs(one: Written, keys: Mapping[str, str], sheet: SheetTable) -> list[Wrong]:
+    """List the figures of a sheet that have another scale than is stated; `keys` are those of [sheet.scale]."""
+    return [] if isinstance(one.seen, SheetRefused) else [*scale_faults([(keys, one.seen.measured)], sheet)]
 
 
-def verify_set(wrong: Iterable[Wrong]) -> None:
-    """See that measured sheets have no faults as a set."""
-    told = list(wrong)
-    if told:
-        raise SelfCheckFailed(message("check.sheet", marks=first(told)))
+def enclosure_wrongs(path: Path, enclosure: Enclosure) -> list[Wrong]:
+    """List what is wrong with a written file beside the sheets."""
+    return list(enclosure.faults(path.read_bytes()))
 
 
-def verify_report(wrong: Iterable[Wrong]) -> None:
-    """See that a report has no faults."""
-    told = list(wrong)
-    if told:
-        raise SelfCheckFailed(message("check.report", marks=first(told)))
-
-
-def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> None:
-    """See that measured sheets, each with the keys of its figures, have the scales that are stated, and common ones."""
-    if wrong := [*dict.fromkeys(scales.faults(sheets, sheet))]:
-        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
-
-
-def verify_documents(leaves: Mapping[str, Sequence[Leaf]], sheet: SheetTable) -> None:
-    """See that the sheets of a set are numbered through each document, and bear its designation."""
-    if wrong := [*numbering.faults(leaves, sheet)]:
-        raise SelfCheckFailed(message("check.sheet", marks=first(wrong)))
-
-
-def first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:
+def first(wrong: Iterable[Wrong]) -> Message | tuple[Wrong, ...]:
     """Name the first of what is wrong, and how much more there is."""
-    marks, more = tuple(wrong[:TOLD]), len(wrong) - TOLD
+    own = list(dict.fromkeys(wrong))
+    marks, more = tuple(own[:TOLD]), len(own) - TOLD
     return message("check.more", marks=marks, count=more) if more > 0 else marks

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks import arrowheads, line_kinds, reading, table_grid
-from drawings.checks.documents import title_block
+from drawings.checks.documents_old import title_block
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces import arm_marks
 from drawings.checks.forces.attachments import Schemes

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from drawings.checks import arrowheads, line_kinds, reading
 from drawings.checks.diagrams import verify_diagrams
-from drawings.checks.documents import title_block
+from drawings.checks.documents_old import title_block
 from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.linkage import (
     bars,

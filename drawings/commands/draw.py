@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import os.path
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
 from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -18,30 +17,38 @@ from drawings.files.manifest import manifest_name, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
 from drawings.lettering.lettering import lettered
 from drawings.original.sheet_paths import placed_sheets, sheet_path, stem_of
-from drawings.report.report import faults, headlines, remarks, report, summary
+from drawings.report.report import headlines, lines, remarks, summary, written
 from drawings.sheets.admission import of_scales, of_title
 from drawings.sheets.table import SHEETS
+from plans.scene.demand import resting
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
-from plans.techniques import named
+from plans.techniques import makers_of, named
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
+    from drawings.checks.expected import Expected
     from drawings.checks.wrong import Wrong
     from drawings.eye.sheet import SeenSheet
     from drawings.files.enclosure import Enclosure
+    from drawings.paper.statement import Key
     from drawings.paper.strokes import Leaf
 
-GAPS = 4
+GAPS, WITHHELD = 4, 5
 SHEETS_MOST = 1000  # of one scene; looked for until one is missing
 
 
 class SheetSet(NamedTuple):
-    """A scene that was drawn: its study, its sheets by kind as they were laid out, and the files written."""
+    """A scene that was drawn: its study, its sheets by kind as they were laid out, and the files written.
+
+    What is right and badly drawn is `told`; what was withheld, and why, is in `withheld`.
+    """
 
     study: Study
     leaves: Mapping[str, Sequence[Leaf]]
     paths: tuple[Path, ...]
+    told: tuple[Message, ...] = ()
+    withheld: tuple[Message, ...] = ()
 
     @property
     def sheets(self) -> tuple[Leaf, ...]:
@@ -52,7 +59,7 @@ class SheetSet(NamedTuple):
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
     trace: Trace = options.trace or Trace()
-    sheets = draw(options.scene, options.output, trace)
+    sheets = drawn(options.scene, options.output, trace)
     study = sheets.study
     print(summary(study.comparisons, study.scene.sheet.language))
     for line in (*headlines(study), *sheets.paths):
@@ -61,15 +68,24 @@ def run(options: argparse.Namespace) -> int:
         _say(study.scene, placed(path, message("file.earlier")))
     if options.trace:
         tell(trace.told(study))
-    warnings = remarks(study)
-    for line in warnings:
+    warnings = (*remarks(study), *sheets.told)
+    for line in (*warnings, *sheets.withheld):
         _say(study.scene, line)
-    return GAPS if warnings else 0
+    return WITHHELD if sheets.withheld else GAPS if warnings else 0
 
 
 def draw(path: Path, folder: Path, trace: Trace | None = None) -> SheetSet:
-    """Draw a scene's sheets and report into a folder; nothing is written where the two roads disagree."""
-    trace = trace or Trace()
+    """Draw a scene's sheets and report into a folder; one that is withheld is raised once the others are written."""
+    sheets = drawn(path, folder, trace or Trace())
+    if sheets.withheld:
+        from drawings.checks.verify import SelfCheckFailed
+
+        raise SelfCheckFailed(sheets.withheld[0])
+    return sheets
+
+
+def drawn(path: Path, folder: Path, trace: Trace) -> SheetSet:
+    """Draw a scene's sheets and report into a folder, but for those that are withheld."""
     with trace.stage("reading the scene"):
         study = Study(read_scene(path))
         noted(study)
@@ -81,14 +97,25 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> SheetSet:
 
 
 def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
-    from drawings.checks.agreement import agree
+    """Draw the sheets whose techniques find the same by both roads; where they do not for any, raise what differs."""
+    from drawings.checks.agreement import disagreement
 
     with trace.stage("construction"):
         study.construct()
     with trace.stage("analysis"):
-        for comparison in study.comparisons:
-            agree(comparison)
-    return _sheets(study, folder, trace)
+        apart = {name: told for name in study.techniques if (told := disagreement(study.comparison(name)))}
+    kinds = [kind for kind in study.scene.sheets if apart.keys().isdisjoint(resting(makers_of(kind)))]
+    if not apart:
+        return _sheets(study, folder, trace)
+    if not kinds:
+        raise next(iter(apart.values()))
+    right = _of_study(Study(study.scene.changed(sheets=tuple(kinds))), folder, trace)
+    lost = tuple(kind for kind in study.scene.sheets if kind not in kinds)
+    return right._replace(withheld=(*(_withheld(lost, told.args[0]) for told in apart.values()), *right.withheld))
+
+
+def _withheld(names: tuple[str, ...], why: object) -> Message:
+    return message("check.withheld", names=names, why=why)
 
 
 def admit(scene: Scene) -> None:
@@ -100,11 +127,10 @@ def admit(scene: Scene) -> None:
 
 
 def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
-    """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
+    """Lay out, write beside, measure back, and only then give the sheets their names: those that are right."""
     with trace.stage("imports"):
-        from drawings.checks import verify as checks
-        from drawings.checks.documents import compared
-        from drawings.checks.documents import headlines as said_first
+        from drawings.checks.hold import phrase_faults
+        from drawings.checks.verify import SelfCheckFailed, enclosure_wrongs, first, obscured
         from drawings.original.edition import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
@@ -116,38 +142,46 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
             tell(fault.worded(language))
     with trace.stage("writing"):
         sheets = dict(placed_sheets(folder, stem, leaves))
-        text = report(study, leaves)
         contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, (_, leaf) in sheets.items()}
-        contents[folder / f"{stem}-report.md"] = text.encode("utf-8")
+        told_lines, report = lines(study, leaves), folder / f"{stem}-report.md"
+        contents[report] = written(told_lines).encode("utf-8")
         enclosures = {folder / f"{stem}-{one.name}": one for one in _enclosures(study)}
         contents |= {path: one.content for path, one in enclosures.items()}
-    manifest = manifest_of(scene.file, scene.content, contents)
-    with staged(contents) as written:
+    with staged(contents) as beside:
         with trace.stage("measuring"):
-            told = compared.faults(text, study.comparisons, language)
-            first = said_first.faults(headlines(study), study)
-            short = compared.screen_faults(summary(study.comparisons, language), study.comparisons, language)
-            checks.verify_report((*faults(text, study, leaves), *told, *first, *short))
-            seen: dict[str, list[SeenSheet]] = {kind: [] for kind in leaves}
-            for path, (kind, leaf) in sheets.items():
-                held = partial(named(SHEETS[kind].faults), study=study)
-                seen[kind].append(checks.verify(written[path], leaf, held))
-            checks.verify_documents({kind: [one.leaf for one in own] for kind, own in seen.items()}, scene.sheet)
-            marked = [(SHEETS[kind].scales, one.measured) for kind, own in seen.items() for one in own]
-            checks.verify_scales(marked, scene.sheet)
-            checks.verify_set(_of_sets(study, seen))
-            for path, enclosure in enclosures.items():
-                checks.verify_enclosure(written[path], enclosure)
-        for path in publish(folder, manifest, written):
+            seen, wrong, due = _held(study, sheets, beside)
+            wrong[report] = [*phrase_faults(told_lines, due)]
+            wrong |= {path: enclosure_wrongs(beside[path], one) for path, one in enclosures.items()}
+            told = tuple(fault for path, one in seen.items() for fault in obscured(sheets[path][1], one))
+        withheld = {path: own for path, own in wrong.items() if own}
+        right = {path: content for path, content in contents.items() if path not in withheld}
+        if sheets.keys() <= withheld.keys():
+            raise SelfCheckFailed(message("check.sheet", marks=first(chain(*withheld.values()))))
+        manifest = manifest_of(scene.file, scene.content, right)
+        for path in publish(folder, manifest, {path: beside[path] for path in right}):
             _say(scene, placed(path, message("file.surplus")))
-    return SheetSet(study, leaves, tuple(contents))
+    lost = tuple(_withheld((path.name,), message("check.sheet", marks=first(own))) for path, own in withheld.items())
+    return SheetSet(study, leaves, tuple(right), told, lost)
 
 
-def _of_sets(study: Study, seen: Mapping[str, Sequence[SeenSheet]]) -> Iterator[Wrong]:
-    """Give what is wrong with all sheets of a kind as a set."""
+def _held(
+    study: Study, sheets: Mapping[Path, tuple[str, Leaf]], beside: Mapping[Path, Path]
+) -> tuple[dict[Path, SeenSheet], dict[Path, list[Wrong]], dict[Key, Expected]]:
+    """See the written sheets, and list what is wrong with each; give what had to stand on them."""
+    from drawings.checks import verify
+    from drawings.paper.limits import SheetRefused
+
+    seen = {path: verify.written(beside[path], leaf) for path, (_, leaf) in sheets.items()}
+    wrong: dict[Path, list[Wrong]] = {}
+    rows: dict[Key, Expected] = {}
     for kind in study.scene.sheets:
-        if SHEETS[kind].together:
-            yield from named(SHEETS[kind].together)([(one.measured, one.leaf) for one in seen[kind]], study)
+        own = {path: one for path, one in seen.items() if sheets[path][0] == kind}
+        due = {row.key: row for row in named(SHEETS[kind].due)(study, [one.leaf for one in own.values()])}
+        wrong |= zip(own, verify.wrongs([*own.values()], due, study.scene.sheet), strict=True)
+        rows |= due
+    for path, one in seen.items():
+        wrong[path] += verify.scale_wrongs(one, SHEETS[sheets[path][0]].scales, study.scene.sheet)
+    return {path: one.seen for path, one in seen.items() if not isinstance(one.seen, SheetRefused)}, wrong, rows
 
 
 def _enclosures(study: Study) -> Iterator[Enclosure]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from drawings.checks.labelled import Label, distance
+from drawings.checks.letters import Label, distance
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from drawings.checks.labelled import off
+from drawings.checks.letters import off
 from drawings.grading.asked import Place
 from drawings.grading.segments import JOINED
 from drawings.lettering.extent import bounds

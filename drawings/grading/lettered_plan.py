@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import combinations, permutations
 from typing import NamedTuple
 
-from drawings.checks.labelled import off
+from drawings.checks.letters import off
 from drawings.eye.alike import folded
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawing_faults import scales_written

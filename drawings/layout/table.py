@@ -11,7 +11,9 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
 
 # In sizes of the letters: a row, how far a text stands above its row's line, and the least cell.
 ROW, UNDER, CELL = 2.0, 0.65, 4.0
@@ -229,6 +231,23 @@ def _cells(piece: RuledTable, corner: complex) -> list[Stroke]:
     for k, line in enumerate(piece.lines):
         y = corner.imag - piece.row * (k + piece.over + 1) + UNDER * piece.text
         strokes.append(Text(complex(columns[0] + piece.text / 2, y), line.name, piece.text, "start", True))
-        for x, cell in zip(columns[1:], line.cells, strict=False):
-            strokes.append(Text(complex(x + piece.cell / 2, y), _written(cell, _widest), piece.text, "middle", True))
+        for column, x in enumerate(columns[1 : 1 + len(line.cells)]):
+            strokes.append(_cell(piece, line, column, complex(x + piece.cell / 2, y)))
     return strokes
+
+
+def _cell(piece: RuledTable, line: TableRow, column: int, at: complex) -> Stroke:
+    """Write a cell as what it states: the number of a row in a column of a position."""
+    band, place = divmod(column, len(piece.heads))
+    position = piece.positions[band] if piece.positions else None
+    text = Text(at, _written(line.cells[column], _widest), piece.text, "middle", True)
+    return stating(Statement(Kind.NUMBER, piece.name, cell_name(line.name, place), position), text)
+
+
+def cell_name(row: str, column: int) -> str:
+    """Name a cell by its row, as that is lettered, and its column within a band.
+
+    >>> cell_name("v_{B}, m/s", 1)
+    'v_{B}, m/s [1]'
+    """
+    return f"{row} [{column}]"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from drawings.checks import verify
 from drawings.checks.agreement import agree
+from drawings.checks.hold import stated_keys
 from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong
 from drawings.collation.items import items
@@ -20,7 +20,7 @@ from drawings.measure.seal import digest
 from drawings.original.edition import leaves_of
 from drawings.original.sheet_paths import placed_sheets, stem_of
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.paper.strokes import Leaf
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.sheets.table import SHEETS
@@ -88,31 +88,21 @@ class Originals:
 
         What is there as it must be is taken with all its digits, as it was laid out before it was rounded.
         """
-        data = sheet.leaf.metadata
-        faults = partial(named(SHEETS[sheet.kind].faults), study=self.study)
-        leaf = replace(self._unrounded(sheet, seen), metadata=data)
-        return verify.wrongs(seen.measured._replace(metadata=data), leaf, faults)
+        own = [one.leaf for one in self.sheets if one.kind == sheet.kind]
+        due = {row.key: row for row in named(SHEETS[sheet.kind].due)(self.study, own)}
+        only = stated_keys(sheet.leaf)
+        return [*verify.measured_wrongs(seen.measured, self._left(sheet, seen), due, only)]
 
-    def _unrounded(self, sheet: Original, seen: SeenSheet) -> Leaf:
+    def _left(self, sheet: Original, seen: SeenSheet) -> Leaf:
+        """Give what is left of a sheet as it was laid out on a written one: the strokes that are still there."""
         own = self.seen(sheet)
-        laid = zip(flat(own.written.groups), flat(plain(sheet.leaf, own.leaf.lettering).groups), strict=True)
-        exact = {id(rounded): one for rounded, one in laid}
-        pairs = match(items(own.written), items(seen.written), QUANTUM).same
-        known = {id(theirs.stroke): exact[id(ours.stroke)] for ours, theirs in pairs}
-        # What a hinge of ours covers is covered by right.
-        rightly = {id(one.stroke) for one in own.unseen}
-        usual = {id(theirs.stroke) for ours, theirs in pairs if id(ours.stroke) in rightly}
-        leaf = without(seen.written, [one.stroke for one in seen.unseen if id(one.stroke) not in usual])
-        return replace(leaf, groups=tuple(_with(group, known) for group in leaf.groups))
+        laid = plain(sheet.leaf, own.leaf.lettering)
+        exact = dict(zip(map(id, flat(own.written.groups)), flat(laid.groups), strict=True))
+        there = {id(exact[id(ours.stroke)]) for ours, _ in match(items(own.written), items(seen.written), QUANTUM).same}
+        return without(laid, [one for one in flat(laid.groups) if id(one) not in there])
 
     def of(self, name: str, data: Mapping[str, Any]) -> tuple[Original, ...]:
         """Give the sheets that a written one may be: by its data and by its name, and all if by neither."""
         said = [sheet for sheet in self.sheets if sheet.says(data)]
         called = [sheet for sheet in self.sheets if sheet.name == name and sheet not in said]
         return (*said, *called) or self.sheets
-
-
-def _with(group: Group, known: Mapping[int, Stroke]) -> Group:
-    """Give a group with strokes put in place of others, by their ids."""
-    own = (_with(one, known) if isinstance(one, Group) else known.get(id(one), one) for one in group.strokes)
-    return replace(group, strokes=tuple(own))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from drawings.lettering.phrase import Phrase, Slot, numbered, phrase
 from drawings.lettering.words import letter, number, word
 from drawings.page.page import page_of
 from drawings.page.scale import Scale
@@ -23,6 +24,14 @@ class Drafting(NamedTuple):
     def word(self, key: str, **values: object) -> str:
         """Give a phrase in the sheet's language."""
         return word(self.language, key, **values)
+
+    def phrase(self, key: str, **parts: object) -> Phrase:
+        """Say a sentence in the sheet's language whose numbers are slots of quantities."""
+        return phrase(self.language, key, **parts)
+
+    def slot(self, slot: Slot) -> Phrase:
+        """Write the number of a quantity."""
+        return numbered(self.language, slot)
 
     def number(self, value: float, digits: int = 4) -> str:
         """Write a number with some significant digits."""

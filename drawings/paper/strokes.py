@@ -15,6 +15,7 @@ from functools import lru_cache
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from drawings.paper.limits import STATED_DIGITS
+from drawings.paper.statement import Statement
 from geometry.curve import Piece
 from geometry.errors import DraftError
 
@@ -147,12 +148,14 @@ class Group:
 
     Kinds that can be measured ("vector", "point", "pole", "corner", "profile") carry their data on their first stroke,
     a Line for a vector, a Curve for a profile, a Circle for the others; every other kind carries them on the group.
+    What a group `states` is no part of a file: one that does nothing but state is written as its strokes alone.
     """
 
     strokes: tuple[Stroke, ...]
     name: str = ""
     data: Mapping[str, str] = field(default_factory=dict)
     title: str = ""
+    states: Statement | None = None
 
 
 Stroke: TypeAlias = Line | Polyline | Arc | Circle | Fill | Curve | Text | Group

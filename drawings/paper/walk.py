@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
-from drawings.paper.strokes import Group, Stroke, Text
+from drawings.paper.statement import Statement
+from drawings.paper.strokes import Group, Leaf, Stroke, Text
 
 
 def walk(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
@@ -37,3 +39,37 @@ def group_named(strokes: Iterable[Stroke], name: str) -> Group | None:
 def texts(strokes: Iterable[Stroke]) -> Iterator[Text]:
     """Give the lettering."""
     return (stroke for stroke in walk(strokes) if isinstance(stroke, Text))
+
+
+def stating(statement: Statement, *strokes: Stroke) -> Group:
+    """Give strokes as what they state."""
+    return Group(strokes, states=statement)
+
+
+def stated(strokes: Iterable[Stroke]) -> Iterator[Group]:
+    """Give the groups that state something, each before those within it."""
+    return (one for one in groups(strokes) if one.states is not None)
+
+
+def unstated(leaf: Leaf) -> Leaf:
+    """Give a leaf as it is written: what does nothing but state is its strokes alone.
+
+    >>> from drawings.paper.statement import Kind
+    >>> cell = stating(Statement(Kind.NUMBER, "table", "m"), Text(0j, "1"))
+    >>> unstated(Leaf(1, 1, (Group((cell,), "table"),))).groups == (Group((Text(0j, "1"),), "table"),)
+    True
+    """
+    return replace(
+        leaf, groups=tuple(one for group in leaf.groups for one in _written(group) if isinstance(one, Group))
+    )
+
+
+def _written(stroke: Stroke) -> Iterator[Stroke]:
+    if not isinstance(stroke, Group):
+        yield stroke
+        return
+    own = tuple(one for part in stroke.strokes for one in _written(part))
+    if stroke.states is not None and not (stroke.name or stroke.data or stroke.title):
+        yield from own
+    else:
+        yield replace(stroke, strokes=own, states=None)

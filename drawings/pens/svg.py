@@ -33,6 +33,7 @@ from drawings.paper.strokes import (
     Stroke,
     Text,
 )
+from drawings.paper.walk import unstated
 from drawings.pens.deferred import deferred
 from drawings.pens.fonts import EM, FONTS, longest, pieces
 from drawings.pens.letters import lettering
@@ -55,6 +56,7 @@ _UNCHECKED = container.Group(debug=False)
 
 def svg(leaf: Leaf) -> bytes:
     """Draw a sheet: the same leaf gives the same bytes on every run."""
+    leaf = unstated(leaf)
     root = _drawing(leaf).get_xml()
     _describe(root, leaf)
     for part in root:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from drawings.lettering.phrase import Phrase, template_of
+
 
 def plain(note: str) -> str:
     """Write a note without the braces of its indices.
@@ -16,5 +18,5 @@ def plain(note: str) -> str:
 
 def listed(title: str, notes: Iterable[str]) -> list[str]:
     """Write a chapter as a list; one without notes is left out."""
-    told = [f"- {plain(note)}" for note in notes]
+    told: list[str] = [Phrase(f"- {plain(note)}", f"- {plain(template_of(note))}") for note in notes]
     return [title, *told] if told else []

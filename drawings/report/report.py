@@ -26,10 +26,20 @@ PLAN_WIDTH = 14  # letters of the longest plan's English word
 
 def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
     """Write the report beside the sheets, whose leaves are given by kind."""
+    return written(lines(study, leaves))
+
+
+def written(lines: Iterable[str]) -> str:
+    """Write lines one under another."""
+    return "\n".join(lines) + "\n"
+
+
+def lines(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> list[str]:
+    """Give the lines of the report; phrases among them say which quantities their numbers are."""
     told: list[Chapters] = [named(REPORTS[name].chapters)(study, leaves) for name in study.techniques]
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
-    parts = [
+    return [
         word(language, "report.title", title=study.scene.heading(language), sheets=kinds),
         *(line for one in told for line in one.subject),
         *(line for one in told for line in one.values),
@@ -39,7 +49,6 @@ def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
         *(line for one in told for line in one.left_out),
         *(line for name in _idle(study) for line in named(REPORTS[name].idle)(study.scene)),
     ]
-    return "\n".join(parts) + "\n"
 
 
 def _idle(study: Study) -> Iterator[str]:
@@ -57,11 +66,6 @@ def headlines(study: Study) -> Iterator[str]:
 def remarks(study: Study) -> list[Message]:
     """Give what is not whole about a study: gaps, positions that are not for grading, pairs that jam."""
     return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
-
-
-def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Give what a report tells otherwise than the analysis."""
-    return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study, leaves))
 
 
 def summary(comparisons: Iterable[Comparison], language: str) -> str:

@@ -14,7 +14,6 @@ class Report(NamedTuple):
     headline: str  # of a study to a line about it on the screen, or nothing
     remarks: str  # of a study to lines of warning: gaps, dead centres, jams
     idle: str  # of a scene whose sheets do not ask for it to lines that say what is left out of it
-    faults: str  # of a report's text, a study and the leaves by their sheets to what is wrong with it
 
 
 REPORTS: Final[Mapping[str, Report]] = {
@@ -24,7 +23,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.linkage.motion_report:headline",
         remarks="drawings.report.linkage.motion_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.note.linkage_note:report_faults",
     ),
     "diagrams": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -32,7 +30,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.diagrams_report:headline",
         remarks="drawings.report.diagrams_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.diagrams.diagram_report:faults",
     ),
     "forces": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -40,7 +37,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.forces.force_report:headline",
         remarks="drawings.report.forces.force_report:remarks",
         idle="drawings.report.idle:of_forces",
-        faults="drawings.checks.note.force_note:report_faults",
     ),
     "dynamics": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -48,7 +44,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.dynamics_report:headline",
         remarks="drawings.report.dynamics_report:remarks",
         idle="drawings.report.idle:of_dynamics",
-        faults="drawings.checks.dynamics.report_told:faults",
     ),
     "balance": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -56,7 +51,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.balance.balance_report:headline",
         remarks="drawings.report.balance.balance_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.balance_words.balance_report:faults",
     ),
     "bank": Report(
         subject="drawings.report.balance.bank_report:subject",
@@ -64,7 +58,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.balance.bank_report:headline",
         remarks="drawings.report.balance.bank_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.balance_words.bank_report:faults",
     ),
     "rotor": Report(
         subject="drawings.report.rotor_report:subject",
@@ -72,7 +65,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.rotor_report:headline",
         remarks="drawings.report.rotor_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.rotor.reported:faults",
     ),
     "cyclogram": Report(
         subject="drawings.report.cyclogram_report:subject",
@@ -80,7 +72,6 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.cyclogram_report:headline",
         remarks="drawings.report.cyclogram_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.cyclogram.reported:faults",
     ),
     "cam": Report(
         subject="drawings.report.cam_report:subject",
@@ -88,6 +79,5 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.cam_report:headline",
         remarks="drawings.report.cam_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.checks.cam.reported:faults",
     ),
 }

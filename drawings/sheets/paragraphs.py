@@ -7,10 +7,14 @@ from collections.abc import Sequence
 
 from drawings.layout.block import NARROW, Notes
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import SLOT, template_of
 from drawings.page.page import Field
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
+from drawings.paper.walk import stating
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
+NOTES = "notes"  # the name of their group
 CLEAR = 0.5  # mm from a line of notes to the frame
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
@@ -24,13 +28,14 @@ def measure(paragraphs: Sequence[str], size: float, least: float = 0.0) -> Notes
 def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> Group:
     """Write notes from the top of their field downwards, a long one broken between its parts, clear of an edge, mm."""
     width = min(field.width, edge - CLEAR - LEAN * size - field.left)  # the last letter leans beyond its width
-    lines = [line for note in paragraphs for line in _broken(_marked(note), width, size)]
-    step = min(STEP * size, field.height / max(len(lines), 1))
-    strokes: list[Stroke] = [
-        Text(complex(field.left, field.top - size - k * step), line, size, "start", True)
-        for k, line in enumerate(lines)
-    ]
-    return Group(tuple(strokes), "notes")
+    broken = [_broken(_marked(note), width, size) for note in paragraphs]
+    step = min(STEP * size, field.height / max(sum(map(len, broken)), 1))
+    strokes, top = list[Stroke](), field.top - size
+    for note, lines in zip(paragraphs, broken, strict=True):
+        own = [Text(complex(field.left, top - k * step), line, size, "start", True) for k, line in enumerate(lines)]
+        strokes += [stating(Statement(Kind.PHRASE, NOTES, told), *own)] if SLOT.search(told := template_of(note)) else own
+        top -= len(lines) * step
+    return Group(tuple(strokes), NOTES)
 
 
 def _broken(note: str, width: float, size: float) -> list[str]:

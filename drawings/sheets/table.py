@@ -15,18 +15,16 @@ class Sheet(NamedTuple):
 
     admit: str  # of a scene to nothing: raises what the sheet cannot show, before any work
     leaves: str  # of a study to the leaves laid out, one or several
-    faults: str  # of a measured sheet, its leaf and a study to what is wrong with it, in words
+    due: str  # of a study and the leaves of this kind to what must stand on them, by the analysis
     scales: Mapping[str, str] = MappingProxyType({})  # how names of figures begin, and their keys of [sheet.scale]
     enclosures: str = ""  # of a study to the files beside its sheets
-    together: str = ""  # of all measured sheets with their leaves and a study to what is wrong with them as a set
 
 
 SHEETS: Final[Mapping[str, Sheet]] = {
     "kinematics": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.kinematics:leaves",
-        faults="drawings.checks.verify_kinematics:faults",
-        together="drawings.checks.verify_kinematics:set_faults",
+        due="drawings.due.linkage:due",
         scales={
             "positions": "length",
             "velocities-": "velocity",
@@ -37,14 +35,13 @@ SHEETS: Final[Mapping[str, Sheet]] = {
     "positions": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.positions:leaves",
-        faults="drawings.checks.verify_kinematics:faults",
+        due="drawings.due.linkage:due",
         scales={"positions": "length"},
     ),
     "forces": Sheet(
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.forces:leaves",
-        faults="drawings.checks.verify_forces:faults",
-        together="drawings.checks.verify_forces:set_faults",
+        due="drawings.due.forces:due",
         scales={
             "scheme-": "scheme",
             "forces-": "force",
@@ -56,51 +53,44 @@ SHEETS: Final[Mapping[str, Sheet]] = {
     "dynamics": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.dynamics:leaves",
-        faults="drawings.checks.dynamics.verify_dynamics:faults",
-        together="drawings.checks.dynamics.verify_dynamics:set_faults",
+        due="drawings.due.dynamics:due",
         scales={"flywheel_sketch": "wheel", "load_diagram-": "way"},
     ),
     "balancing": Sheet(
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.balancing:leaves",
-        faults="drawings.checks.balance.verify_balancing:faults",
-        together="drawings.checks.balance.verify_balancing:set_faults",
+        due="drawings.due.balancing:due",
         scales={"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"},
     ),
     "bank": Sheet(
         admit="drawings.sheets.bank:admit",
         leaves="drawings.sheets.bank:leaves",
-        faults="drawings.checks.bank.verify_bank:faults",
-        together="drawings.checks.bank.verify_bank:set_faults",
+        due="drawings.due.bank:due",
         scales={"star": "scheme", "shaft": "scheme", "order_forces-": "force", "order_moments-": "moment"},
     ),
     "rotor": Sheet(
         admit="drawings.sheets.rotor:admit",
         leaves="drawings.sheets.rotor:leaves",
-        faults="drawings.checks.rotor.verify_rotor:faults",
-        together="drawings.checks.rotor.verify_rotor:set_faults",
+        due="drawings.due.rotor:due",
         scales={"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"},
     ),
     "cam": Sheet(
         admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam:leaves",
-        faults="drawings.checks.cam.verify_cam:faults",
-        together="drawings.checks.cam.verify_cam:set_faults",
+        due="drawings.due.cam:due",
         scales={"sizes": "cam", "profile": "cam"},
     ),
     "profile": Sheet(
         admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam_profile:leaves",
-        faults="drawings.checks.cam.verify_profile:faults",
-        together="drawings.checks.cam.verify_profile:set_faults",
+        due="drawings.due.profile:due",
         enclosures="drawings.checks.cam.coordinates:enclosures",
         scales={"manufacturing": "cam"},
     ),
     "cyclogram": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.cyclogram:leaves",
-        faults="drawings.checks.cyclogram.verify_cyclogram:faults",
-        together="drawings.checks.cyclogram.verify_cyclogram:set_faults",
+        due="drawings.due.cyclogram:due",
         scales={"characteristic": "length"},
     ),
 }

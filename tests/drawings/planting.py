@@ -26,7 +26,7 @@ class DrawingFault(NamedTuple):
     file: str
     right: str
     wrong: str
-    says: str
+    says: str = ""
     sheet: str = "cam"
 
     @property

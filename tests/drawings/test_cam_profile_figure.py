@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.cam import profile_figure
 from drawings.figures.cam.profile_view import ProfileView
 from drawings.measure.measure import Measured

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.cam import sizes_table
 from drawings.figures.cam.manufacturing import Manufacture, manufacture
 from drawings.measure.measure import Measured

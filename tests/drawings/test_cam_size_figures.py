@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.cam import pressure_graph, size_diagram
 from drawings.figures.cam.pressure_graph import PressureView, pressure_view
 from drawings.figures.cam.size_view import SizeView

@@ -10,7 +10,7 @@ from functools import cache
 import pytest
 
 from drawings.checks.dynamics.verify_dynamics import faults
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.dynamics.curves import dense
 from drawings.figures.dynamics.loop import Loop
 from drawings.figures.dynamics.strips import MARKED, strips

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import drawings
-from drawings.checks.documents.compared import screen_faults
-from drawings.checks.documents.headlines import faults
+from drawings.checks.documents_old.compared import screen_faults
+from drawings.checks.documents_old.headlines import faults
 from drawings.report.linkage.first_numbers import greatest
 from drawings.report.report import headlines, summary
 from plans.scene.scene import parse_scene

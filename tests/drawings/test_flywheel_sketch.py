@@ -7,7 +7,7 @@ import math
 
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.dynamics import flywheel_sketch
 from drawings.figures.dynamics.flywheel_sketch import Outlines
 from drawings.paper.hand import hand_of

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from drawings.checks.force_marks import polygon_marks
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.forces.force_kinds import WHOLE
 from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of

@@ -2,7 +2,7 @@
 
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.measure.measure import check, measure
 from drawings.page.page import Page
 from drawings.paper.strokes import Group, Leaf

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.cam import law_diagrams
 from drawings.figures.cam.law_frame import LawFrame, LawPlate
 from drawings.figures.cam.law_graph import graph_part

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.checks.labelled import unlettered
+from drawings.checks.letters import unlettered
 from drawings.figures.dynamics import load_diagram
 from drawings.figures.dynamics.load_course import course, courses
 from drawings.paper.walk import texts

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.checks.documents import compared
+from drawings.checks.documents_old import compared
 from drawings.checks.dynamics.report_told import faults as report_faults
 from drawings.checks.dynamics.verify_dynamics import faults, set_faults
 from drawings.checks.verify import SelfCheckFailed, verify, verify_report, verify_set

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from drawings.checks import reading
 from drawings.checks.balance.balance_expected import Expected
-from drawings.checks.documents import ruled
+from drawings.checks.documents_old import ruled
 from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, within
 from drawings.figures.balance.balance_table import COSTS, DIGITS, NONE, PLACES, SHARE_DIGITS, WEIGHTS

@@ -11,7 +11,7 @@ from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import PRIMES
 from drawings.checks.balance.share_level import bare, curve_letter, level, taken
 from drawings.checks.graphs.scale_line import written_scales
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.precise import KNOWN
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import Expected
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance import share_graph

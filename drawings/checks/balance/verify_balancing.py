@@ -16,7 +16,7 @@ from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import Expected
 from drawings.checks.balance.balance_schemes import schemes
 from drawings.checks.balance.balance_told import notes
-from drawings.checks.documents import title_block, together
+from drawings.checks.documents_old import title_block, together
 from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.workings import machine_workings
 from drawings.checks.workings.due_line import DueLine, Quantity

@@ -16,7 +16,7 @@ from drawings.checks.balance_words.balance_sentences import BalanceSentences
 from drawings.checks.balance_words.bounds import in_positions, of_largest
 from drawings.checks.balance_words.report_lines import head, listed, table, wrong_chapter
 from drawings.checks.balance_words.sentences import SIGNED, TURNS, Sentence, is_line, number
-from drawings.checks.documents import chapters
+from drawings.checks.documents_old import chapters
 from drawings.checks.note.lines import in_report
 from drawings.checks.precise import KNOWN
 from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT

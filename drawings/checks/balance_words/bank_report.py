@@ -10,7 +10,7 @@ from drawings.checks.balance_words.bank_sentences import BankSentences
 from drawings.checks.balance_words.report_lines import head, table, wrong_chapter
 from drawings.checks.balance_words.sentences import Sentence, is_line, number
 from drawings.checks.bank.bank_expected import Expected
-from drawings.checks.documents import chapters
+from drawings.checks.documents_old import chapters
 from drawings.checks.note.lines import in_report
 from drawings.page.drafting import drafting_of
 from plans.bank.letters import FORCE, MOMENT, SINGLE, letters

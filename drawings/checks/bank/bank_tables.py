@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from drawings.checks import reading
 from drawings.checks.bank.bank_expected import Body, Expected
-from drawings.checks.documents import ruled
+from drawings.checks.documents_old import ruled
 from drawings.checks.linkage import accord
 from drawings.checks.linkage import by_hand as hand
 from drawings.checks.rotor.rotor_tables import Cell

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from drawings.checks.bank.bank_expected import LINE, Expected
 from drawings.checks.graphs.figure_strokes import NEAR, FigureStrokes, figure
-from drawings.checks.labelled import distance, labels_of
+from drawings.checks.letters import distance, labels_of
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank import shaft, star

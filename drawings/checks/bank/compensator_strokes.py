@@ -12,7 +12,7 @@ from drawings.checks.bank.bank_views import origin
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line
-from drawings.checks.labelled import along
+from drawings.checks.letters import along
 from drawings.checks.line_kind import DASHED, MAIN, Kind
 from drawings.checks.line_kind import FULL as FULL_LINE
 from drawings.checks.wrong import Wrong, on

@@ -18,7 +18,7 @@ from drawings.checks.bank import (
 )
 from drawings.checks.bank.bank_expected import Expected
 from drawings.checks.bank.bank_titles import GRAPHS
-from drawings.checks.documents import title_block, together
+from drawings.checks.documents_old import title_block, together
 from drawings.checks.linkage.by_hand import wrong_scales
 from drawings.checks.wrong import Wrong
 from drawings.figures.bank import shaft, star

@@ -9,7 +9,7 @@ from drawings.checks.cyclogram import cyclogram_charts, due_notes, due_rows
 from drawings.checks.cyclogram.cyclogram_bars import BarStrokes
 from drawings.checks.cyclogram.cyclogram_charts import BARS, CIRCLE
 from drawings.checks.cyclogram.cyclogram_rings import RingStrokes
-from drawings.checks.documents import written_notes
+from drawings.checks.documents_old import written_notes
 from drawings.checks.precise import precise
 from drawings.checks.wrong import Wrong
 from drawings.measure.measure import Measured

@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.graphs.figure_strokes import NEAR, FigureStrokes, Turning
-from drawings.checks.labelled import NEAREST
+from drawings.checks.letters import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.inversion import MISSED
 from drawings.figures.cam.profile_view import NAME

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.documents import title_block
+from drawings.checks.documents_old import title_block
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.graphs.scale_line import scale_line
 from drawings.checks.wrong import Wrong, on

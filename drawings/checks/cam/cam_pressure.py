@@ -13,7 +13,7 @@ from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read
 from drawings.checks.graphs.linework import FAR, Linework, Way
 from drawings.checks.graphs.scale_line import scale_line, written_scales
-from drawings.checks.labelled import NEAREST
+from drawings.checks.letters import NEAREST
 from drawings.checks.precise import KNOWN
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME

@@ -11,7 +11,7 @@ import numpy as np
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_units import BARE
-from drawings.checks.documents import ruled
+from drawings.checks.documents_old import ruled
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.linkage import by_hand
 from drawings.checks.precise import KNOWN

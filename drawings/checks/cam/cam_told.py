@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.due_notes import DueNotes
-from drawings.checks.documents import written_notes
+from drawings.checks.documents_old import written_notes
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.precise import KNOWN, precise, tells

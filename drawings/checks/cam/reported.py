@@ -15,7 +15,7 @@ from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_units import BARE
 from drawings.checks.cam.due_notes import DueNotes
-from drawings.checks.documents import chapters
+from drawings.checks.documents_old import chapters
 from drawings.checks.note.lines import cells, in_report, parts
 from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.reading import reads

@@ -27,7 +27,7 @@ from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.cam.shape import profile_styles
 from drawings.checks.cam.shape.round_lines import RoundLines
 from drawings.checks.cyclogram.cyclogram_charts import BARS, CIRCLE
-from drawings.checks.documents import together
+from drawings.checks.documents_old import together
 from drawings.checks.graphs.figure_strokes import figure
 from drawings.checks.graphs.scale_line import ratio, scale_line
 from drawings.checks.linkage import accord

@@ -11,8 +11,8 @@ from drawings.checks.cam import cam_page
 from drawings.checks.cam.blank.cam_blank import blank
 from drawings.checks.cam.blank.tabled_cam import FLAWS, PLAN, TabledCam, notes, tabled
 from drawings.checks.cam.profiles import Analysed, wrong
-from drawings.checks.documents import ruled, together, written_notes
-from drawings.checks.documents.told_cell import Cell
+from drawings.checks.documents_old import ruled, together, written_notes
+from drawings.checks.documents_old.told_cell import Cell
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.precise import precise

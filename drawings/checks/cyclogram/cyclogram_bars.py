@@ -13,7 +13,7 @@ from drawings.checks.cyclogram.cyclogram_words import angle, doing, in_style, ro
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line
-from drawings.checks.labelled import along
+from drawings.checks.letters import along
 from drawings.checks.precise import KNOWN, precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.extent import bounds

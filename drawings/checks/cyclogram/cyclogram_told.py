@@ -8,8 +8,8 @@ from itertools import islice
 
 from drawings.checks import reading
 from drawings.checks.cyclogram.due_notes import DueNotes
-from drawings.checks.documents import ruled, written_notes
-from drawings.checks.documents.told_cell import Cell
+from drawings.checks.documents_old import ruled, written_notes
+from drawings.checks.documents_old.told_cell import Cell
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.precise import precise
 from drawings.checks.wrong import Wrong, within

@@ -9,8 +9,8 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from drawings.checks.cyclogram.due_notes import DueNotes
-from drawings.checks.documents import chapters
-from drawings.checks.documents.told_cell import Cell
+from drawings.checks.documents_old import chapters
+from drawings.checks.documents_old.told_cell import Cell
 from drawings.checks.note.lines import in_report, part
 from drawings.checks.precise import KNOWN, precise, tells
 from drawings.page.drafting import Drafting, drafting_of

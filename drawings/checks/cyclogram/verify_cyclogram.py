@@ -10,7 +10,7 @@ from drawings.checks.cyclogram.cyclogram_bars import BarStrokes
 from drawings.checks.cyclogram.cyclogram_charts import BARS, CIRCLE
 from drawings.checks.cyclogram.cyclogram_rings import RingStrokes
 from drawings.checks.cyclogram.cyclogram_told import TABLE
-from drawings.checks.documents import title_block, together
+from drawings.checks.documents_old import title_block, together
 from drawings.checks.graphs.scale_line import ratio
 from drawings.checks.linkage.laid import ground
 from drawings.checks.wrong import Wrong, on

@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow
-from drawings.checks.documents import ruled
+from drawings.checks.documents_old import ruled
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.precise import precise, rounded, tells
 from drawings.checks.reading import NOTES, reads

@@ -14,7 +14,7 @@ from drawings.checks.dynamics.load_law import branches
 from drawings.checks.graphs.figure_strokes import FLUSH, read
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_text
-from drawings.checks.labelled import along
+from drawings.checks.letters import along
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.words import letter as lettered

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.checks.documents import chapters
+from drawings.checks.documents_old import chapters
 from drawings.checks.dynamics.due_notes import DueNotes
 from drawings.checks.dynamics.dynamics_expected import KNOWN, Expected
 from drawings.checks.dynamics.told_table import NOTHING, DueCell, Shared

@@ -12,7 +12,7 @@ from drawings.checks.dynamics.dynamics_expected import KNOWN
 from drawings.checks.graphs.figure_strokes import FLUSH
 from drawings.checks.graphs.inventory import Inventory
 from drawings.checks.graphs.scale_line import scale_line
-from drawings.checks.labelled import along
+from drawings.checks.letters import along
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.page.drafting import Drafting

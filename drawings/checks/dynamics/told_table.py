@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.checks import reading
-from drawings.checks.documents import ruled
+from drawings.checks.documents_old import ruled
 from drawings.checks.dynamics.dynamics_expected import KNOWN
 from drawings.checks.graphs.figure_strokes import read
 from drawings.checks.wrong import Wrong, within

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from drawings.checks.documents import title_block
+from drawings.checks.documents_old import title_block
 from drawings.checks.dynamics.due_figures import DueFigures
 from drawings.checks.dynamics.due_notes import DueNotes
 from drawings.checks.dynamics.dynamics_expected import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected

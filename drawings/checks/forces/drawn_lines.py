@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.checks.forces.laid_scheme import FINE
 from drawings.checks.graphs.figure_strokes import FigureStrokes
-from drawings.checks.labelled import leaders
+from drawings.checks.letters import leaders
 from drawings.checks.linkage.laid_poses import Flags, Segments
 from drawings.checks.linkage.position_marks import is_led
 from drawings.checks.wrong import Wrong, on

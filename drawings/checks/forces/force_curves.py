@@ -11,7 +11,7 @@ import numpy as np
 from drawings.checks.forces.laid_scheme import FINE
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
 from drawings.checks.graphs.scale_line import scale_text
-from drawings.checks.labelled import NEAREST
+from drawings.checks.letters import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.words import word
 from drawings.symbols.symbols import TICK

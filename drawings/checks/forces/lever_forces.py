@@ -12,7 +12,7 @@ from drawings.checks.forces.drawn_lines import DrawnLines
 from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
 from drawings.checks.forces.scheme_forces import ASKEW, Floor
 from drawings.checks.graphs.figure_strokes import FigureStrokes, read
-from drawings.checks.labelled import NEAREST, along
+from drawings.checks.letters import NEAREST, along
 from drawings.checks.standing import stands
 from drawings.checks.wrong import Wrong, on
 from drawings.measure.measured import MeasuredPoint

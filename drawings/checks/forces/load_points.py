@@ -10,7 +10,7 @@ import numpy as np
 from drawings.checks.dynamics.dynamics_expected import KNOWN
 from drawings.checks.dynamics.dynamics_graphs import has
 from drawings.checks.dynamics.dynamics_sizes import loads as corners
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics import load_diagram
 from drawings.measure.measure import Measured

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from drawings.checks.arrowheads import BENT
 from drawings.checks.forces.laid_scheme import FINE, Arrow, LaidScheme
 from drawings.checks.graphs.figure_strokes import Turning
-from drawings.checks.labelled import NEAREST
+from drawings.checks.letters import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
 from drawings.paper.strokes import Line

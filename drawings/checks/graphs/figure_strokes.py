@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from drawings.checks.labelled import NEAREST, Label, distance, labels_of
+from drawings.checks.letters import NEAREST, Label, distance, labels_of
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from plans.model.motion import Complexes

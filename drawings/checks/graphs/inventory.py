@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar
 
 from drawings.checks.graphs.figure_strokes import FLUSH
-from drawings.checks.labelled import along, leaders, off
+from drawings.checks.letters import along, leaders, off
 from drawings.checks.wrong import Wrong, on
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds

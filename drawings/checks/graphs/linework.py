@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, read
-from drawings.checks.labelled import along, leaders
+from drawings.checks.letters import along, leaders
 from drawings.checks.wrong import Wrong, on
 from drawings.paper.strokes import Arc, Line
 from drawings.symbols.symbols import ARROW_LENGTH

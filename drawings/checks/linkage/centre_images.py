@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.lettering.indices import with_index

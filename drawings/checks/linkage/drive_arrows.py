@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks.graphs.figure_strokes import FigureStrokes, Turning
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.linkage.pair_symbols import sizes
 from drawings.checks.linkage.position_marks import named

@@ -6,7 +6,7 @@ import cmath
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from drawings.checks.labelled import NEAREST, along, distance, labels_of
+from drawings.checks.letters import NEAREST, along, distance, labels_of
 from drawings.checks.wrong import on
 from drawings.figures.linkage.part_letters import PARTS, least_length, part_letter
 from drawings.measure.measured import MeasuredVector

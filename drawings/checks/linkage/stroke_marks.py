@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on

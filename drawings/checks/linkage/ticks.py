@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.letters import NEAREST, distance, labels_of
 from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.checks.documents import chapters
+from drawings.checks.documents_old import chapters
 from drawings.checks.note import told_lines
 from drawings.checks.note.lines import part
 from drawings.checks.note.motion_data import MotionData

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.labelled import Label
+from drawings.checks.letters import Label
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.lettering.extent import bounds
 from plans.linkage.study import EXTREMES

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.labelled import Label, labels_of, off
+from drawings.checks.letters import Label, labels_of, off
 from drawings.checks.linkage.laid_plan import LaidPlan
 from drawings.checks.numbers.numbers_due import Course, DueNumbers, Seen, courses
 from drawings.checks.reading import plain

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
-from drawings.checks.documents import chapters
+from drawings.checks.documents_old import chapters
 from drawings.checks.note.lines import in_report, parts
 from drawings.checks.precise import precise
 from drawings.checks.reading import NOTES

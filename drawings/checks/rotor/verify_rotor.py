@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks import reading
-from drawings.checks.documents import title_block, together
+from drawings.checks.documents_old import title_block, together
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.rotor import rotor_polygons, rotor_sentences, rotor_tables, rotor_told, view_across, view_along
 from drawings.checks.workings import machine_workings

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.checks.graphs.figure_strokes import FigureStrokes
-from drawings.checks.labelled import NEAREST
+from drawings.checks.letters import NEAREST
 from drawings.checks.linkage.position_marks import EXACT
 from drawings.checks.vectors.laid_vectors import LaidVectorPlan
 from drawings.checks.wrong import on

@@ -14,9 +14,11 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined
 from drawings.lettering.rotor_letters import index
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
@@ -159,8 +161,10 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
         level = bottom - number * step(hand)
         across = place.on(complex(own[0].place)).real
         names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
-        text = f"{names} = {drafting.number(1000 * abs(arm))}"
-        yield dimension(base.real, across, level, math.copysign(1.0, arm), text, hand)
+        size = Slot(f"h_{own[0].name}", 1000 * abs(arm))
+        told = joined(" = ", (names, drafting.slot(size)))
+        said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
+        yield dimension(base.real, across, level, math.copysign(1.0, arm), told, said, hand)
         yield extension(across, place.on(_side(own[0])).imag, level, hand)
     if arms:
         yield extension(base.real, base.imag - _half(shown, place, hand), level, hand)

@@ -15,7 +15,9 @@ from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import HINGE, hinge, turning_arrow
@@ -100,7 +102,8 @@ def _turning(shown: RotorView, place: Place, hand: Hand) -> tuple[Stroke, ...]:
     if not shown.turning:
         return ()
     radius, start, sweep = TURN
-    return turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.turning), hand)
+    arrow = turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.turning), hand)
+    return (stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow),)
 
 
 def _spoke(one: ShownBody, place: Place, hand: Hand) -> Stroke:

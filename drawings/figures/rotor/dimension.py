@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from drawings.lettering.lettering import text_reach, text_width
+from drawings.lettering.phrase import telling
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
 PAST = 1.5  # mm an extension line goes past the lowest arrow
@@ -13,7 +16,7 @@ TALL = 1.6  # sizes of a number with its index, and paper over it
 TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
 
 
-def dimension(base: float, last: float, level: float, sense: float, text: str, hand: Hand) -> Group:
+def dimension(base: float, last: float, level: float, sense: float, text: str, states: Statement, hand: Hand) -> Group:
     """Draw a level dimension from a base, mm, in a sense +1 or -1: where it is short its number is beyond the base."""
     wide = text_width(Text(0j, text, hand.number, "middle", True))
     start, end = complex(base, level), complex(last, level)
@@ -26,7 +29,7 @@ def dimension(base: float, last: float, level: float, sense: float, text: str, h
     above = ABOVE - text_reach(Text(0j, text, hand.number, "middle", True))[0]  # an index hangs below its line
     letters = Text(middle + above * 1j, text, hand.number, "middle", True)
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
-    return Group((line, *heads, letters))
+    return Group((stating(states, line, *heads), telling(states.figure, letters)))
 
 
 def room_for(text: str, hand: Hand) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawings.checks.labelled import NEAREST, labels_of, off
+from drawings.checks.letters import NEAREST, labels_of, off
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import BEARINGS, FigureAsked
 from drawings.grading.curves.drawn_curve import PLACED

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from drawings.checks.labelled import Label, along, off
+from drawings.checks.letters import Label, along, off
 from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan

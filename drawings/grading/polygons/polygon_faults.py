@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from drawings.checks.labelled import Label, along, distance
+from drawings.checks.letters import Label, along, distance
 from drawings.grading import verdict
 from drawings.grading.asked import Asked
 from drawings.grading.drawn_plan import Arrow, DrawnPlan

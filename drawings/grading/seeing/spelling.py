@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from drawings.checks.labelled import Label, labels_of
+from drawings.checks.letters import Label, labels_of
 from drawings.eye.alike import folded
 from drawings.lettering.indices import with_index
 from drawings.paper.strokes import Stroke, Text

@@ -12,7 +12,7 @@ from drawings.checks.cam.shape.rack import Rack
 from drawings.checks.graphs.figure_strokes import FLUSH, FigureStrokes, figure
 from drawings.checks.graphs.linework import FAR, Linework, Way
 from drawings.checks.graphs.scale_line import scale_line
-from drawings.checks.labelled import NEAREST
+from drawings.checks.letters import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf

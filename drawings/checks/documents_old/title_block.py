@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from drawings.checks.documents import extra_graphs
+from drawings.checks.documents_old import extra_graphs
 from drawings.checks.wrong import Wrong
 from drawings.lettering.words import word
 from drawings.page.page import BLOCK

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from drawings.checks.wrong import on
@@ -12,6 +12,7 @@ from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
 from drawings.lettering.indices import with_index
 from drawings.paper.limits import QUANTUM, SEEN
+from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
 from drawings.paper.walk import groups, texts, walk
 from drawings.symbols.symbols import BLOCK
@@ -35,10 +36,12 @@ class Label(NamedTuple):
     place: Box
 
 
-def unlettered(leaf: Leaf) -> Iterator[Message]:
-    """Name each mark of a sheet that no letter of its own stands beside."""
-    labels = labels_of(leaf.groups)
-    for plan, name, letter, spots in _marks(leaf.groups):
+def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Message]:
+    """Name each mark of a sheet that no letter of its own stands beside: the one that is due, else what it says."""
+    labels, known = labels_of(leaf.groups), due or {}
+    for key, letter, spots in _marks(leaf.groups):
+        _, plan, name, _ = key
+        letter = known.get(key) or letter
         plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
         if not distance(labels.get(plain, ()), spots) <= WITHIN.get(plan, NEAREST):
             yield on("letter", plan, name=name)
@@ -74,8 +77,8 @@ def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
         yield Label(text, bounds(text) if place is None else (place.real, place.imag, place.real, place.imag))
 
 
-def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[complex]]]:
-    """Give plan, name, letter and places of every point, of the end of every vector of two letters, of every force.
+def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[Key, str, list[complex]]]:
+    """Give key, letter and places of every point, of the end of every vector of two letters, of every force.
 
     A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
     writes it; one that is too short to be seen as a vector has none.
@@ -85,12 +88,16 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[co
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
                 *start, name = stroke.data["name"].split(" ")
                 if start:
-                    yield stroke.data["plan"], name, name, [line.end]
+                    yield _key(Kind.VECTOR, stroke), name, [line.end]
                 elif abs(line.end - line.start) > SEEN + QUANTUM:  # one that is just so long may bear a letter or not
-                    yield stroke.data["plan"], name, stroke.title or name, along(line.start, line.end)
+                    yield _key(Kind.VECTOR, stroke), stroke.title or name, along(line.start, line.end)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
-                name = stroke.data["name"]
-                yield stroke.data["plan"], name, stroke.title or name, [circle.centre]
+                yield _key(Kind.POINT, stroke), stroke.title or stroke.data["name"], [circle.centre]
+
+
+def _key(kind: Kind, mark: Group) -> Key:
+    position = mark.data.get("position")
+    return kind, mark.data["plan"], mark.data["name"], None if position is None else int(position)
 
 
 def along(start: complex, end: complex) -> list[complex]:

@@ -1,0 +1,132 @@
+"""Sheets held against the analysis: what lacks, what nobody asked for, what is otherwise (сверка с анализом)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from drawings.checks.expected import NOTES, Expected
+from drawings.checks.readers import Read, frames, read
+from drawings.checks.wrong import Wrong, on
+from drawings.checks.written import reads
+from drawings.checks.written import value as number
+from drawings.lettering.phrase import SLOT, read_back, template_of
+from drawings.measure.measure import Measured
+from drawings.paper.limits import QUANTUM
+from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.walk import groups, stated
+from plans.model.motion import Complexes
+
+Seen = Mapping[Key, Sequence[Read]]
+FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
+MARKS = {"vector": Kind.VECTOR, "point": Kind.POINT}  # what measuring reads, by the kind of its data
+
+
+def seen(measured: Measured, leaf: Leaf) -> Seen:
+    """Read all that a sheet states: its marks as they were measured, all else off the ink that states it."""
+    found: dict[Key, list[Read]] = {}
+    marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
+    for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
+        found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
+    places = frames(leaf)
+    for one in stated(leaf.groups):
+        said = one.states
+        if said is not None and said.kind is Kind.PHRASE:
+            for name, number in (read_back(said.name, str(read(one, None).value)) or {said.name: ""}).items():
+                found.setdefault((said.kind, said.figure, name, said.position), []).append(Read(number))
+        elif said is not None and said.kind not in FRAMES:
+            at = None if said.position is None else str(said.position)
+            frame = places.get((said.figure, at)) or places.get((said.figure, None))
+            found.setdefault(said.key, []).append(read(one, frame))
+    return found
+
+
+def stated_keys(leaf: Leaf) -> frozenset[Key]:
+    """Give the keys of all that a leaf states, without reading any of it."""
+    return frozenset(key for one in groups(leaf.groups) for key in _keys(one))
+
+
+def _keys(one: Group) -> Iterator[Key]:
+    if one.data.get("kind") in MARKS:
+        position = one.data.get("position")
+        at = None if position is None else int(position)
+        yield MARKS[one.data["kind"]], one.data["plan"], one.data["name"], at
+    if (said := one.states) is not None and said.kind is Kind.PHRASE:
+        yield from ((said.kind, said.figure, name, said.position) for name in SLOT.findall(said.name))
+    elif said is not None and said.kind not in FRAMES:
+        yield said.key
+
+
+def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -> Iterator[Wrong]:
+    """Tell what is read otherwise than the analysis has it, what nobody asked for, and what lacks of `only` some."""
+    for key, found in own.items():
+        row = due.get(key)
+        if row is None:
+            yield told("stranger_on", key)
+        else:
+            yield from (told("differs_on", key) for one in found if not holds(one, row))
+    yield from (told("missing_on", key) for key in only if key not in own and key in due and not due[key].may_lack)
+
+
+def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
+    """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities."""
+    for line in (one for one in lines if SLOT.search(template_of(one))):
+        for name, number in (read_back(template_of(line), Text(0j, line).plain) or {line: ""}).items():
+            row = due.get((Kind.PHRASE, NOTES, name, None))
+            if row is None or not holds(Read(number), row):
+                yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
+
+
+def told(how: str, key: Key) -> Wrong:
+    _, figure, name, position = key
+    return on(how, figure, name=name if position is None else f"{name} ({position})")
+
+
+def holds(found: Read, due: Expected) -> bool:
+    """Tell whether what was read is what is expected, to the paper's resolution and what both roads may differ by."""
+    value, slack = found.value, due.allowed + 2 * QUANTUM * found.scale
+    match due.value:
+        case _ if due.allowed == math.inf:
+            return True
+        case str() as text:
+            return value == text
+        case float() | int() | complex() as true if isinstance(value, str):
+            return _reads(value.removeprefix("±"), float(abs(true)) if isinstance(true, complex) else float(true), due)
+        case np.ndarray() as path if isinstance(value, np.ndarray):
+            return bool(apart(value, path) <= slack and apart(path, value) <= slack)
+        case float() | int() | complex() as true if isinstance(value, complex | float | int):
+            return bool(abs(value - true) <= slack)
+    return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
+
+
+def _reads(text: str, true: float, due: Expected) -> bool:
+    """Tell whether a written number is a true one, or a full turn off where that is the same."""
+    found = number(text)
+    turns = due.period * round((found - true) / due.period) if due.period and found is not None else 0.0
+    return reads(text, true + turns, due.allowed, due.digits)
+
+
+def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
+    """Tell whether a graph goes as a function does, from end to end; where that jumps it may be anywhere between."""
+    assert callable(due.value)
+    (low, high), near = due.ends, 2 * QUANTUM * found.scale
+    if not (abs(drawn.real.min() - low) <= near and abs(drawn.real.max() - high) <= near):
+        return False
+    true = np.array([due.value(np.clip(drawn.real + off, low, high)) for off in (-near, 0.0, near)])
+    slack = due.allowed + 2 * QUANTUM * found.up
+    inside = (drawn.imag >= true.min(axis=0) - slack) & (drawn.imag <= true.max(axis=0) + slack)
+    return bool(inside.all())
+
+
+def apart(drawn: Complexes, path: Complexes) -> float:
+    """Give how far the places of one path are at most from the lines between those of another."""
+    start, run = path[:-1], np.diff(path)
+    size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
+    farthest = 0.0
+    for spot in drawn:
+        share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
+        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot))))
+    return math.inf if math.isnan(farthest) else farthest

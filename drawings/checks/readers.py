@@ -1,0 +1,179 @@
+"""Readers: what ink states, read off it; the only code that knows how a kind of statement is drawn (чтение утверждений).
+
+A reader takes the strokes of one statement and the frame of its figure, which is itself read from ink.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Final, NamedTuple, TypeAlias
+
+import numpy as np
+
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.walk import flat, groups, stated, texts
+from plans.model.motion import Complexes
+
+ACROSS, UP = "x", "y"  # the names of the axes of a graph
+Place: TypeAlias = tuple[str, str | None]  # a figure, and the position that it is of
+_PARTS = 8  # of a piece of a curve that is read off
+
+
+class Frame(NamedTuple):
+    """Where the values of a graph lie on paper: its zero, mm; a mm along each axis, and what it is worth."""
+
+    zero: complex
+    along: complex
+    rise: complex
+    across: float
+    up: float
+
+    def true(self, spots: Complexes) -> Complexes:
+        """Give the true values x + iy of places on paper."""
+        off = spots - self.zero
+        area = (self.along.conjugate() * self.rise).imag
+        x = (off.conjugate() * self.rise).imag / area
+        y = (self.along.conjugate() * off).imag / area
+        found: Complexes = x * self.across + 1j * y * self.up
+        return found
+
+
+class Read(NamedTuple):
+    """What is read of one statement: a value, and of what is drawn to scale the worth of a mm."""
+
+    value: complex | float | str | Complexes
+    scale: float = 0.0
+    up: float = 0.0
+
+
+def frames(leaf: Leaf) -> Mapping[Place, Frame]:
+    """Read the frames of all figures: of graphs off the lines of their axes, which cross in zero, else off the pole."""
+    found = {(one.data["plan"], one.data.get("position")): _about(one) for one in _poles(leaf)}
+    axes: dict[str, dict[str, tuple[Line, float]]] = {}
+    for one in stated(leaf.groups):
+        if one.states is not None and one.states.kind is Kind.AXIS:
+            line = next(stroke for stroke in flat((one,)) if isinstance(stroke, Line))
+            axes.setdefault(one.states.figure, {})[one.states.name] = line, one.states.scale
+    graphs = {(figure, None): own for figure, own in axes.items() if own.keys() == {ACROSS, UP}}
+    return found | {place: _frame(own[ACROSS], own[UP]) for place, own in graphs.items()}
+
+
+def _poles(leaf: Leaf) -> Iterator[Group]:
+    return (one for one in groups(leaf.groups) if one.data.get("kind") == "pole")
+
+
+def _about(pole: Group) -> Frame:
+    """Read the frame about a pole, which says of which true place it is."""
+    scale, (spot,) = float(pole.data["scale"]), spots(pole.strokes)
+    x, y = map(float, pole.data["value"].split())
+    return Frame(spot - complex(x, y) / scale, 1 + 0j, 1j, scale, scale)
+
+
+def _frame(across: tuple[Line, float], up: tuple[Line, float]) -> Frame:
+    (level, x), (upright, y) = across, up
+    along, rise = (_way(line.end - line.start) for line in (level, upright))
+    off = upright.start - level.start
+    share = (off.conjugate() * rise).imag / (along.conjugate() * rise).imag
+    return Frame(level.start + share * along, along, rise, x, y)
+
+
+def _way(run: complex) -> complex:
+    return run / abs(run)
+
+
+def read(group: Group, frame: Frame | None) -> Read:
+    """Read what a group states."""
+    assert group.states is not None
+    found = READERS[group.states.kind](group, frame)
+    scale = group.states.scale or (frame.across if frame is not None else 0.0)
+    return Read(found, scale, frame.up if frame is not None else scale)
+
+
+def _vector(group: Group, frame: Frame | None) -> complex:
+    line = next(stroke for stroke in flat((group,)) if isinstance(stroke, Line))
+    return (line.end - line.start) * _scale(group)
+
+
+def _point(group: Group, frame: Frame | None) -> complex:
+    spot = next(iter(spots((group,))))
+    return complex(frame.true(np.array([spot]))[0]) if frame is not None else spot * _scale(group)
+
+
+def _curve(group: Group, frame: Frame | None) -> Complexes:
+    places = np.array([spot for stroke in flat((group,)) for spot in along(stroke)])
+    return places * _scale(group) if frame is None else frame.true(places)
+
+
+def _length(group: Group, frame: Frame | None) -> float:
+    """Read a dimension between the tips of its two arrows, or the length of a line without any."""
+    tips = [_head(one.points)[0] for one in flat((group,)) if isinstance(one, Fill) and len(one.points) == 3]
+    return abs(tips[1] - tips[0]) * _scale(group) if len(tips) == 2 else abs(_vector(group, frame))
+
+
+def _angle(group: Group, frame: Frame | None) -> float:
+    return sum(stroke.sweep for stroke in flat((group,)) if isinstance(stroke, Arc))
+
+
+def _direction(group: Group, frame: Frame | None) -> complex:
+    """Read the way of a straight arrow, a unit vector, or the sense of a bent one, 1 or -1, off its head."""
+    strokes = [*flat((group,))]
+    tip, back = next(_head(one.points) for one in strokes if isinstance(one, Fill | Polyline) and len(one.points) == 3)
+    arc = next((one for one in strokes if isinstance(one, Arc)), None)
+    if arc is None:
+        return _way(tip - back)
+    return complex(math.copysign(1.0, ((back - arc.centre).conjugate() * (tip - arc.centre)).imag))
+
+
+def _head(points: tuple[complex, ...]) -> tuple[complex, complex]:
+    """Give the tip of an arrowhead and the middle of its back: the tip is the corner furthest from the two others."""
+    far = [abs(2 * one - sum(points) + one) for one in points]
+    tip = points[far.index(max(far))]
+    return tip, (sum(points) - tip) / 2
+
+
+def _written(group: Group, frame: Frame | None) -> str:
+    return " ".join(text.plain for text in texts((group,)))
+
+
+def _scale(group: Group) -> float:
+    assert group.states is not None
+    return group.states.scale or 1.0
+
+
+def along(stroke: Stroke) -> Iterator[complex]:
+    """Give places along a stroke by which it is held: all its corners, and between the ends of what is bent."""
+    match stroke:
+        case Line():
+            yield from (stroke.start, stroke.end)
+        case Polyline() | Fill():
+            yield from stroke.points
+            yield from stroke.points[:1] if isinstance(stroke, Polyline) and stroke.closed else ()
+        case Arc():
+            yield from (stroke.at(k / _PARTS) for k in range(_PARTS + 1))
+        case Circle():
+            yield from (stroke.centre + cmath.rect(stroke.radius, math.tau * k / _PARTS) for k in range(_PARTS + 1))
+        case Curve():
+            yield from (piece.at(k / _PARTS) for piece in stroke.pieces for k in range(_PARTS + 1))
+
+
+def spots(strokes: Sequence[Stroke]) -> Iterator[complex]:
+    """Give the places of the marks among strokes: the centres of circles, else the ends of lines."""
+    own = [*flat(strokes)]
+    circles = [one.centre for one in own if isinstance(one, Circle)]
+    yield from circles or [end for one in own for end in along(one)]
+
+
+READERS: Final[Mapping[Kind, Callable[[Group, Frame | None], complex | float | str | Complexes]]] = {
+    Kind.VECTOR: _vector,
+    Kind.POINT: _point,
+    Kind.CURVE: _curve,
+    Kind.LENGTH: _length,
+    Kind.ANGLE: _angle,
+    Kind.DIRECTION: _direction,
+    Kind.NUMBER: _written,
+    Kind.LETTER: _written,
+    Kind.PHRASE: _written,
+}

@@ -1,0 +1,70 @@
+"""Numbers and scales as they are written on a sheet, read back (чтение чисел и масштабов)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator
+
+from drawings.lettering.words import number
+from drawings.paper.strokes import Group, Leaf
+from drawings.paper.walk import groups, stated, texts
+from plans.words.words import Message, message
+
+_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
+
+
+def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
+    """Tell whether a text is a value to the half of its last digit, beside what the two roads may differ by.
+
+    Of a number written with so many `digits` its end may be left off that is zero.
+
+    >>> reads("0.096", 0.0961, 0.0), reads("0.096", 0.0961, 0.0, 5), reads("123460", 123456.0, 0.0, 5)
+    (True, False, True)
+    """
+    if text == "—":
+        return math.isnan(true)
+    found = value(text)
+    if found is None:
+        return False
+    last: float = -len(re.split("[.,]", text)[-1]) if re.search("[.,]", text) else 0
+    if digits:
+        last = math.floor(math.log10(abs(true))) + 1 - digits if true else -math.inf
+    return abs(found - true) <= 0.5000001 * math.pow(10.0, last) + 1e-9 * abs(true) + slack
+
+
+def value(text: str) -> float | None:
+    """Read a number; None of what is none.
+
+    >>> value("−0,5"), value("—")
+    (-0.5, None)
+    """
+    return float(text.replace("−", "-").replace(",", ".")) if _NUMBER.fullmatch(text) else None
+
+
+def last_place(text: str) -> float:
+    """Give what one in the last place of a number is worth.
+
+    >>> last_place("0,25"), last_place("−14")
+    (0.01, 1.0)
+    """
+    return math.pow(10.0, -len(re.split("[.,]", text)[-1])) if re.search("[.,]", text) else 1.0
+
+
+def marked_scales(leaf: Leaf) -> Iterator[Message]:
+    """Read the written scale of each figure that has marks."""
+    for figure in leaf.groups:
+        marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
+        yield from scales(figure, {float(data["scale"]) for data in marked})
+
+
+def scales(group: Group, stated: Iterable[float]) -> Iterator[Message]:
+    """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
+    for text in (text.plain for text in texts((group,))):
+        found = _SCALE.match(text)
+        if found is None and not text.startswith("μ"):
+            continue
+        symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
+        if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
+            yield message("wrong.scale", text=text)

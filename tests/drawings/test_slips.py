@@ -1,0 +1,36 @@
+"""Slips that are easy to make, planted into our own code: a sign, a factor, a letter exchanged, another assembly.
+
+Each is seen: its sheet is withheld, or is not as it stands in the gallery.
+"""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from drawings.commands.draw import draw
+from drawings.gallery.catalogue import GALLERY
+from drawings.paper.strokes import SheetError
+from geometry.errors import DraftError
+from tests.drawings.planting import DrawingFault, planted
+
+TABLES = sorted((Path(__file__).parents[1] / "cases" / "slips").glob("*.toml"))
+SLIPS = [DrawingFault(**one) for table in TABLES for one in tomllib.loads(table.read_text("utf-8"))["slips"]]
+EVERYDAY = 12  # of the slips, one is planted every day
+STOPPED = (DraftError, SheetError, ArithmeticError, LookupError, ValueError, AssertionError)
+
+
+def shown(slip: DrawingFault, number: int) -> object:
+    return pytest.param(slip, id=slip.name, marks=() if number % EVERYDAY == 0 else pytest.mark.rest)
+
+
+@pytest.mark.parametrize("slip", [shown(slip, k) for k, slip in enumerate(SLIPS)])
+def test_a_slip_is_seen(slip: DrawingFault, tmp_path: Path) -> None:
+    scene = GALLERY / f"{slip.scene}.toml"
+    with planted(slip):
+        try:
+            paths = draw(scene, tmp_path).paths
+        except STOPPED:
+            return
+    drawn = {path.name: path.read_bytes() for path in paths}
+    assert any((GALLERY / name).read_bytes() != own for name, own in drawn.items())
