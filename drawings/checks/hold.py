@@ -9,9 +9,9 @@ import numpy as np
 
 from drawings.checks.expected import NOTES, Expected
 from drawings.checks.readers import Read, frames, read
-from drawings.checks.wrong import Wrong, on
 from drawings.checks.written import reads
 from drawings.checks.written import value as number
+from drawings.checks.wrong import Wrong, on
 from drawings.lettering.phrase import SLOT, read_back, template_of
 from drawings.measure.measure import Measured
 from drawings.paper.limits import QUANTUM

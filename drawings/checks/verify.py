@@ -12,8 +12,8 @@ from drawings.checks.expected import Expected
 from drawings.checks.letters import unlettered
 from drawings.checks.seen.differences import differences
 from drawings.checks.seen.plain import plain
-from drawings.checks.wrong import Wrong, on
 from drawings.checks.written import marked_scales
+from drawings.checks.wrong import Wrong, on
 from drawings.collation.edit import lone
 from drawings.collation.figures import Figures
 from drawings.collation.items import items

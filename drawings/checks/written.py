@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from drawings.lettering.words import number
 from drawings.paper.strokes import Group, Leaf
-from drawings.paper.walk import groups, stated, texts
+from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
