@@ -114,7 +114,12 @@ def _length(group: Group, frame: Frame | None) -> float:
 
 
 def _angle(group: Group, frame: Frame | None) -> float:
-    return sum(stroke.sweep for stroke in flat((group,)) if isinstance(stroke, Arc))
+    """Read how far arcs about a centre go, to the tips of their arrows."""
+    strokes = [*flat((group,))]
+    arcs = [one for one in strokes if isinstance(one, Arc)]
+    heads = (_head(one.points) for one in strokes if isinstance(one, Fill) and len(one.points) == 3)
+    under = sum(abs(cmath.phase((tip - arcs[0].centre) / (back - arcs[0].centre))) for tip, back in heads)
+    return sum(one.sweep for one in arcs) + under
 
 
 def _direction(group: Group, frame: Frame | None) -> complex:

@@ -69,6 +69,21 @@ class VectorPlans:
         for images in (*(own := self._images(plan, k)), *self._under(own)):
             found |= {f"{POLES[plan]} {end}": value for end, value in images.items()}
             found |= {f"{start} {end}": images[end] - images[start] for start, end in permutations(images, 2)}
+        return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
+
+    def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
+        """Give the Coriolis part of what slides over a link that turns, and the part along the guide after it."""
+        written, found = self.study.drafts().velocities.written, dict[str, complex]()
+        speeds, known = (dict(chain(*(one.items() for one in all_))) for all_ in (self._images(VELOCITIES.plan, k), images))
+        for pair, (pin, host) in written.pins.items():
+            if host == FRAME:
+                continue
+            name, under = written.coriolis(pin, host, pair), written.under(pin, host)
+            (other,) = (link for link in pair if link != host)
+            own = self._image(pin, plan) if pin in self.study.mechanism.links[other].points else written.under(pin, other)
+            for start, end in ((under, own), (own, under)):
+                part = 2j * self._analysed(k).omega(host) * (speeds.get(end, 0j) - speeds.get(start, 0j))
+                found |= {f"{start} {name}": part, f"{name} {end}": known.get(end, 0j) - known.get(start, 0j) - part}
         return found
 
     def _images(self, plan: str, k: int) -> list[dict[str, complex]]:
@@ -88,7 +103,7 @@ class VectorPlans:
 
     @property
     def _pins(self) -> set[str]:
-        return {slide.point for slide in self.study.mechanism.slides}
+        return {slide.point for slide in self.study.mechanism.slides} | self.study.mechanism.hinges.keys()
 
     def _under(self, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
         """Give the images of all that lies at a pin: its own, and of each link the place under it."""
@@ -146,22 +161,25 @@ class VectorPlans:
             if start != POLES[VELOCITIES.plan]
         )
 
-    def _lettered(self, vector: Vector, plan: str) -> Iterator[tuple[str, str, str]]:
+    def _lettered(self, vector: Vector, name: str) -> Iterator[tuple[str, str, str]]:
         """Letter the vectors of an equation, each by the point that it ends at and the one that it begins at."""
-        written = self.study.drafts().plan(1 if plan == VELOCITIES.plan else 2).written
+        plan = self.study.drafts().plan(1 if name == VELOCITIES.plan else 2)
+        written = plan.written
         match vector:
             case Turning(_, start, tip):
                 about = "" if self._still(start) else start
-                ends = self._image(start, plan), written.normal(tip, about), written.small(tip)
-                yield from _turned(plan, ends, tip + about)
+                ends = plan.point(start).name, written.normal(tip, about), plan.point(tip).name
+                yield from _turned(name, ends, tip + about)
             case Slotted(link, pivot, pin):
                 under, about = written.under(pin, link), "" if self._still(pivot) else pivot
-                ends = self._image(pivot, plan), written.normal(under.upper()), under
-                yield from _turned(plan, ends, _capital(under) + about)
+                ends = plan.point(pivot).name, written.normal(under.upper()), under
+                yield from _turned(name, ends, _capital(under) + about)
             case Sliding(pair, host, pin, held):
-                under, own = written.under(pin, host), self._image(pin, plan)
-                (start, end), index = ((own, under), _capital(under) + pin) if held else ((under, own), pin + _capital(under))
-                if plan == VELOCITIES.plan:
+                under, image = written.under(pin, host), plan.images[host]
+                below = image.origin.name if image.arm is None and not held else under  # a link that never turns
+                ends, letters = (below, plan.point(pin).name), (pin, _capital(under))
+                (start, end), index = (ends[::-1], letters[1] + letters[0]) if held else (ends, "".join(letters))
+                if name == VELOCITIES.plan:
                     yield start, end, f"v_{index}"
                 else:
                     laid = written.coriolis(pin, host, pair)

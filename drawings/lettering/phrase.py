@@ -12,7 +12,7 @@ from typing import NamedTuple
 from drawings.lettering.words import number, word
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, texts
 
 SLOT = re.compile("⟨(.*?)⟩")
 NUMBER = r"([−-]?\d+(?:[.,]\d+)?|—)"
@@ -60,6 +60,15 @@ def numbered(language: str, slot: Slot) -> Phrase:
     return Phrase(str(_text(slot, language)), str(_template(slot)))
 
 
+def slotted(before: str, quantity: str, number: str, after: str = "") -> Phrase:
+    """Write the number of a quantity that is rounded in its own way.
+
+    >>> slotted("K = ", "K", "1.500").template
+    'K = ⟨K⟩'
+    """
+    return Phrase(f"{before}{number}{after}", f"{before}⟨{quantity}⟩{after}")
+
+
 def joined(between: str, parts: Iterable[str]) -> Phrase:
     """Join phrases and words to one phrase."""
     own = [*parts]
@@ -71,10 +80,11 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, text: Text) -> Stroke:
-    """Give lettering of a figure as what it states, where its content is a phrase with slots."""
-    template = template_of(text.content) if isinstance(text.content, str) else ""
-    return stating(Statement(Kind.PHRASE, figure, template), text) if SLOT.search(template) else text
+def telling(figure: str, label: Stroke) -> Stroke:
+    """Give lettering of a figure, which may have a leader, as what it states where its content is a phrase with slots."""
+    contents = (one.content for one in texts((label,)))
+    template = " ".join(template_of(one) for one in contents if isinstance(one, str))
+    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
 
 
 def _text(part: object, language: str) -> object:
