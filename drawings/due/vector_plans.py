@@ -21,6 +21,7 @@ from plans.checks.parts import findings, spans
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
 from plans.linkage.letters import POLES
+from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -66,7 +67,7 @@ class VectorPlans:
     def _across(self, plan: str, k: int) -> dict[str, complex]:
         """Give the vectors to all images of a link, and between any two of them or of the places under a pin."""
         found = dict[str, complex]()
-        for images in (*(own := self._images(plan, k)), *self._under(own)):
+        for images in (*(own := self._images(plan, k)), *self._under(plan, own)):
             found |= {f"{POLES[plan]} {end}": value for end, value in images.items()}
             found |= {f"{start} {end}": images[end] - images[start] for start, end in permutations(images, 2)}
         return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
@@ -105,12 +106,13 @@ class VectorPlans:
     def _pins(self) -> set[str]:
         return {slide.point for slide in self.study.mechanism.slides} | self.study.mechanism.hinges.keys()
 
-    def _under(self, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
+    def _under(self, plan: str, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
         """Give the images of all that lies at a pin: its own, and of each link the place under it."""
-        written = self.study.drafts().velocities.written
+        made = self._made(plan)
         known = dict(chain(*(own.items() for own in images)))
         for pin in self._pins:
-            names = (written.small(pin), *(written.under(pin, link) for link in self.study.mechanism.links))
+            unders = (name for link in made.images for name in (_below(made, pin, link), made.written.under(pin, link)))
+            names = dict.fromkeys((made.written.small(pin), *unders))
             yield {name: known[name] for name in names if name in known}
 
     def _analysed(self, k: int) -> Analysed:
@@ -163,7 +165,7 @@ class VectorPlans:
 
     def _lettered(self, vector: Vector, name: str) -> Iterator[tuple[str, str, str]]:
         """Letter the vectors of an equation, each by the point that it ends at and the one that it begins at."""
-        plan = self.study.drafts().plan(1 if name == VELOCITIES.plan else 2)
+        plan = self._made(name)
         written = plan.written
         match vector:
             case Turning(_, start, tip):
@@ -175,8 +177,8 @@ class VectorPlans:
                 ends = plan.point(pivot).name, written.normal(under.upper()), under
                 yield from _turned(name, ends, _capital(under) + about)
             case Sliding(pair, host, pin, held):
-                under, image = written.under(pin, host), plan.images[host]
-                below = image.origin.name if image.arm is None and not held else under  # a link that never turns
+                under = written.under(pin, host)
+                below = under if held else _below(plan, pin, host)
                 ends, letters = (below, plan.point(pin).name), (pin, _capital(under))
                 (start, end), index = (ends[::-1], letters[1] + letters[0]) if held else (ends, "".join(letters))
                 if name == VELOCITIES.plan:
@@ -184,6 +186,10 @@ class VectorPlans:
                 else:
                     laid = written.coriolis(pin, host, pair)
                     yield from ((start, laid, f"a^k_{index}"), (laid, end, f"a^r_{index}"), (start, end, f"a^r_{index}"))
+
+    def _made(self, plan: str) -> Plan:
+        """Give a plan as it was constructed: which images share a letter."""
+        return self.study.drafts().plan(next(one.number for one in ORDERS if one.plan == plan))
 
     def _image(self, point: str, plan: str) -> str:
         written = self.study.drafts().velocities.written
@@ -200,6 +206,12 @@ def _turned(plan: str, ends: tuple[str, str, str], index: str) -> Iterator[tuple
         yield start, end, f"v_{index}"
     else:
         yield from ((start, normal, f"a^n_{index}"), (normal, end, f"a^t_{index}"))
+
+
+def _below(plan: Plan, pin: str, link: int) -> str:
+    """Name the image of a link's place under a pin: of a link that does not turn all places have one."""
+    image = plan.images[link]
+    return plan.written.under(pin, link) if image.arm is not None else image.origin.name
 
 
 def _capital(under: str) -> str:
