@@ -95,7 +95,7 @@ def holds(found: Read, due: Expected) -> bool:
         case str() as text:
             return value == text
         case float() | int() | complex() as true if isinstance(value, str):
-            return _reads(value.removeprefix("±"), float(abs(true)) if isinstance(true, complex) else float(true), due)
+            return _reads(value.lstrip("±+"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
             return bool(apart(value, path) <= slack and apart(path, value) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):

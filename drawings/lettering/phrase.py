@@ -71,10 +71,14 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, text: Text) -> Stroke:
-    """Give lettering of a figure as what it states, where its content is a phrase with slots."""
-    template = template_of(text.content) if isinstance(text.content, str) else ""
-    return stating(Statement(Kind.PHRASE, figure, template), text) if SLOT.search(template) else text
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots.
+
+    A letter that a leader leads to is a group: its content is given.
+    """
+    told = content or (stroke.content if isinstance(stroke, Text) else "")
+    template = template_of(told) if isinstance(told, str) else ""
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 
 def _text(part: object, language: str) -> object:
