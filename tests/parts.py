@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
-
 whole = False  # set by tests/conftest.py before any test is imported
 
 

@@ -118,7 +118,8 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
         return False
     true = np.array([due.value(np.clip(drawn.real + off, low, high)) for off in (-near, 0.0, near)])
     slack = due.allowed + 2 * QUANTUM * found.up
-    inside = (drawn.imag >= true.min(axis=0) - slack) & (drawn.imag <= true.max(axis=0) + slack)
+    least, most = np.fmin.reduce(true, axis=0), np.fmax.reduce(true, axis=0)  # beside a gap there is one side alone
+    inside = (drawn.imag >= least - slack) & (drawn.imag <= most + slack)
     return bool(inside.all())
 
 
