@@ -107,7 +107,7 @@ def _reads(text: str, true: float, due: Expected) -> bool:
     """Tell whether a written number is a true one, or a full turn off where that is the same."""
     found = number(text)
     turns = due.period * round((found - true) / due.period) if due.period and found is not None else 0.0
-    return reads(text, true + turns, due.allowed, due.digits)
+    return any(reads(text, true + turns, due.allowed, digits) for digits in {0, due.digits})
 
 
 def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:

@@ -1,4 +1,4 @@
-"""What the kinematic diagrams and the table of the output must show, by the analysis alone (кинематические диаграммы)."""
+"""What the kinematic diagrams and the table of the output must show, by the analysis alone (диаграммы S, v, a)."""
 
 from __future__ import annotations
 
