@@ -1,4 +1,4 @@
-"""The rows that the charts of a cyclogram must show, by the analysis alone (строки, которым быть на циклограмме)."""
+"""The rows that the charts of a cyclogram must show, by the analysis alone: bars and rings (строки циклограммы)."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Final, NamedTuple
 
+from drawings.checks.expected import Expected
+from drawings.paper.statement import Kind
 from plans.model.cam import Cam
 from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, SLIVER, TURN, Cyclogram, Row, Span, within
 
@@ -22,10 +24,9 @@ LEVELS: Final = {
     "back over": (0.0, 0.0),
     "free": (1.0, 0.0),
 }
-
-
-# What is done is drawn by a main line; what only passes the time by a thin one, what is free by a dashed one.
-THIN, DASHED = ("idle", "overrun", "back over", "free"), ("free",)
+BARS, SETTING = "bars", "set."  # the chart; how the names of setting angles begin
+UPPER = 0.07  # rad of the abscissa: so far over its lower level is the upper one of a row
+ANGLE = 1e-9  # rad: what both roads may differ by
 
 
 class Stretch(NamedTuple):
@@ -36,6 +37,22 @@ class Stretch(NamedTuple):
     end: float
     low: float
     high: float
+
+
+def chart(own: Sequence[Row], begin: float = 0.0) -> Iterator[Expected]:
+    """Give the lines of the bar chart, each of a span or a setting angle."""
+    for name, value in true_bars(own, begin):
+        yield Expected(Kind.VECTOR, BARS, name, value, ANGLE)
+
+
+def true_bars(own: Sequence[Row], begin: float) -> Iterator[tuple[str, complex]]:
+    """Give the lines that there must be, by their names: across rad, upwards shares of a row."""
+    for k, row in enumerate(own, 1):
+        for number, one in enumerate((one for span in row.spans for one in parts(span, begin)), 1):
+            yield f"{k}.{number}", complex(one.end - one.start, UPPER * (one.high - one.low))
+    for number, row in enumerate((row for row in own if row.setting), 1):
+        zero, there = (within(turned - begin) for turned in (0.0, row.setting or 0.0))
+        yield f"{SETTING}{number}", complex(there - zero)
 
 
 def rows(found: Cyclogram, cams: Sequence[Cam]) -> tuple[Row, ...]:
