@@ -54,12 +54,18 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Name the figures none of whose written scales is one that a mark or an axis of it is drawn to."""
+    """Name the figures none of whose written scales, or of their heading's, a mark or an axis of theirs is drawn to."""
     for figure in leaf.groups:
         own = [*groups((figure,))]
         drawn = {float(one.data["scale"]) for one in own if one.data.get("kind") in ("vector", "point")}
         drawn |= {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
-        told = [found for text in texts((figure,)) for found in _SCALE.findall(text.plain)]
+        heads = [one for one in leaf.groups if figure.name in (one.name, *_below(one.name, figure.name))]
+        told = [found for text in texts(heads) for found in _SCALE.findall(text.plain)]
         for mu in drawn if told else ():
             if not any(size.replace(",", ".") == number(1 / mu if symbol == "K" else mu) for symbol, size in told):
                 yield message("wrong.scale", text=figure.name)
+
+
+def _below(head: str, name: str) -> tuple[str, ...]:
+    """Give the name of a figure that stands under a heading: "diagrams-travel" under "diagrams"."""
+    return (name,) if head and name.startswith(f"{head}-") else ()
