@@ -59,7 +59,8 @@ class Grid:
     def cells(self, boxes: Floats) -> npt.NDArray[np.intp]:
         """Give the cells that boxes (..., 4) mm cover."""
         low = np.array([self.field.left, self.field.bottom] * 2)
-        return np.asarray(np.clip(((boxes - low) / self.cell).round(PLACES).round().astype(int), 0, np.array(self.whole[2:] * 2)))
+        ends = ((boxes - low) / self.cell).round(PLACES).round().astype(int)
+        return np.asarray(np.clip(ends, 0, np.array(self.whole[2:] * 2)))
 
     def area(self, box: Field) -> Area:
         """Give the cells that a box covers."""

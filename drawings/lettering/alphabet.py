@@ -210,7 +210,8 @@ def _profiles(letter: str) -> tuple[Profile, Profile]:
     body = glyph(letter)
     left, right = [math.inf] * _STRIPS, [math.inf] * _STRIPS
     for point in _samples(body):
-        strip = min(int((point.imag - _LOWEST) / _STRIP + MARGIN), _STRIPS - 1)  # a tower of accents is as high as it may be
+        own = int((point.imag - _LOWEST) / _STRIP + MARGIN)
+        strip = min(own, _STRIPS - 1)  # a tower of accents is as high as it may be
         left[strip] = min(left[strip], point.real - MIDDLE.real)
         right[strip] = min(right[strip], body.width - point.real - MIDDLE.real)
     return _widened(left), _widened(right)
