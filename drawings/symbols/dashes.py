@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from drawings.lettering.extent import GRAIN
-from drawings.paper.strokes import Arc, Curve, Line, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import Arc, Curve, Line, LineStyle, Polyline, Stroke, numeral
 from drawings.paper.ties import tied
 from geometry.curve import sampled
 
@@ -50,7 +50,7 @@ def fit(style: LineStyle, length: float, closed: bool = False) -> LineStyle:
     least, most = DASHED if len(rest) == 1 else DASH_DOT
 
     def fitting(gaps: int) -> float:
-        return tied((length - gaps * between) / (gaps + last))
+        return float(numeral((length - gaps * between) / (gaps + last)))  # of lines of one length it is one
 
     gaps = max(round(tied((length - last * dash) / (dash + between))), 1)
     while gaps > 1 and fitting(gaps) < least:

@@ -105,7 +105,7 @@ def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Curve]:
 def _within(places: Floats, ends: Floats) -> Floats:
     """Give the places between the first and the last of others."""
     counted, (first, last) = places.round(PLACES), ends[[0, -1]].round(PLACES)
-    return places[(first <= counted) & (counted <= last)]
+    return np.asarray(places[(first <= counted) & (counted <= last)])
 
 
 def _around(x: Floats, y: Floats) -> tuple[Floats, Floats]:
