@@ -22,7 +22,7 @@ ROUNDINGS = re.compile(r"^## (?:Comparison|Сравнение).*?(?=^## )|^- .*D
 def differences(fresh: Path, kept: Path) -> Iterator[str]:
     """Tell what differs: of a sheet its elements in their order, of a report or a table its words and numbers."""
     if not kept.exists():
-        yield f"{kept.name}: new"
+        yield f"{kept.name}: came"
         return
     told = _of_sheets if kept.suffix == ".svg" else _of_words
     yield from (f"{kept.name}: {one}" for one in told(fresh.read_text("utf-8"), kept.read_text("utf-8")))

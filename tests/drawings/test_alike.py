@@ -63,4 +63,4 @@ def test_any_other_difference_of_a_report_is_told(tmp_path: Path, change: tuple[
 
 def test_a_file_that_was_not_kept_is_told(tmp_path: Path) -> None:
     (tmp_path / "fan.svg").write_text(SHEET, "utf-8")
-    assert list(differences(tmp_path / "fan.svg", tmp_path / "kept.svg")) == ["kept.svg: new"]
+    assert list(differences(tmp_path / "fan.svg", tmp_path / "kept.svg")) == ["kept.svg: came"]

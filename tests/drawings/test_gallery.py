@@ -13,6 +13,7 @@ from drawings.gallery import __main__ as command
 from drawings.gallery import index
 from drawings.gallery.alike import differences
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
+from drawings.gallery.renewals import ALPHABET, LIST, listed, unlisted
 from drawings.lettering.extent import bounds
 from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of
@@ -84,10 +85,16 @@ def test_its_files_are_those_of_one_run(entry: Entry) -> None:
     assert manifest.scene_digest == digest(entry.path.read_bytes())
 
 
+def test_every_renewal_is_listed_with_its_reason() -> None:
+    """A set that was drawn anew by `python -m drawings.gallery --because "..."` is; any other is not."""
+    assert unlisted(GALLERY) == []
+    assert all(row.because.strip() for row in listed(GALLERY).values())
+
+
 def test_every_sheet_and_report_belongs_to_a_scene() -> None:
     names = tuple(f"{entry.name}-" for entry in ENTRIES)
     files = {path.name for path in GALLERY.iterdir() if path.suffix in command.WRITTEN}
-    assert [name for name in files - {command.ALPHABET, index.PAGE} if not name.startswith(names)] == []
+    assert [name for name in files - {ALPHABET, index.PAGE} if not name.startswith(names)] == []
 
 
 def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_russian_name(entry: Entry) -> None:
@@ -148,16 +155,18 @@ def small(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.rest
-def test_one_command_draws_a_gallery_and_removes_what_is_stale(small: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.main([str(small)]) == 0
+def test_a_reason_draws_a_gallery_and_removes_what_is_stale(small: Path, capsys: pytest.CaptureFixture[str]) -> None:
     made = ["slider-crank-kinematics.svg", "slider-crank-forces.svg", "slider-crank-report.md"]
     made += ["alphabet.svg", "README.md"]
-    assert capsys.readouterr().out.splitlines() == [str(small / name) for name in made]
-    others = {"slider-crank.toml", "slider-crank-manifest.json", "slider-notes.md", "drawn-by-hand.svg"}
+    (small / made[1]).unlink()
+    assert command.main([str(small), "--because", "the first time"]) == 0
+    came = [f"{name}: came" for name in made]
+    assert capsys.readouterr().out.splitlines() == [*came, "slider-crank-kinematics-2.svg: went"]
+    others = {"slider-crank.toml", "slider-crank-manifest.json", "slider-notes.md", "drawn-by-hand.svg", LIST}
     assert {path.name for path in small.iterdir()} == {*made, *others}
     assert (small / "alphabet.svg").read_bytes() == (GALLERY / "alphabet.svg").read_bytes()
     assert "Engine with an offset cylinder" in (small / "README.md").read_text("utf-8")
+    assert unlisted(small) == []
 
 
 def test_a_scene_that_is_wrong_ends_the_command_with_its_message(
