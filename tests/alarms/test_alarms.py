@@ -7,13 +7,16 @@ from pathlib import Path
 
 import pytest
 
+from plans.scene.scene import parse_scene
 from tests.alarms.drawing import CRASHED, WITHHELD, drawing
-from tests.alarms.machines import machine, papered
+from tests.alarms.machines import papered
 from tests.alarms.neighbours import neighbour
+from tests.alarms.scenes import TECHNIQUES, leaves, scene, scenes
 from tests.gallery import SCENES
-from tests.parts import first
+from tests.parts import first, some
 
 SOON = "ram-pushed-evenly"  # the scene that is drawn in the shortest time
+SHOWN = range(120)
 CASES = sorted(
     (Path(__file__).parents[1] / "cases" / "alarms").glob("*.toml"), key=lambda path: (path.stem != SOON, path)
 )
@@ -25,18 +28,27 @@ def test_an_earlier_alarm_is_drawn(path: Path) -> None:
     assert not one.alarm, one.told
 
 
-@pytest.mark.rest
-@pytest.mark.parametrize("number", first(range(12)))
-def test_a_random_mechanism_is_drawn_or_refused(number: int) -> None:
-    one = drawing((f"machine-{number}", machine(1, number)))
+@pytest.mark.parametrize("number", some(SHOWN, 10))
+def test_a_random_scene_is_drawn_or_refused(number: int) -> None:
+    made = scene(1, number)
+    one = drawing((made.name, made.text))
     assert not one.alarm, one.told
 
 
-@pytest.mark.rest
-@pytest.mark.parametrize("number", first(range(len(SCENES))))
-def test_a_neighbour_of_a_scene_is_drawn_or_refused(number: int) -> None:
-    one = drawing((f"neighbour-{number}", neighbour(1, number)))
-    assert not one.alarm, one.told
+def test_a_scene_of_a_number_is_the_same_alone_and_among_others() -> None:
+    drawn = list(scenes(7, 3, ["cam", "chain"], first=5))
+    assert [one.number for one in drawn] == [7, 8, 17]
+    assert drawn == [scene(7, one.number) for one in drawn]
+
+
+def test_scenes_of_all_techniques_are_read() -> None:
+    for one in scenes(1, 80, list(TECHNIQUES)):
+        assert parse_scene(one.text).sheets, one.name
+
+
+def test_the_sheets_of_a_scene_are_laid_out_in_memory() -> None:
+    made = next(scenes(1, 1, ["rotor"]))
+    assert [len(own) for own in leaves(made).values()] == [1]
 
 
 def test_a_neighbour_differs_in_what_is_measured_alone() -> None:
