@@ -7,10 +7,12 @@ from math import pi, sin
 
 from tests.alarms.lot import EXACT, Lot, length, rows
 
-SMOOTH = ("constant acceleration", "cosine", "sine", "3-4-5", "4-5-6-7", "trapezoid", "modified trapezoid")
-LAWS = (*SMOOTH, "modified sine")
+LAWS = (
+    *("constant acceleration", "cosine", "sine", "3-4-5", "4-5-6-7"),
+    *("trapezoid", "modified trapezoid", "modified sine"),
+)
 FOLLOWERS = [(motion, end) for motion in ("translating", "rocking") for end in ("roller", "roller", "pointed", "flat")]
-TURN = 360
+REST = '"rest"'  # of the turn
 TABLE = 9  # points of a law by a table
 
 
@@ -31,11 +33,15 @@ def feed(lot: Lot) -> str:
         '[[cam]]\nname = "K1"\nsetting = "cyclogram"\n[cam.follower]\nmotion = "translating"\nend = "roller"',
         f"lift = {length(lot.size(0.01, 0.04, 0.02))}",
         f"[cam.limits]\nrise = {lot.size(25, 40, 30)}",
-        f'[[cam.phases]]\nkind = "rise"\nangle = "cyclogram"\nlaw = "{lot.any(*LAWS)}"',
-        f'[[cam.phases]]\nkind = "dwell"\nangle = {lot.size(20, 60, 30, 60)}',
-        f'[[cam.phases]]\nkind = "return"\nangle = {lot.size(60, 100, 90)}\nlaw = "{lot.any(*LAWS)}"',
-        '[[cam.phases]]\nkind = "dwell"\nangle = "rest"',
+        _phase("rise", '"cyclogram"', _named(lot)),
+        _phase("dwell", lot.size(20, 60, 30, 60)),
+        _phase("return", lot.size(60, 100, 90), _named(lot)),
+        _phase("dwell", REST),
     )
+
+
+def _phase(kind: str, angle: float | str, *more: str) -> str:
+    return rows("[[cam.phases]]", f'kind = "{kind}"', f"angle = {angle}", more)
 
 
 def _turning(lot: Lot, speed: float, number: int) -> str:
@@ -53,20 +59,17 @@ def _turning(lot: Lot, speed: float, number: int) -> str:
         ['closure = "groove"'] if grooved else (),
         lot.some(0.2, f"divisions = {lot.any(6, 10, 12)}"),
         f'[cam.follower]\nmotion = "{motion}"\nend = "{end}"',
-        _way(lot, motion, end, lift, arm),
+        [f"lift = {length(lift)}"] if motion == "translating" else [f"swing = {lift:g}", *_rocker(lot, end, arm)],
         _sizes(lot, motion, end, lift, arm, grooved),
         lot.some(0.35, *_load(lot, motion, lift)) if not grooved else (),
         *_phases(lot, motion, lift, flat=end == "flat"),
     )
 
 
-def _way(lot: Lot, motion: str, end: str, lift: float, arm: float) -> Sequence[str]:
-    if motion == "translating":
-        return (f"lift = {length(lift)}",)
-    turns = f'turns = "{lot.any("with", "against")}"'
-    if end == "flat":
-        return (f"swing = {lift:g}", turns, *lot.some(0.5, f"face = {length(lot.size(0.002, 0.01, 0.008))}"))
-    return (f"swing = {lift:g}", turns, f"length = {length(arm)}")
+def _rocker(lot: Lot, end: str, arm: float) -> Sequence[str]:
+    face = f"face = {length(lot.size(0.002, 0.01, 0.008))}"
+    own = lot.some(0.5, face) if end == "flat" else [f"length = {length(arm)}"]
+    return (f'turns = "{lot.any("with", "against")}"', *own)
 
 
 def _sizes(lot: Lot, motion: str, end: str, lift: float, arm: float, grooved: bool) -> Iterator[str]:
@@ -81,13 +84,9 @@ def _sizes(lot: Lot, motion: str, end: str, lift: float, arm: float, grooved: bo
     if kind == "sizes":
         yield "[cam.sizes]"
         if motion == "rocking":
-            yield from (
-                f"base = {length(arm * lot.size(0.4, 0.6, 0.5))}",
-                f"centre = {length(arm * lot.size(1.1, 1.3))}",
-            )
+            yield f"base = {length(arm * lot.size(0.4, 0.6, 0.5))}\ncentre = {length(arm * lot.size(1.1, 1.3))}"
         else:
-            yield f"base = {length(lift * lot.size(1.6, 3, 2))}"
-            yield f"offset = {length(lift * lot.size(-0.1, 0.3, 0))}"
+            yield f"base = {length(lift * lot.size(1.6, 3, 2))}\noffset = {length(lift * lot.size(-0.1, 0.3, 0))}"
         if end == "roller":
             yield f"roller = {length((arm * 0.3 if motion == 'rocking' else lift) * lot.size(0.25, 0.45, 0.3))}"
     elif kind:
@@ -109,25 +108,23 @@ def _load(lot: Lot, motion: str, lift: float) -> Sequence[str]:
 
 def _phases(lot: Lot, motion: str, lift: float, flat: bool) -> Iterator[str]:
     """Give rise, dwell, return and dwell, now and then a rise in two steps or no upper dwell."""
-    rise, back = lot.size(80, 140, 90, 120), lot.size(80, 140, 90, 100, 120)
+    rise, back = lot.size(80, 120, 90, 120), lot.size(80, 120, 90, 100, 120)
     dwell = lot.size(10, 60, 30, 45, 60)
     if lot.on(0.12) and not flat:
         part = f"{'swing' if motion == 'rocking' else 'lift'} = {lift * 0.4:.4g}"
-        yield rows("[[cam.phases]]", 'kind = "rise"', f"angle = {rise * 0.45:g}", part, 'law = "3-4-5"')
-        yield rows("[[cam.phases]]", 'kind = "dwell"', "angle = 20")
-        rise *= 0.8
-    yield rows("[[cam.phases]]", 'kind = "rise"', f"angle = {rise:g}", _law(lot, motion, lift, rise, flat))
+        yield _phase("rise", round(rise * 0.45, 4), part, 'law = "3-4-5"') + _phase("dwell", 20)
+        rise = round(rise * 0.8, 4)
+    yield _phase("rise", rise, _law(lot, motion, lift, rise, flat))
     if lot.on(0.85):
-        yield rows("[[cam.phases]]", 'kind = "dwell"', f"angle = {dwell:g}")
-    yield rows("[[cam.phases]]", 'kind = "return"', f"angle = {back:g}", f'law = "{lot.any(*LAWS)}"')
-    yield rows("[[cam.phases]]", 'kind = "dwell"', 'angle = "rest"')
+        yield _phase("dwell", dwell)
+    yield _phase("return", back, _named(lot)) + _phase("dwell", REST)
 
 
 def _law(lot: Lot, motion: str, lift: float, angle: float, flat: bool) -> str:
     """Draw the law of a rise: mostly one by its name."""
     kind = lot.chance.random()
     if kind < 0.72 or flat:
-        return f'law = "{lot.any(*LAWS)}"'
+        return _named(lot)
     if kind < 0.80:
         return f'law = {{ name = "constant acceleration", first = {lot.size(0.3, 0.7, 0.4, 0.6)} }}'
     if kind < 0.86:
@@ -139,31 +136,27 @@ def _law(lot: Lot, motion: str, lift: float, angle: float, flat: bool) -> str:
     return f'law = {{ name = "table", points = {_table(motion, lift, angle)}, through = "cubics" }}'
 
 
+def _named(lot: Lot) -> str:
+    return f'law = "{lot.any(*LAWS)}"'
+
+
 def _table(motion: str, lift: float, angle: float) -> list[list[float]]:
-    shares = [k / (TABLE - 1) for k in range(TABLE)]
     digits = 3 if motion == "rocking" else 5
-    last = [round(angle * x, 4) for x in shares]
-    return [
-        [turn, round(lift * (x - sin(2 * pi * x) / (2 * pi)), digits)] for turn, x in zip(last, shares, strict=True)
-    ]
+    shares = [k / (TABLE - 1) for k in range(TABLE)]
+    return [[round(angle * x, 4), round(lift * (x - sin(2 * pi * x) / (2 * pi)), digits)] for x in shares]
 
 
 def _copying(lot: Lot) -> str:
     """Write a cam that translates there and back."""
     lift = lot.size(0.01, 0.03, 0.02)
-    ways = [lot.size(0.005, 0.03, 0.01), lift * lot.size(2.5, 4, 3), lot.size(0.01, 0.03), lift * lot.size(2.5, 4, 3)]
-    kinds = ("dwell", "rise", "dwell", "return")
     end = "roller" if lot.kind != EXACT else "pointed"
+    phases = []
+    for kind, low, high in (("dwell", 0.3, 1), ("rise", 2.5, 4), ("dwell", 0.5, 1), ("return", 2.5, 4)):
+        travel = f"travel = {length(lift * lot.size(low, high))}"
+        phases.append(rows("[[cam.phases]]", f'kind = "{kind}"', travel, [_named(lot)] if kind != "dwell" else ()))
     return rows(
         f"[[cam]]\nspeed = {lot.any(1, -1) * lot.size(0.05, 0.5, 0.1, 0.4)}",
         f'[cam.follower]\nmotion = "translating"\nend = "{end}"\nlift = {length(lift)}',
         f"[cam.limits]\nrise = {lot.size(35, 45, 40)}",
-        *(
-            rows("[[cam.phases]]", f'kind = "{kind}"\ntravel = {length(way)}', [] if kind == "dwell" else [_plain(lot)])
-            for kind, way in zip(kinds, ways, strict=True)
-        ),
+        phases,
     )
-
-
-def _plain(lot: Lot) -> str:
-    return f'law = "{lot.any(*LAWS)}"'

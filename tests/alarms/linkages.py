@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import asin, cos, degrees, pi, radians, sin, sqrt, tan
+from math import asin, cos, degrees, pi, radians, sin, sqrt
 
 from tests.alarms.lot import Lot, length, place, rows
 from tests.trials.crank_rockers import meeting
@@ -30,7 +30,6 @@ class Linkage:
     stroke: float  # of the tool, m; of one that turns, rad
     end: complex  # direction of the crank
     points: Mapping[str, str] = field(default_factory=dict)
-    angles: Sequence[float] = ()  # degrees beyond the first: positions of a crank that cannot turn fully
     drive: str = ""  # where it goes over a stroke
 
     @property
@@ -57,24 +56,20 @@ class Linkage:
         slides = [(k, one if isinstance(one, str) else (moved(one[0]), moved(one[1]))) for k, one in self.slides]
         frame = {name: moved(point) for name, point in self.frame.items()}
         sketch = {name: moved(point) for name, point in self.sketch.items()}
-        angles = [-angle if mirrored else angle for angle in self.angles]
-        return replace(self, frame=frame, sketch=sketch, slides=slides, end=moved(self.end), angles=angles)
+        return replace(self, frame=frame, sketch=sketch, slides=slides, end=moved(self.end))
 
     def tables(self) -> str:
         """Write its tables."""
         guides = [(link, one if isinstance(one, str) else _guide(*one)) for link, one in self.slides]
-        return rows(
-            "[mechanism.frame]",
-            (f"{name} = {place(point)}" for name, point in self.frame.items()),
-            "[mechanism.links]",
-            (f'{link} = "{points}"' for link, points in self.links.items()),
-            "[mechanism.lengths]",
-            (f"{name} = {length(size)}" for name, size in self.lengths.items()),
-            ["[mechanism.points]", *(f"{name} = {told}" for name, told in self.points.items())] if self.points else (),
-            (f"[[mechanism.slides]]\nlink = {link}\nalong = {told}" for link, told in guides),
-            "[mechanism.sketch]",
-            (f"{name} = {place(point)}" for name, point in self.sketch.items()),
-        )
+        tables = {
+            "frame": {name: place(point) for name, point in self.frame.items()},
+            "links": {link: f'"{points}"' for link, points in self.links.items()},
+            "lengths": {name: length(size) for name, size in self.lengths.items()},
+            "points": self.points,
+            "sketch": {name: place(point) for name, point in self.sketch.items()},
+        }
+        told = ([f"[mechanism.{key}]", *(f"{k} = {v}" for k, v in own.items())] for key, own in tables.items())
+        return rows(*told, (f"[[mechanism.slides]]\nlink = {link}\nalong = {way}" for link, way in guides))
 
 
 def linkage(lot: Lot, names: Sequence[str] = ()) -> Linkage:
@@ -119,16 +114,6 @@ def slider_crank(lot: Lot, end: complex) -> Linkage:
     guide, lengths = (beside * 1j, 1 + 0j), {"OA": crank, "AB": rod}
     sketch, links = {"B": _along(crank * end, rod, *guide)}, {1: "OA", 2: "AB", 3: "B"}
     return Linkage("slider-crank", links, {"O": 0j}, lengths, [(3, guide)], sketch, (3, "B"), stroke, end)
-
-
-def v_twin(lot: Lot, end: complex) -> Linkage:
-    """Give two slider-cranks on one crank pin."""
-    one = slider_crank(lot, end)
-    crank, rod = one.lengths.values()
-    guide = (0j, cmath.rect(1, radians(lot.any(45, 60, 90, 120))))
-    sketch = {"D": _along(crank * end, rod, *guide)}
-    found = _further(one, "V-twin", {4: "AD", 5: "D"}, {"AD": rod}, sketch)
-    return replace(found, slides=[(5, guide), *one.slides])
 
 
 def crank_rocker(lot: Lot, end: complex) -> Linkage:
@@ -243,16 +228,6 @@ def scotch_yoke(lot: Lot, end: complex) -> Linkage:
     return Linkage("yoke", links, {"O": 0j}, {"OA": crank}, slides, sketch, (3, "B"), 2 * crank, end)
 
 
-def tangent(lot: Lot, _end: complex) -> Linkage:
-    """Give a tangent mechanism, through a list of positions."""
-    beside, steps, widest = lot.size(0.04, 0.12), lot.any(4, 6, 8), radians(lot.size(25, 45, 30, 40, 45))
-    slides: list[tuple[int, Guide]] = [(2, '"OK"'), (3, (complex(beside), 1j))]
-    sketch, links = {"A": complex(beside, -beside * tan(widest))}, {1: "OK", 2: "A", 3: "A"}
-    lengths, end = {"OK": beside / cos(widest) * lot.size(1.1, 1.4, 1.2)}, cmath.rect(1, -widest)
-    angles = [degrees(widest) * 2 * k / steps for k in range(steps + 1)]
-    return Linkage("tangent", links, {"O": 0j}, lengths, slides, sketch, (3, "A"), 2 * beside, end, angles=angles)
-
-
 def ram(lot: Lot, _end: complex) -> Linkage:
     """Give a ram that lifts a rocker by a rod."""
     rod = lot.size(0.3, 0.8, 0.5)
@@ -286,6 +261,6 @@ def _stroke(lot: Lot, start: float, end: float, *more: str) -> str:
 LINKAGES: Mapping[str, Callable[[Lot, complex], Linkage]] = {
     "slider-crank": slider_crank, "crank-rocker": crank_rocker, "coupler curve": coupler, "shaper": shaper,
     "rocker and slider": rocker_slider, "toggle press": toggle_press, "crusher": crusher, "Whitworth": whitworth,
-    "swinging cylinder": swinging_cylinder, "yoke": scotch_yoke, "V-twin": v_twin, "tangent": tangent, "ram": ram,
+    "swinging cylinder": swinging_cylinder, "yoke": scotch_yoke, "ram": ram,
     "boom": boom,
 }  # fmt: skip

@@ -15,7 +15,7 @@ REVERSING = ("slider-crank", "crank-rocker", "shaper", "rocker and slider", "tog
 DRIVEN = ("slider-crank", "slider-crank", "shaper", "crank-rocker", "rocker and slider", "yoke")
 BALANCED = ("slider-crank", "slider-crank", "crank-rocker", "shaper")
 CUT = ("slider-crank", "shaper", "shaper", "Whitworth", "rocker and slider", "yoke")
-FORWARD = {"slider-crank": (60, 400), "V-twin": (60, 400), "yoke": (60, 300)}  # rpm: of cranks
+FORWARD = {"slider-crank": (60, 400), "yoke": (60, 300)}  # rpm: of cranks
 SLOW = (30, 150)
 _SECTOR = ['shape = "sector"', "half_angle = 60"]
 
@@ -25,7 +25,7 @@ def kinematics(lot: Lot) -> str:
     one = linkage(lot)
     sheet = lot.any("kinematics", "kinematics", "kinematics", "positions")
     shown = lot.some(0.15, "diagrams = false") if sheet == "kinematics" else ()
-    return _head(lot, one, sheet) + one.tables() + _drive(lot, one) + rows("[sheet]", shown)
+    return rows(_motion(lot, one, sheet), "[sheet]", shown)
 
 
 def forces(lot: Lot) -> str:
@@ -33,18 +33,17 @@ def forces(lot: Lot) -> str:
     one = linkage(lot)
     omega = _speed(lot, one)
     sheets = lot.any("forces", "forces", 'kinematics", "forces')
-    gear = [] if one.drive else lot.some(0.3, *_gear(lot, one)) or lot.some(0.3, f'balancing = "{_balancing(lot)}"')
-    hodograph = lot.some(0.25, 'hodographs = ["0-1"]') if not one.drive and not one.angles else ()
-    sheet = rows("[sheet]", hodograph, f'reactions = "{lot.any("R", "R", "P", "F")}"')
-    friction = lot.some(0.35, *_friction(lot, one))
+    balanced = lot.any((), (), [f'balancing = "{lot.any("coupling", "force")}"'], _gear(lot, one))
+    hodograph = lot.some(0.25, 'hodographs = ["0-1"]')
+    sheet = ("[sheet]", *(() if one.drive else hodograph), f'reactions = "{lot.any("R", "R", "P", "F")}"')
     return rows(
-        (_head(lot, one, sheets) + one.tables() + _drive(lot, one, omega)).rstrip(),
-        gear,
+        _motion(lot, one, sheets, omega),
+        () if one.drive else balanced,
         _masses(lot, one),
         ("[loads]", *lot.some(0.8, f"gravity = {GRAVITY}")),
         _resistance(lot, one, omega),
         lot.some(0.15, *_spring(lot, one)),
-        friction,
+        lot.some(0.35, *_friction(lot, one)),
         sheet,
     )
 
@@ -62,7 +61,7 @@ def dynamics(lot: Lot) -> str:
     from_run = ['speed_from = "dynamics"'] if forces_too else ()
     divisions = f"divisions = {lot.any(24, 24, 36, 12, 48)}"
     return rows(
-        (_head(lot, one, sheets) + one.tables() + _drive(lot, one, omega, even=True)).rstrip(),
+        _motion(lot, one, sheets, omega, even=True),
         from_run,
         _masses(lot, one),
         ("[loads]", *lot.some(0.8, f"gravity = {GRAVITY}")),
@@ -79,16 +78,16 @@ def dynamics(lot: Lot) -> str:
 def balancing(lot: Lot) -> str:
     """Write a scene of a balanced linkage."""
     one = linkage(lot, BALANCED)
-    aims = {"slider-crank": ("partial", "share", "full", "none"), "crank-rocker": ("full", "full", "none")}
-    aim = lot.any(*aims.get(one.name, ("full", "none")))
-    links = {"partial": [1], "share": [1], "none": []}.get(aim) if aim != "full" else _counterweights(one)
+    aim = lot.any("none", "full", *(("partial", "share") if one.name == "slider-crank" else ("full",)))
+    full = {"slider-crank": (2, 1), "crank-rocker": (1, 3)}.get(one.name, (1, 3, 4))
+    links = {"full": full, "none": ()}.get(aim, (1,))
     return rows(
-        (_head(lot, one, "balancing") + one.tables() + _drive(lot, one)).rstrip(),
+        _motion(lot, one, "balancing"),
         _masses(lot, one, whole=True),
         ("[loads]", f"gravity = {GRAVITY}") if lot.on(0.7) else (),
         ("[balance]", f'aim = "{aim}"'),
         ["share = " + lot.any('"force"', '"reaction"', str(lot.size(0.2, 0.8, 0.5)))] if aim == "share" else (),
-        *(_counterweight(lot, one, link) for link in links or ()),
+        *(_counterweight(lot, one, link) for link in links),
         "[sheet]",
     )
 
@@ -100,15 +99,17 @@ def cyclogram(lot: Lot) -> str:
     breaks = ['"60 %"', '"75 %"'] if lot.kind == "exact" else [f"{lot.size(0.2, 0.45)}", f"{lot.size(0.5, 0.8)}"]
     told = ("[cyclogram]", f"overrun = {over}", *lot.some(0.5, f"breaks = [{', '.join(breaks)}]"))
     return rows(
-        (_head(lot, one, "cyclogram") + one.tables() + _drive(lot, one, even=True)).rstrip(),
+        _motion(lot, one, "cyclogram", even=True),
         told,
         lot.some(0.4, feed(lot)),
         "[sheet]",
     )
 
 
-def _head(lot: Lot, one: Linkage, sheets: str) -> str:
-    return rows(f'title = "{one.name.capitalize()}"', f'sheets = ["{sheets}"]')
+def _motion(lot: Lot, one: Linkage, sheets: str, omega: float = 0, even: bool = False) -> str:
+    """Write what a scene of a linkage begins with: its sheets, its tables and its drive."""
+    head = rows(f'title = "{one.name.capitalize()}"', f'sheets = ["{sheets}"]')
+    return (head + one.tables() + _drive(lot, one, omega, even)).rstrip()
 
 
 def _speed(lot: Lot, one: Linkage) -> float:
@@ -116,15 +117,13 @@ def _speed(lot: Lot, one: Linkage) -> float:
     return float(f"{lot.size(*FORWARD.get(one.name, SLOW), 60, 90, 120) * pi / 30:.2g}")
 
 
-def _drive(lot: Lot, one: Linkage, omega: float = 0, even: bool = False) -> str:
+def _drive(lot: Lot, one: Linkage, omega: float, even: bool) -> str:
     """Write the drive: a crank that turns, mostly evenly and from an extreme position."""
     if one.drive:
         return one.drive
     speed = (omega or _speed(lot, one)) * lot.any(1, 1, -1)
     start = round(degrees(phase(one.end)), 2)
     head = ("[drive]", "link = 1", f"speed = {speed:.6g}")
-    if one.angles:
-        return rows(head, f"positions = {[round(start + angle, 2) for angle in one.angles]}")
     extreme = one.name in (*REVERSING, "crusher") and lot.on(0.7)
     gathering = () if even else lot.some(0.2, f"acceleration = {lot.size(1, 30)}")
     count = lot.any(12, 12, 12, 8, 24, lot.whole(6, 18))
@@ -154,13 +153,13 @@ def _level(lot: Lot, one: Linkage, omega: float) -> float:
 def _cut(lot: Lot, one: Linkage, force: float) -> tuple[Sequence[str], float]:
     """Give a resistance over the working stroke, and its mean moment, N*m."""
     over = lot.size(0.02, 0.12, 0.05, 0.1)
-    head = ("[[loads.forces]]", f"on = {one.tool[0]}", f'point = "{one.tool[1]}"')
-    lines = ('against = "motion"', f"value = {force:g}", 'during = "working stroke"', f"overrun = {over}")
+    lines = ('against = "motion"', 'during = "working stroke"')
     if one.slides_on_the_frame:
-        return (*head, *lines), force * one.stroke * (1 - 2 * over) / (2 * pi)
+        cut = _force(one, *lines, f"value = {force:g}", f"overrun = {over}")
+        return cut, force * one.stroke * (1 - 2 * over) / (2 * pi)
     moment = float(f"{force * one.crank:.2g}")
-    lines = ('against = "motion"', f"value = {moment:g}", 'during = "working stroke"')
-    return ("[[loads.moments]]", f"on = {one.tool[0]}", *lines), moment * one.stroke / (2 * pi)
+    turned = ("[[loads.moments]]", f"on = {one.tool[0]}", *lines, f"value = {moment:g}")
+    return turned, moment * one.stroke / (2 * pi)
 
 
 def _pressed(lot: Lot, one: Linkage, force: float) -> tuple[Sequence[str], float]:
@@ -169,16 +168,18 @@ def _pressed(lot: Lot, one: Linkage, force: float) -> tuple[Sequence[str], float
         return _cut(lot, one, force)
     begin = lot.size(0.5, 0.85, 0.6, 0.75, 0.8)
     law = f"diagram = {{ travel = [0, {begin:.3g}, {begin + 0.05:.3g}, 1], force = [0, 0, {force:g}, {3 * force:g}] }}"
-    head = ("[[loads.forces]]", f"on = {one.tool[0]}", f'point = "{one.tool[1]}"', 'against = "motion"')
     work = one.stroke * force * (0.025 + (0.95 - begin) * 2)
-    return (*head, law), work / (2 * pi)
+    return _force(one, 'against = "motion"', law), work / (2 * pi)
+
+
+def _force(one: Linkage, *lines: str) -> Sequence[str]:
+    return ("[[loads.forces]]", f"on = {one.tool[0]}", f'point = "{one.tool[1]}"', *lines)
 
 
 def _resistance(lot: Lot, one: Linkage, omega: float) -> Sequence[str]:
     force = _level(lot, one, omega)
-    if one.drive or one.angles:  # no working stroke of a turn
-        head = ("[[loads.forces]]", f"on = {one.tool[0]}", f'point = "{one.tool[1]}"', f"value = {force:g}")
-        return (*head, f"direction = {lot.any(-90, 0, 180, lot.size(-180, 180))}")
+    if one.drive:  # no working stroke of a turn
+        return _force(one, f"value = {force:g}", f"direction = {lot.any(-90, 0, 180, lot.size(-180, 180))}")
     if one.name in REVERSING or one.name == "crusher":
         law = lot.any(_cut, _pressed)
         return (*law(lot, one, force)[0], *lot.some(0.2, *_cylinder(lot, one)))
@@ -189,20 +190,15 @@ def _cylinder(lot: Lot, one: Linkage) -> Sequence[str]:
     """Give a pressure on the tool, as on a piston."""
     if not one.slides_on_the_frame:
         return ()
-    lines = (f"pressure = {lot.size(1e5, 8e5, 2e5, 5e5)}", f"bore = {length(one.crank * lot.size(0.3, 1, 0.5))}")
-    axis = round(degrees(phase(next(g[1] for k, g in one.slides if k == one.tool[0] and not isinstance(g, str)))), 4)
-    head = ("[[loads.forces]]", f"on = {one.tool[0]}", f'point = "{one.tool[1]}"', f"direction = {axis:g}")
-    return (*head, *lines)
+    way = next(guide[1] for link, guide in one.slides if link == one.tool[0] and not isinstance(guide, str))
+    pressure, bore = lot.size(1e5, 8e5, 2e5, 5e5), length(one.crank * lot.size(0.3, 1, 0.5))
+    return _force(one, f"direction = {degrees(phase(way)):.4g}", f"pressure = {pressure:g}", f"bore = {bore}")
 
 
 def _gear(lot: Lot, one: Linkage) -> Sequence[str]:
     at = f"at = {lot.size(0, 330, 0, 90, 180, 210, 270)}"
     pressure = f"pressure_angle = {lot.size(15, 25, 20, 0):g}"
     return ("[drive.gear]", f"radius = {length(one.crank * lot.size(1.1, 2.5, 1.5, 2))}", at, pressure)
-
-
-def _balancing(lot: Lot) -> str:
-    return lot.any("coupling", "force")
 
 
 def _friction(lot: Lot, one: Linkage) -> Sequence[str]:
@@ -224,25 +220,17 @@ def _motor(lot: Lot, omega: float, mean: float) -> tuple[Sequence[str], Sequence
     """Give a motor that bears the mean moment at the speed of the machine, and its run; or none."""
     ratio, kind = lot.any(1.0, lot.size(4, 12, 6, 8, 10)), lot.any("", "moment", "line", "Kloss")
     nominal, slip = mean / ratio, lot.size(0.02, 0.06, 0.05)
-    head = ("[dynamics.motor]", f"rotor = {lot.size(0.01, 0.3)}", f"ratio = {ratio:g}")
-    synchronous = f"synchronous = {omega * ratio / (1 - slip):.4g}"
-    greatest = lot.size(2, 3, 2.5)
+    synchronous, greatest = f"synchronous = {omega * ratio / (1 - slip):.4g}", lot.size(2, 3, 2.5)
+    critical = slip * (greatest + (greatest**2 - 1) ** 0.5)
     laws = {
         "": (),
         "moment": (f"moment = {nominal:.3g}",),
         "line": (f"starting = {nominal / slip:.4g}", synchronous),
-        "Kloss": (
-            f"breakdown = {nominal * greatest:.4g}",
-            f"slip = {slip * (greatest + (greatest**2 - 1) ** 0.5):.3g}",
-            synchronous,
-        ),
+        "Kloss": (f"breakdown = {nominal * greatest:.4g}", f"slip = {critical:.3g}", synchronous),
     }
+    motor = ("[dynamics.motor]", f"rotor = {lot.size(0.01, 0.3)}", f"ratio = {ratio:g}", *laws[kind])
     run = ("[dynamics.run]", f"turns = {lot.any(2, 3, 5)}", *lot.some(0.5, f"brake = {mean * lot.size(0.8, 2):.3g}"))
-    return (*head, *laws[kind]) if kind or lot.on(0.3) else (), run if kind in ("line", "Kloss") else ()
-
-
-def _counterweights(one: Linkage) -> Sequence[int]:
-    return {"slider-crank": (2, 1), "crank-rocker": (1, 3)}.get(one.name, (1, 3, 4))
+    return motor if kind or lot.on(0.3) else (), run if kind in ("line", "Kloss") else ()
 
 
 def _counterweight(lot: Lot, one: Linkage, link: int) -> Sequence[str]:

@@ -70,13 +70,13 @@ def bank(lot: Lot) -> str:
         ("[bank.unit]", f"crank = {length(crank)}", f"rod = {length(crank * lot.size(2.8, 5, 3, 3.5, 4))}"),
         lot.some(0.8, f"rotating = {lot.size(0.2, 2, 0.5, 1)}"),
         f"reciprocating = {lot.size(0.2, 2, 0.5, 1)}",
-        *(_member(k, cranks[k], axes[k], apart * (k - (len(cranks) - 1) / 2)) for k in range(len(cranks))),
+        *(_member(cranks[k], axes[k], apart * (k - (len(cranks) - 1) / 2)) for k in range(len(cranks))),
         lot.some(0.35, *_compensator(lot, lot.any(*[order for order in orders if order < 3]))),
         "[sheet]",
     )
 
 
-def _member(_number: int, crank: float, axis: float, place: float) -> Sequence[str]:
+def _member(crank: float, axis: float, place: float) -> Sequence[str]:
     turned = [f"axis = {axis}"] if axis else []
     return ("[[bank.members]]", f"crank = {crank}", f"place = {length(place)}", *turned)
 

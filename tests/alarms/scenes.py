@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from geometry.errors import DraftError
+from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.alarms.cam_scenes import cam
 from tests.alarms.lot import CYCLE, Lot
 from tests.alarms.machine_scenes import balancing, cyclogram, dynamics, forces, kinematics
@@ -57,15 +60,19 @@ def scenes(seed: int, count: int, techniques: Sequence[str] = SOURCES, first: in
         yield scene(seed, number)
 
 
-def leaves(drawn: Scene) -> Mapping[str, Sequence[Leaf]]:
-    """Lay out the sheets of a scene in memory, by kind; nothing is written, and nothing checked."""
+def drawn(seed: int, number: int) -> tuple[Scene, Mapping[str, Sequence[Leaf]]]:
+    """Lay out the sheets of a scene in memory, by kind, unchecked; of one that is refused there are none."""
+    from drawings.commands.draw import admit
     from drawings.original.edition import leaves_of
-    from plans.scene.scene import parse_scene
-    from plans.study import Study
 
-    study = Study(parse_scene(drawn.text))
-    study.construct()
-    return leaves_of(study)
+    made = scene(seed, number)
+    try:
+        study = Study(parse_scene(made.text))
+        admit(study.scene)
+        study.construct()
+        return made, leaves_of(study)
+    except DraftError:
+        return made, {}
 
 
 def _paper(lot: Lot) -> dict[str, str]:

@@ -11,7 +11,7 @@ from plans.scene.scene import parse_scene
 from tests.alarms.drawing import CRASHED, WITHHELD, drawing
 from tests.alarms.machines import papered
 from tests.alarms.neighbours import neighbour
-from tests.alarms.scenes import TECHNIQUES, leaves, scene, scenes
+from tests.alarms.scenes import TECHNIQUES, drawn, scene, scenes
 from tests.gallery import SCENES
 from tests.parts import first, some
 
@@ -36,9 +36,9 @@ def test_a_random_scene_is_drawn_or_refused(number: int) -> None:
 
 
 def test_a_scene_of_a_number_is_the_same_alone_and_among_others() -> None:
-    drawn = list(scenes(7, 3, ["cam", "chain"], first=5))
-    assert [one.number for one in drawn] == [7, 8, 17]
-    assert drawn == [scene(7, one.number) for one in drawn]
+    found = list(scenes(7, 3, ["cam", "chain"], first=5))
+    assert [one.number for one in found] == [7, 8, 17]
+    assert found == [scene(7, one.number) for one in found]
 
 
 def test_scenes_of_all_techniques_are_read() -> None:
@@ -47,8 +47,9 @@ def test_scenes_of_all_techniques_are_read() -> None:
 
 
 def test_the_sheets_of_a_scene_are_laid_out_in_memory() -> None:
-    made = next(scenes(1, 1, ["rotor"]))
-    assert [len(own) for own in leaves(made).values()] == [1]
+    made, leaves = drawn(1, 5)
+    assert made.technique == "rotor"
+    assert [len(own) for own in leaves.values()] == [1]
 
 
 def test_a_neighbour_differs_in_what_is_measured_alone() -> None:
