@@ -110,20 +110,21 @@ def _phases(lot: Lot, motion: str, lift: float, flat: bool) -> Iterator[str]:
     """Give rise, dwell, return and dwell, now and then a rise in two steps or no upper dwell."""
     rise, back = lot.size(80, 120, 90, 120), lot.size(80, 120, 90, 100, 120)
     dwell = lot.size(10, 60, 30, 45, 60)
-    if lot.on(0.12) and not flat:
+    stepped = lot.on(0.12) and not flat
+    if stepped:
         part = f"{'swing' if motion == 'rocking' else 'lift'} = {lift * 0.4:.4g}"
         yield _phase("rise", round(rise * 0.45, 4), part, 'law = "3-4-5"') + _phase("dwell", 20)
         rise = round(rise * 0.8, 4)
-    yield _phase("rise", rise, _law(lot, motion, lift, rise, flat))
+    yield _phase("rise", rise, _law(lot, motion, lift, rise, flat or stepped))
     if lot.on(0.85):
         yield _phase("dwell", dwell)
     yield _phase("return", back, _named(lot)) + _phase("dwell", REST)
 
 
-def _law(lot: Lot, motion: str, lift: float, angle: float, flat: bool) -> str:
+def _law(lot: Lot, motion: str, lift: float, angle: float, named: bool) -> str:
     """Draw the law of a rise: mostly one by its name."""
     kind = lot.chance.random()
-    if kind < 0.72 or flat:
+    if kind < 0.72 or named:
         return _named(lot)
     if kind < 0.80:
         return f'law = {{ name = "constant acceleration", first = {lot.size(0.3, 0.7, 0.4, 0.6)} }}'

@@ -93,7 +93,8 @@ def _shown(chance: Random, own: Reading) -> dict[str, str | list[int]]:
     """Choose the positions whose plans and forces are drawn."""
     positions = own.data["drive"].get("positions", 1)
     count = positions if isinstance(positions, int) else len(positions)
-    chosen = {key: [k for k in chance.choice(POSITIONS) if k < count] for key in ("plans", "forces")}
+    sure = POSITIONS[:2] if own.data["title"].startswith("Chain") else POSITIONS  # others may be out of reach
+    chosen = {key: [k for k in chance.choice(sure) if k < count] for key in ("plans", "forces")}
     return {key: found for key, found in chosen.items() if found}
 
 

@@ -25,7 +25,10 @@ TECHNIQUES: Mapping[str, Callable[[Lot], str]] = {
 OTHERS: Mapping[str, Callable[[int, int], str]] = {"chain": machine, "neighbour": neighbour}
 SOURCES = (*TECHNIQUES, *OTHERS)
 FORMATS = ("A1", "A1", "A1", "A2", "A2", "A2", "A3", "A3", "A4")  # as often as a course asks for them
-TITLES = {"designation": "TMM.01.01.00", "drawn": "Archer", "checked": "Fletcher", "group": "M-301"}
+TITLES = {
+    "en": {"designation": "TMM.01.01.00", "drawn": "Archer", "checked": "Fletcher", "group": "M-301"},
+    "ru": {"designation": "ТММ.01.01.00", "drawn": "Стрельцов", "checked": "Лучников", "group": "М-302"},
+}
 
 
 class Scene(NamedTuple):
@@ -77,4 +80,4 @@ def drawn(seed: int, number: int) -> tuple[Scene, Mapping[str, Sequence[Leaf]]]:
 
 def _paper(lot: Lot) -> dict[str, str]:
     paper = {key: lot.any(*values) for key, values in PAPER.items()} | {"format": lot.any(*FORMATS)}
-    return paper | (TITLES if lot.on(0.5) else {})
+    return paper | (TITLES[paper["language"]] if lot.on(0.5) else {})

@@ -8,18 +8,21 @@ from pathlib import Path
 import pytest
 
 from plans.scene.scene import parse_scene
+from tests import parts
 from tests.alarms.drawing import CRASHED, WITHHELD, drawing
 from tests.alarms.machines import papered
 from tests.alarms.neighbours import neighbour
 from tests.alarms.scenes import TECHNIQUES, drawn, scene, scenes
 from tests.gallery import SCENES
-from tests.parts import first, some
+from tests.parts import first
 
 SOON = "ram-pushed-evenly"  # the scene that is drawn in the shortest time
-SHOWN = range(120)
+EVERY_DAY = (22, 28, 35, 40, 63, 81, 86, 87, 89, 94, 97, 111)  # of each technique one that is drawn in a short time
+WHOLE = range(120)
 CASES = sorted(
     (Path(__file__).parents[1] / "cases" / "alarms").glob("*.toml"), key=lambda path: (path.stem != SOON, path)
 )
+REST = [k for k in WHOLE if k not in EVERY_DAY] if parts.whole else []
 
 
 @pytest.mark.parametrize("path", first(CASES), ids=lambda path: path.stem)
@@ -28,7 +31,7 @@ def test_an_earlier_alarm_is_drawn(path: Path) -> None:
     assert not one.alarm, one.told
 
 
-@pytest.mark.parametrize("number", some(SHOWN, 10))
+@pytest.mark.parametrize("number", [*EVERY_DAY, *(pytest.param(k, marks=pytest.mark.rest) for k in REST)])
 def test_a_random_scene_is_drawn_or_refused(number: int) -> None:
     made = scene(1, number)
     one = drawing((made.name, made.text))
