@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         outcomes.append(one)
         if one.alarm or one.outcome == REFUSED:
             (wanted.folder / f"{one.name}.toml").write_text(one.text, encoding="utf-8")
-            print(f"{one.name}: {one.outcome}: {' | '.join(one.told.splitlines())}", flush=True)
+            print(f"{one.name}: {one.outcome}: {''.join(one.told.splitlines()[-1:])}", flush=True)
     told = "\n".join(table(outcomes))
     (wanted.folder / "summary.txt").write_text(told + "\n", encoding="utf-8")
     print(told)
@@ -56,9 +56,9 @@ def table(outcomes: Sequence[Outcome]) -> Iterator[str]:
     for source in sources:
         yield f"{source:<12}" + "".join(f"{counts[source, outcome]:>14}" for outcome in OUTCOMES)
     alarms = sum(one.alarm for one in outcomes)
-    longest = max((one.seconds for one in outcomes), default=0.0)
+    longest = max(outcomes, key=lambda one: one.seconds)
     drawn = sum(one.outcome in DRAWN for one in outcomes)
-    yield f"{len(outcomes)} scenes: {drawn} drawn, {alarms} false alarms; the longest took {longest:.1f} s"
+    yield f"{len(outcomes)} scenes: {drawn} drawn, {alarms} false alarms; {longest.name} took {longest.seconds:.1f} s"
 
 
 def _scenes(wanted: argparse.Namespace) -> Iterator[tuple[str, str]]:
