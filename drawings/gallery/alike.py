@@ -66,4 +66,4 @@ def _near(new: str, old: str) -> bool:
 def _off(one: str, other: str) -> Decimal:
     """Tell how many places of the last digit two numbers are apart."""
     a, b = (Decimal(number.replace(",", ".")) for number in (one, other))
-    return abs(a - b).scaleb(-min(a.as_tuple().exponent, b.as_tuple().exponent))
+    return abs(a - b).scaleb(-min(int(a.as_tuple().exponent), int(b.as_tuple().exponent)))
