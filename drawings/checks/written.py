@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from drawings.lettering.words import number
-from drawings.paper.strokes import Group, Leaf
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
@@ -53,18 +54,18 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Read the written scale of each figure that has marks."""
+    """Name the figures none of whose written scales, or of their heading's, a mark or an axis of theirs is drawn to."""
     for figure in leaf.groups:
-        marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
-        yield from scales(figure, {float(data["scale"]) for data in marked})
+        own = [*groups((figure,))]
+        drawn = {float(one.data["scale"]) for one in own if one.data.get("kind") in ("vector", "point")}
+        drawn |= {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        heads = [one for one in leaf.groups if figure.name in (one.name, *_below(one.name, figure.name))]
+        told = [found for text in texts(heads) for found in _SCALE.findall(text.plain)]
+        for mu in drawn if told else ():
+            if not any(size.replace(",", ".") == number(1 / mu if symbol == "K" else mu) for symbol, size in told):
+                yield message("wrong.scale", text=figure.name)
 
 
-def scales(group: Group, stated: Iterable[float]) -> Iterator[Message]:
-    """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
-    for text in (text.plain for text in texts((group,))):
-        found = _SCALE.match(text)
-        if found is None and not text.startswith("μ"):
-            continue
-        symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
-        if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
-            yield message("wrong.scale", text=text)
+def _below(head: str, name: str) -> tuple[str, ...]:
+    """Give the name of a figure that stands under a heading: "diagrams-travel" under "diagrams"."""
+    return (name,) if head and name.startswith(f"{head}-") else ()

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from drawings.lettering.words import number, word
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Stroke, Text
-from drawings.paper.walk import stating, texts
+from drawings.paper.walk import stating
 
 SLOT = re.compile("⟨(.*?)⟩")
 NUMBER = r"([−-]?\d+(?:[.,]\d+)?|—)"
@@ -80,11 +80,14 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, label: Stroke) -> Stroke:
-    """Give lettering of a figure, which may have a leader, as what it states where its content is a phrase with slots."""
-    contents = (one.content for one in texts((label,)))
-    template = " ".join(template_of(one) for one in contents if isinstance(one, str))
-    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots.
+
+    A letter that a leader leads to is a group: its content is given.
+    """
+    told = content or (stroke.content if isinstance(stroke, Text) else "")
+    template = template_of(told) if isinstance(told, str) else ""
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 
 def _text(part: object, language: str) -> object:

@@ -17,6 +17,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Statement
 from drawings.paper.strokes import Group, Text
+from drawings.paper.ties import tied
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH
 from plans.linkage.letters import POLES
@@ -64,7 +65,7 @@ def _up(part: LaidPart) -> float:
 
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
-    order = sorted(parts, key=lambda part: -part.length)
+    order = sorted(parts, key=lambda part: -tied(part.length))
     return Group(
         tuple(
             stating(one.states, labels.along(one.start, one.end, one.text, hand.number, GAP, _up(one)))

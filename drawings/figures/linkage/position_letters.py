@@ -46,7 +46,7 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
 def _on_arc(arc: Turning | Push | Phase | Swing, text: str, labels: Labels, hand: Hand) -> Stroke:
     """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
     middle, away = arc.middle
-    return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away))
+    return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away), text)
 
 
 def _free(pairs: Pairs, name: str) -> float:
