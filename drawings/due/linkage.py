@@ -16,9 +16,10 @@ from drawings.due import diagrams
 from drawings.due.vector_plans import VectorPlans
 from drawings.layout import value_table
 from drawings.layout.table import cell_name
+from drawings.lettering.words import letter
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, Text
 from plans.analytic.balance.mass_centre import placed
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
@@ -93,7 +94,9 @@ class _Linkage:
         fixed, moved = self.study.mechanism.links[FRAME].points, self.comparison.analysis
         slack = {one.name: float(one.allowed[k]) for one in self.comparison.of(POSITIONS.plan)}
         most = 2 * max((one for one in slack.values() if math.isfinite(one)), default=0.0)
-        places = {name: (complex(moved.points[name].r[k]), slack[f"r_{name}"]) for name in moved.points if name not in fixed}
+        places = {
+            name: (complex(moved.points[name].r[k]), slack[f"r_{name}"]) for name in moved.points if name not in fixed
+        }
         places |= {name: (place, 0.0) for name, place in fixed.items()}
         for name, (link, own) in self.masses.items():
             places[name] = complex(placed(self.study.mechanism, moved, link, own)[k]), most
@@ -109,7 +112,9 @@ class _Linkage:
         end = drive.guide.point if drive.guide is not None else drive.link
         for symbol, rate in zip(names, rates.at(k), strict=True):
             if rate:
-                yield Expected(Kind.DIRECTION, POSITIONS.plan, f"{symbol}_{end}", math.copysign(1.0, rate) * way, TURNED)
+                yield Expected(
+                    Kind.DIRECTION, POSITIONS.plan, f"{symbol}_{end}", math.copysign(1.0, rate) * way, TURNED
+                )
 
     def strokes(self) -> Iterator[Expected]:
         """Give the stroke of each slider on the frame, the swing of a rocker, the crank's angles over both strokes.
@@ -196,6 +201,17 @@ class _Linkage:
                     yield Expected(Kind.NUMBER, VALUES, name, size, slack, k, may_lack=lost)
                 error = math.nan if math.isnan(size) else errors.get((first.name, k), math.nan)
                 yield by_hand(VALUES, names[2], error, first.largest, k)._replace(may_lack=lost)
+
+
+def named(told: Sequence[Finding], language: str) -> dict[str, Finding]:
+    """Give findings of velocities and accelerations by their letters as they are read."""
+    plans = [order.plan for order in ORDERS[1:]]
+    return {_letter(one, language): one for one in told if one.plan in plans}
+
+
+def _letter(one: Finding, language: str) -> str:
+    symbol, _, index = one.name.partition("_")
+    return Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain
 
 
 def is_something(one: Finding) -> bool:

@@ -68,8 +68,7 @@ def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: st
     order = sorted(parts, key=lambda part: -tied(part.length))
     return Group(
         tuple(
-            stating(one.states, labels.along(one.start, one.end, one.text, hand.number, GAP, _up(one)))
-            for one in order
+            stating(one.states, labels.along(one.start, one.end, one.text, hand.number, GAP, _up(one))) for one in order
         ),
         f"{plan}-{PARTS}",
     )

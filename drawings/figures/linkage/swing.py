@@ -40,7 +40,9 @@ class Swing(NamedTuple):
     def strokes(self, pairs: Pairs) -> Iterator[Stroke]:
         """Draw it from its middle to both sides, each half with its arrow."""
         turn, half = self.start + self.sweep / 2, self.sweep / 2
-        halves = [turning_arrow(self.centre, self.radius, turn, k * half, pairs.hand, pairs.hand.drafted) for k in (-1, 1)]
+        halves = [
+            turning_arrow(self.centre, self.radius, turn, k * half, pairs.hand, pairs.hand.drafted) for k in (-1, 1)
+        ]
         yield stating(Statement(Kind.ANGLE, POSITIONS.plan, LETTER), *halves[0], *halves[1])
 
 
