@@ -209,8 +209,9 @@ def _positions(
 def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw both branches, and what joins them at the ends of the stroke where the load changes there at once."""
     for way, branch in (("out", course.out), ("back", course.back)):
-        if lines := tuple(_branch(branch, axes, hand)):
-            yield stating(Statement(Kind.CURVE, name_of(course), way), *lines)
+        for line in (drawn := tuple(_branch(branch, axes, hand)))[:1]:
+            yield stating(Statement(Kind.CURVE, name_of(course), way), line)
+        yield from drawn[1:]
     if course.out and course.back:
         for ends in zip(_tips(course.out), _tips(course.back)[::-1], strict=True):
             yield from _branch(ends, axes, hand)
