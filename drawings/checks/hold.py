@@ -35,7 +35,7 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     for one in stated(leaf.groups):
         said = one.states
         if said is not None and said.kind is Kind.PHRASE:
-            for name, number in (read_back(said.name, str(read(one, None).value)) or {said.name: ""}).items():
+            for name, number in read_back(said.name, str(read(one, None).value)) or [(said.name, "")]:
                 found.setdefault((said.kind, said.figure, name, said.position), []).append(Read(number))
         elif said is not None and said.kind not in FRAMES:
             at = None if said.position is None else str(said.position)
@@ -74,7 +74,7 @@ def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -
 def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
     """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities."""
     for line in (one for one in lines if SLOT.search(template_of(one))):
-        for name, number in (read_back(template_of(line), Text(0j, line).plain) or {line: ""}).items():
+        for name, number in read_back(template_of(line), Text(0j, line).plain) or [(line, "")]:
             row = due.get((Kind.PHRASE, NOTES, name, None))
             if row is None or not holds(Read(number), row):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
