@@ -19,6 +19,7 @@ FIGURE = "load_diagram"
 KNOWN = 1e-7  # of a stroke: where it ends is known to half the digits of an angle
 FEW = 12  # corners that are lettered a, b, c; of more the layout chooses
 STRAIGHT = 1e-3  # of two slopes: a bend that is less is none
+SHORT = 2e-3  # of the greatest load: on paper a point
 DOUBT = 4.0  # times more or less: rounding of a table decides whether it is one
 
 
@@ -86,10 +87,9 @@ def _corners(figure: str, load: Force | Moment) -> Iterator[Expected]:
             if size and bend > STRAIGHT / DOUBT:
                 found.setdefault((share, size), bend)
     doubtful = any(bend < STRAIGHT * DOUBT for bend in found.values())
+    most = max((abs(size) for _, size in found), default=0.0)
     many = doubtful or len(found) > FEW
     for k, (_, size) in enumerate(found):
         for name in (ascii_lowercase[k],) if not many else (str(k + 1), *ascii_lowercase[k : k + 1]):
-            allowed = math.inf if many else KNOWN * abs(load.size)
-            yield Expected(
-                Kind.VECTOR, figure, name, 1j * size, allowed, may_lack=many or not abs(size) > 1e-3 * abs(load.size)
-            )
+            allowed, short = math.inf if many else KNOWN * most, not abs(size) > SHORT * most
+            yield Expected(Kind.VECTOR, figure, name, 1j * size, allowed, may_lack=many or short)
