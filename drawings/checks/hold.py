@@ -22,7 +22,12 @@ from plans.model.motion import Complexes
 
 Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
-MARKS = {"vector": Kind.VECTOR, "point": Kind.POINT}  # what measuring reads, by the kind of its data
+LOOKED = 360  # places of a path that are looked at
+MARKS = {
+    "vector": Kind.VECTOR,
+    "point": Kind.POINT,
+    "profile": Kind.CURVE,
+}  # what measuring reads, by the kind of its data
 
 
 def seen(measured: Measured, leaf: Leaf) -> Seen:
@@ -31,6 +36,8 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
     for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
+    for one in measured.profiles:
+        found.setdefault((Kind.CURVE, one.plan, one.name, None), []).append(Read(one.places, one.scale))
     places = frames(leaf)
     for one in stated(leaf.groups):
         said = one.states
@@ -96,7 +103,10 @@ def holds(found: Read, due: Expected) -> bool:
         case float() | int() | complex() as true if isinstance(value, str):
             return _reads(value.removeprefix("±"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
-            return bool(apart(value, path) <= slack and apart(path, value) <= slack)
+            bowed = float(np.abs(np.diff(value, 2)).max(initial=0.0)) / 8  # as far as an arc is from its chords
+            return bool(apart(value, path) <= slack and apart(path, value) <= slack + bowed)
+        case np.ndarray() as path if not isinstance(value, str):
+            return bool(apart(np.array([value]), path) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
             return bool(abs(value - true) <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
@@ -122,11 +132,11 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
 
 
 def apart(drawn: Complexes, path: Complexes) -> float:
-    """Give how far the places of one path are at most from the lines between those of another."""
+    """Give how far places of one path, evenly of many, are at most from the lines between those of another."""
     start, run = path[:-1], np.diff(path)
     size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
     farthest = 0.0
-    for spot in drawn:
+    for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
         share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
         farthest = max(farthest, float(np.min(np.abs(start + share * run - spot))))
     return math.inf if math.isnan(farthest) else farthest
