@@ -18,7 +18,7 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, stated
-from plans.model.motion import Complexes
+from plans.model.motion import Complexes, Floats
 
 Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
@@ -103,8 +103,7 @@ def holds(found: Read, due: Expected) -> bool:
         case float() | int() | complex() as true if isinstance(value, str):
             return _reads(value.removeprefix("±"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
-            bowed = float(np.abs(np.diff(value, 2)).max(initial=0.0)) / 8  # as far as an arc is from its chords
-            return bool(apart(value, path) <= slack and apart(path, value) <= slack + bowed)
+            return bool(apart(value, path) <= slack and apart(path, value) <= slack)
         case np.ndarray() as path if not isinstance(value, str):
             return bool(apart(np.array([value]), path) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
@@ -131,12 +130,22 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
     return bool(inside.all())
 
 
+def bows(path: Complexes) -> Floats:
+    """Give how far a curve may lie from the lines between places on it, as far as one that turns at once."""
+    run = np.diff(path)
+    turned = np.abs(np.angle(run[1:] * run[:-1].conj()))
+    return np.asarray(np.abs(run) * np.maximum(np.append(0.0, turned), np.append(turned, 0.0)) / 4)
+
+
 def apart(drawn: Complexes, path: Complexes) -> float:
-    """Give how far places of one path, evenly of many, are at most from the lines between those of another."""
-    start, run = path[:-1], np.diff(path)
+    """Give how far places of one path, evenly of many, are at most from the lines between those of another.
+
+    Where that bends a place may lie as far from its lines as an arc does from its chords.
+    """
+    start, run, bow = path[:-1], np.diff(path), bows(path)
     size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
     farthest = 0.0
     for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
         share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
-        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot))))
+        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot) - bow)))
     return math.inf if math.isnan(farthest) else farthest

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.checks.hold import bows
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.cam.study import CamDrawing
@@ -23,7 +24,7 @@ from plans.model.motion import Complexes, Floats
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
 HARD, SOFT = 1, 2
 EQUAL = 1e-9  # of a turn: what is so near to an edge is on it
-DENSE = 5761  # turns at which a curve is known: on paper its chords are nearer to it than lines are rounded
+DENSE, ROUNDS = 721, 6  # turns at which a curve is known; so often they are halved where its chords are off
 ROUND = 65  # places of such a corner
 Course = Callable[[Floats], Floats]
 
@@ -225,7 +226,12 @@ class CamValues:
         """Give the contour between shocks, each stretch with its end before what jumps there."""
         bounds = sorted({0.0, *(one.turned for one in self.found.shocks), self.cam.turn})
         for start, end in pairwise(bounds):
-            turned = np.linspace(start, end, max(int(DENSE * (end - start) / self.cam.turn), 2))
+            turned = np.linspace(start, end, max(int(DENSE * (end - start) / self.cam.turn), 3))
+            for _ in range(ROUNDS):
+                own = self.at(turned)
+                curves = (own.profile, own.pitch, own.profile if own.outer is None else own.outer)
+                wide = np.max([bows(one) for one in curves], axis=0) > self.cam.tolerance
+                turned = np.sort(np.append(turned, ((turned[:-1] + turned[1:]) / 2)[wide]))
             yield self.at(turned[:-1]), self.at(turned[-1:], True)
 
 

@@ -42,7 +42,8 @@ class MeasuredProfile(MeasuredMark):
     @property
     def places(self) -> Complexes:
         """Places along its pieces, m."""
-        return np.array([piece.at(k / PARTS) for piece in self.pieces for k in range(PARTS + 1)])
+        inner = [piece.at(k / PARTS) for piece in self.pieces for k in range(PARTS)]
+        return np.array([*inner, self.pieces[-1].end])
 
     @property
     def gap(self) -> float:

@@ -211,7 +211,7 @@ class CamNotes(NamedTuple):
         name, value = f"flaw {number}", one.worst.value
         ends: dict[str, object] = {
             "start": self.place(f"{name} start", one.start),
-            "end": self.turn(f"{name} end", one.end),
+            "end": self.turn(f"φ {name} end", one.end),
             "phi": self.place(name, one.worst.turned),
         }
         if one.kind in CORNERED and abs(value) < SHARP:
