@@ -133,8 +133,8 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
 def bows(path: Complexes) -> Floats:
     """Give how far a curve may lie from the lines between places on it, as far as one that turns at once."""
     run = np.diff(path)
-    turned = np.abs(np.angle(run[1:] * run[:-1].conj()))
-    return np.asarray(np.abs(run) * np.maximum(np.append(0.0, turned), np.append(turned, 0.0)) / 4)
+    off = np.abs(np.angle(run[1:] * run[:-1].conj())) * np.maximum(np.abs(run[1:]), np.abs(run[:-1])) / 4
+    return np.asarray(np.maximum(np.append(0.0, off), np.append(off, 0.0)))
 
 
 def apart(drawn: Complexes, path: Complexes) -> float:

@@ -142,7 +142,7 @@ class _Cam:
         """Give the figure of the profile: curves, points, normals, sizes, senses."""
         own, cam, found = self.values, self.values.cam, self.values.found
         for name, path in own.curves():
-            yield Expected(Kind.CURVE, PROFILE, name, path, self.slack + cam.tolerance)
+            yield Expected(Kind.CURVE, PROFILE, name, path, self.slack + own.drawn)
         for name, spots in own.points().items():
             for k, spot in enumerate(spots.tolist()):
                 yield Expected(Kind.POINT, PROFILE, name, spot, self.slack, k, may_lack=True, letter=str(k))

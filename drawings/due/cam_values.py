@@ -25,6 +25,8 @@ ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
 HARD, SOFT = 1, 2
 EQUAL = 1e-9  # of a turn: what is so near to an edge is on it
 DENSE, ROUNDS = 721, 6  # turns at which a curve is known; so often they are halved where its chords are off
+LOOPED = ("undercut", "crossing", "concave", "sharp", "hollow")  # flaws of a shape that no follower can go along
+CUSP = 100.0  # tolerances
 ROUND = 65  # places of such a corner
 Course = Callable[[Floats], Floats]
 
@@ -205,6 +207,12 @@ class CamValues:
     def normals(self) -> Mapping[str, Complexes]:
         """Give what leads from the roller's centre to the profile, (N,) m; a follower without a roller has none."""
         return {"Q": np.asarray(self.contour.profile - self.contour.pitch)} if self.found.roller > 0 else {}
+
+    @property
+    def drawn(self) -> float:
+        """How far the pieces of a drawn curve may lie from it, m; past a cusp of a loop they go farther than at it."""
+        looped = any(one.kind in LOOPED for one in self.found.flaws)
+        return self.cam.tolerance * (CUSP if looped else 1.0)
 
     def curves(self) -> Iterator[tuple[str, Complexes]]:
         """Give the curves of the cam densely by their names, m: the working profile, the pitch curve, a groove's side.

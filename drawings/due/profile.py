@@ -112,7 +112,7 @@ def _figure(values: CamValues, exact: TabledCam, slack: float, drafting: Draftin
     """Give the curves, the radii or ordinates, the sense of motion."""
     cam = values.cam
     for name, path in values.curves():
-        yield Expected(Kind.CURVE, PLAN, name, path, slack + cam.tolerance)
+        yield Expected(Kind.CURVE, PLAN, name, path, slack + values.drawn)
     for number, (k, turn) in enumerate(exact.rays()):
         said = drafting.number(turn, DIGITS)
         letter = f"x {said}" if cam.translates else f"φ {said}°"
