@@ -114,7 +114,13 @@ def _length(group: Group, frame: Frame | None) -> float:
 
 
 def _angle(group: Group, frame: Frame | None) -> float:
-    return sum(stroke.sweep for stroke in flat((group,)) if isinstance(stroke, Arc))
+    """Read the angle of arcs, about their centre from the tip of one arrowhead to that of the other if there are two."""
+    strokes = [*flat((group,))]
+    arcs = [one for one in strokes if isinstance(one, Arc)]
+    tips = [_head(one.points)[0] - arcs[0].centre for one in strokes if isinstance(one, Fill) and len(one.points) == 3]
+    swept = sum(one.sweep for one in arcs)
+    turned = abs(cmath.phase(tips[1] / tips[0])) if len(tips) == 2 else swept
+    return min((turned, math.tau - turned), key=lambda angle: abs(angle - swept)) if len(tips) == 2 else swept
 
 
 def _direction(group: Group, frame: Frame | None) -> complex:

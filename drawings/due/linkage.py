@@ -26,7 +26,7 @@ from plans.checks.hand.motion import MotionByHand
 from plans.checks.parts import alike
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Link
-from plans.model.order import ORDERS, POSITIONS
+from plans.model.order import POSITIONS
 from plans.study import Study
 
 if TYPE_CHECKING:

@@ -72,8 +72,8 @@ def template_of(text: str) -> str:
 
 
 def telling(figure: str, label: Stroke) -> Stroke:
-    """Give lettering of a figure, with its leader, as what it states, where its content is a phrase with slots."""
-    template = "".join(template_of(text.content) for text in texts((label,)))
+    """Give lettering of a figure, with its leader or without, as what it states where it is a phrase with slots."""
+    template = next((template_of(one.content) for one in texts((label,)) if isinstance(one.content, str)), "")
     return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
 
 
