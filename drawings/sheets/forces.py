@@ -160,7 +160,7 @@ class _ForceSheet:
         if told:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None
-            equation = LeverEquation(told, moment, self.drafting)
+            equation = LeverEquation(told, moment, self.drafting, self.position)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _workings(self) -> Iterator[Working]:
