@@ -74,13 +74,14 @@ def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -
 def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
     """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities."""
     for line in (one for one in lines if SLOT.search(template_of(one))):
-        for name, number in (read_back(template_of(line), Text(0j, line).plain) or {line: ""}).items():
+        for name, text in (read_back(template_of(line), Text(0j, line).plain) or {line: ""}).items():
             row = due.get((Kind.PHRASE, NOTES, name, None))
-            if row is None or not holds(Read(number), row):
+            if row is None or not holds(Read(text), row):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
 
 
 def told(how: str, key: Key) -> Wrong:
+    """Say what is wrong with a statement."""
     _, figure, name, position = key
     return on(how, figure, name=name if position is None else f"{name} ({position})")
 

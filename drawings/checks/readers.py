@@ -1,4 +1,4 @@
-"""Readers: what ink states, read off it; the only code that knows how a kind of statement is drawn (чтение утверждений).
+"""Readers: what ink states, read off it; they alone know how a kind of statement is drawn (чтение утверждений).
 
 A reader takes the strokes of one statement and the frame of its figure, which is itself read from ink.
 """

@@ -7,7 +7,9 @@ from typing import NamedTuple
 
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Line, Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import arrowhead
 from plans.model.motion import Floats
 
@@ -34,11 +36,18 @@ class Axes(NamedTuple):
         """Give the place on paper of true values, mm."""
         return self.zero + self.along * (x / self.across.mu) + self.rise * (y / self.up.mu)
 
-    def lines(self, across: tuple[float, float], up: tuple[float, float], hand: Hand) -> Iterator[Stroke]:
-        """Draw both axes over ranges of true values, each with its arrowhead beyond the end."""
+    def lines(
+        self, across: tuple[float, float], up: tuple[float, float], hand: Hand, figure: str = ""
+    ) -> Iterator[Stroke]:
+        """Draw both axes over ranges of true values, each with its arrowhead beyond the end; they state a figure's."""
         (left, right), (low, high) = across, up
-        yield from arrow(self.on(left), self.on(right) + BEYOND * self.along, hand)
-        yield from arrow(self.on(0.0, low), self.on(0.0, high) + BEYOND * self.rise, hand)
+        level = arrow(self.on(left), self.on(right) + BEYOND * self.along, hand)
+        upright = arrow(self.on(0.0, low), self.on(0.0, high) + BEYOND * self.rise, hand)
+        if not figure:
+            yield from (*level, *upright)
+            return
+        yield stating(Statement(Kind.AXIS, figure, "x", scale=self.across.mu), *level)
+        yield stating(Statement(Kind.AXIS, figure, "y", scale=self.up.mu), *upright)
 
 
 def arrow(start: complex, end: complex, hand: Hand) -> Iterator[Stroke]:

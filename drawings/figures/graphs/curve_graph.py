@@ -18,7 +18,9 @@ from drawings.lettering.thinning import every, numbered
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
@@ -64,6 +66,7 @@ class GraphCurve(NamedTuple):
     axis: tuple[str, str] = ANGLE  # letter and unit of the abscissas
     shown: tuple[int, ...] = ()  # the places of those that the sheets of its set are of: they are always numbered
     stated: float = 0.0  # mu of the quantity, where it is stated
+    states: str = ""  # the name of the curve, by which its graph states it; the thin one is this, "before"
 
     @property
     def span(self) -> tuple[float, float]:
@@ -163,8 +166,9 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Gr
     scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
     ordinates, stations = _ordinates(curve, room.name, frame, hand)
     title = heading(spot.box, curve.title, scales, hand)
-    curves = [*_before(curve, frame, hand), *_line(curve.angles, curve.values, frame, hand.result)]
-    lines = (title, *_axes(curve, frame, hand), *ordinates, *curves)
+    curves = [*_before(curve, room.name, frame, hand)]
+    curves += _said(curve, room.name, curve.states, _line(curve.angles, curve.values, frame, hand.result))
+    lines = (title, *_axes(curve, room.name, frame, hand), *ordinates, *curves)
     last = frame.on(curve.length)
     ends = (frame.on(0.0, high) + 1j * BEYOND, last + BEYOND)
     axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), (curve.axis[0], ends[1], math.pi / 2))
@@ -185,10 +189,10 @@ def _numbered(curve: GraphCurve, feet: Sequence[complex], length: float, hand: H
     return numbered(feet, length, wide + SPARE * hand.number, first)
 
 
-def _axes(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
+def _axes(curve: GraphCurve, plan: str, frame: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw both axes with their arrowheads, and a tick at their end."""
     last = frame.on(curve.length)
-    yield from frame.lines((0.0, curve.length), curve.span, hand)
+    yield from frame.lines((0.0, curve.length), curve.span, hand, plan if curve.states else "")
     yield Line(last - 1j * TICK, last + 1j * TICK, hand.other)
 
 
@@ -224,9 +228,15 @@ def _ordinates(
     return strokes, stations
 
 
-def _before(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
+def _before(curve: GraphCurve, plan: str, frame: Axes, hand: Hand) -> Iterator[Stroke]:
     if curve.before is not None:
-        yield Group(tuple(_line(curve.angles, curve.before, frame, hand.other)), BEFORE)
+        lines = _line(curve.angles, curve.before, frame, hand.other)
+        yield Group(tuple(_said(curve, plan, f"{curve.states}, {BEFORE}", lines)), BEFORE)
+
+
+def _said(curve: GraphCurve, plan: str, name: str, lines: Iterator[Stroke]) -> Iterator[Stroke]:
+    """Give a curve as what it states, where the graph states any."""
+    yield from (stating(Statement(Kind.CURVE, plan, name), *lines),) if curve.states else lines
 
 
 def _line(angles: Floats, values: Floats, frame: Axes, style: LineStyle) -> Iterator[Stroke]:

@@ -1,4 +1,4 @@
-"""What the analysis says that a sheet of balancing must show: places, vectors, curves, what is nothing (ожидаемое)."""
+"""A mechanism balanced by the analysis, in one position: places, chains of vectors, what is nothing (уравновешенный)."""
 
 from __future__ import annotations
 
@@ -11,10 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.precise import KNOWN
-from drawings.figures.balance.nothing import Nothing
-from drawings.figures.balance.scheme import AFTER, BEFORE
-from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
 from plans.analytic.balance.main_points import vectors
 from plans.analytic.balance.mass_centre import bodies, placed
@@ -25,8 +21,18 @@ from plans.model.kinetostatics import NOTHING
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
 
+BEFORE, AFTER = "before", "after"  # the states of a machine
+KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told
 APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
+
+
+class Nothing(NamedTuple):
+    """The force N, the moment N*m about the shaft and the way m that are no more than rounding."""
+
+    force: float
+    moment: float
+    way: float
 
 
 class Side(NamedTuple):
@@ -38,14 +44,13 @@ class Side(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Expected:
+class Balanced:
     """A mechanism balanced by analysis, in one position of the scene."""
 
     own: BalanceStudy
     comparison: BalanceComparison
     drafting: Drafting
     shown: int
-    measured: Measured
 
     @property
     def balance(self) -> Balance:
@@ -162,8 +167,3 @@ class Expected:
         rows = [one.allowed for one in self.comparison.of(plan) if one.name == name]
         told = [float(np.nanmax(row)) if position is None else float(row[min(position, len(row) - 1)]) for row in rows]
         return 2 * max(told, default=0.0)
-
-    @property
-    def near(self) -> float:
-        """How far a place may be off on paper by rounding alone, mm."""
-        return 2 * self.measured.quantum
