@@ -122,7 +122,7 @@ class Acting:
                 run = force.at - pivot
                 arm = DueArm("", force, equation.about.name, pivot, (run.conjugate() * force.value).imag)
                 if abs(force.value) > self._least and abs(arm.moment) > NOTHING * abs(run * force.value):
-                    known.append(arm._replace(letter=self._lettered(bill, arm, known, start)))
+                    known.append(arm._replace(letter=self._lettered(equation, arm, known, start)))
         yield from known
 
     @cached_property
@@ -136,14 +136,17 @@ class Acting:
         names = [load.name for load in equation.loads]
         yield from (forces[name] for name in (*names, *([] if equation.line is None else [equation.found.name])))
 
-    def _lettered(self, bill: ForceBill, arm: DueArm, known: list[DueArm], start: int) -> str:
-        """Letter an arm: as the line between two points where it is one, else by its number."""
+    def _lettered(self, equation: Equation, arm: DueArm, known: list[DueArm], start: int) -> str:
+        """Letter an arm: as the line between two points, named as the lead there is, where it is one; or number it."""
         run, way = arm.force.at - arm.pivot, arm.force.value / abs(arm.force.value)
         points = self.statics.study.mechanism.links[arm.force.link].points
         spots = (one for one in points if not CENTRE.fullmatch(one))
-        spot = next((one for one in spots if abs(bill.place(one) - arm.force.at) <= NOTHING * abs(run)), "")
+        places, k = self.comparison.motion.analysis.points, self.k
+        spot = next((one for one in spots if abs(places[one].r[k] - arm.force.at) <= NOTHING * abs(run)), "")
         if spot and abs((run * way.conjugate()).real) <= NOTHING * abs(run):
-            return f"l_{{{arm.about}{spot}}}"
+            ends = arm.about + spot
+            leads = () if equation.line is None else equation.line.step.inputs[1:]
+            return f"l_{{{next((lead.name for lead in leads if sorted(lead.name) == sorted(ends)), ends)}}}"
         near = NOTHING * abs(run)
         numbered = [one for one in known if one.letter.startswith("h")]
         same = (one.letter for one in numbered if one.about == arm.about and abs(one.foot - arm.foot) <= near)

@@ -17,7 +17,7 @@ from drawings.due.acting import Acting, DueArm, forces_of, moments_of, unbraced
 from drawings.due.force_curves import curves
 from drawings.due.force_notes import notes
 from drawings.due.lever import lever
-from drawings.due.load_diagrams import load_diagrams
+from drawings.due.loads import diagrams
 from drawings.layout.table import cell_name
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
@@ -43,7 +43,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.table())
         yield from lever(sheet.acting, scales)
     yield from curves(statics, comparison, shown, scales)
-    yield from load_diagrams(statics.machine, statics.over(comparison.motion.road.extremes))
+    yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
     yield from notes(statics, comparison, shown)
 
 
