@@ -97,10 +97,16 @@ def holds(found: Read, due: Expected) -> bool:
         case float() | int() | complex() as true if isinstance(value, str):
             return _reads(value.removeprefix("±"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
-            return bool(apart(value, path) <= slack and apart(path, value) <= slack)
+            one, other = even(value, found), even(path, found)
+            return bool(apart(one, other) <= slack and apart(other, one) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
-            return bool(abs(value - true) <= slack)
+            return bool(np.abs(even(np.array([value - true]), found)).max() <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
+
+
+def even(values: Complexes, found: Read) -> Complexes:
+    """Give values as they lie on paper, in units of the abscissas, where those of the ordinates are others."""
+    return values.real + 1j * values.imag * (found.scale / found.up) if found.up and found.scale else values
 
 
 def _reads(text: str, true: float, due: Expected) -> bool:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 
 from drawings.lettering.words import number
+from drawings.paper.statement import Kind
 from drawings.paper.strokes import Group, Leaf
-from drawings.paper.walk import groups, texts
+from drawings.paper.walk import groups, stated, texts
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
-_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
+_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
 
 
 def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
@@ -53,18 +54,33 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Read the written scale of each figure that has marks."""
+    """Read the written scales of each figure that has marks."""
     for figure in leaf.groups:
-        marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
-        yield from scales(figure, {float(data["scale"]) for data in marked})
+        marked = [one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point")]
+        axes = [one.states.scale for one in stated((figure,)) if one.states and one.states.kind is Kind.AXIS]
+        yield from scales(figure, {(data["quantity"], float(data["scale"])) for data in marked}, axes)
 
 
-def scales(group: Group, stated: Iterable[float]) -> Iterator[Message]:
-    """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
+def scales(group: Group, marks: Collection[tuple[str, float]], axes: Collection[float] = ()) -> Iterator[Message]:
+    """Read a figure's written scales: mu is that of the marks of its letter, else of an axis; K is 1/mu."""
     for text in (text.plain for text in texts((group,))):
-        found = _SCALE.match(text)
-        if found is None and not text.startswith("μ"):
-            continue
-        symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
-        if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
+        written = [*_SCALE.finditer(text)] if _SCALE.match(text) else []
+        if not written and text.startswith("μ") and marks:
             yield message("wrong.scale", text=text)
+        for place, (symbol, letter, read) in enumerate(found.groups() for found in written):
+            own = {mu for quantity, mu in marks if quantity == letter} or {*axes}
+            own |= {mu for _, mu in marks} if not own and not place else set()
+            if own and read.replace(",", ".") not in {number(1 / mu if symbol == "K" else mu) for mu in own}:
+                yield message("wrong.scale", text=text)
+
+
+def written_scales(group: Group) -> dict[str, float]:
+    """Read the scales that a figure states by their letters, true units a mm; a K is the inverse of mu, 0 is none.
+
+    >>> from drawings.paper.strokes import Text
+    >>> written_scales(Group((Text(0j, "μ_{φ} = 0,02 рад/мм;  K_M = 4 mm/(N·m);  K_A = 0 mm/J"),)))
+    {'φ': 0.02, 'M': 0.25}
+    """
+    found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
+    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
+    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs if value}

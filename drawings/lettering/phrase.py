@@ -12,7 +12,7 @@ from typing import NamedTuple
 from drawings.lettering.words import number, word
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, texts
 
 SLOT = re.compile("⟨(.*?)⟩")
 NUMBER = r"([−-]?\d+(?:[.,]\d+)?|—)"
@@ -71,10 +71,10 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, text: Text) -> Stroke:
-    """Give lettering of a figure as what it states, where its content is a phrase with slots."""
-    template = template_of(text.content) if isinstance(text.content, str) else ""
-    return stating(Statement(Kind.PHRASE, figure, template), text) if SLOT.search(template) else text
+def telling(figure: str, label: Stroke) -> Stroke:
+    """Give lettering of a figure, with its leader, as what it states, where its content is a phrase with slots."""
+    template = "".join(template_of(text.content) for text in texts((label,)))
+    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
 
 
 def _text(part: object, language: str) -> object:
