@@ -139,9 +139,9 @@ class Acting:
     def _lettered(self, equation: Equation, arm: DueArm, known: list[DueArm], start: int) -> str:
         """Letter an arm: as the line between two points, named as the lead there is, where it is one; or number it."""
         run, way = arm.force.at - arm.pivot, arm.force.value / abs(arm.force.value)
-        points = self.statics.study.mechanism.links[arm.force.link].points
-        spots = (one for one in points if not CENTRE.fullmatch(one))
         places, k = self.comparison.motion.analysis.points, self.k
+        points = (arm.force.point, *self.statics.study.mechanism.links[arm.force.link].points)
+        spots = (one for one in points if one in places and not CENTRE.fullmatch(one))
         spot = next((one for one in spots if abs(places[one].r[k] - arm.force.at) <= NOTHING * abs(run)), "")
         if spot and abs((run * way.conjugate()).real) <= NOTHING * abs(run):
             ends = arm.about + spot

@@ -42,7 +42,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         sheet = _Sheet(Acting(statics, comparison, k), scales, keys)
         yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.table())
         yield from lever(sheet.acting, scales)
-    yield from curves(statics, comparison, shown, scales)
+    yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
     yield from notes(statics, comparison, shown)
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import permutations
+from itertools import permutations, product
 from typing import NamedTuple
 
 from drawings.checks.expected import Expected
@@ -15,13 +15,11 @@ from drawings.lettering.indices import with_index
 from drawings.lettering.words import letter
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Kind
-from plans.checks.expected import Expected as ExpectedMotion
 from plans.checks.force_bill import ActingForce
 from plans.forces.primary import BALANCING, DRIVING
 from plans.model.kinetostatics import NOTHING
 from plans.model.machine import GEAR
 from plans.model.mechanism import FRAME
-from plans.model.order import VELOCITIES
 
 LEVER, EQUATION = "lever", "equations-lever"
 DIGITS, ARM_DIGITS = 5, 4
@@ -65,21 +63,20 @@ class _Lever:
     def images(self) -> dict[str, complex]:
         """The images of points, m/s, by their names: the velocities, turned."""
         study, motion, k = self.acting.statics.study, self.acting.comparison.motion.analysis, self.acting.k
-        letters = study.drafts().velocities.written
-        expected = ExpectedMotion(study.mechanism, motion, k, letters)
-        found = {"p": 0j}
-        for (plan, start, end), value in expected.arrows(study.groups).items():
-            if plan == VELOCITIES.plan and start in found:
-                found.setdefault(end, found[start] + QUARTER * value)
+        velocities, bill = study.drafts().velocities, next(iter(self.acting.bills.values()))
+        letters, links = velocities.written, [link for link in study.mechanism.links if link != FRAME]
+        found = {velocities.point(name).name: QUARTER * complex(one.v[k]) for name, one in motion.points.items()}
         for link, body in self.acting.statics.machine.bodies.items():
-            found.setdefault(letters.small(f"S{link}"), QUARTER * expected.centre(link, body.centre, 1))
+            found.setdefault(letters.small(f"S{link}"), QUARTER * bill.speed(link, bill.on(link, body.centre)))
+        for name, link in product(motion.points, links):
+            found.setdefault(letters.under(name, link), QUARTER * bill.speed(link, bill.place(name)))
         return found
 
     def points(self) -> Iterator[Expected]:
         """Give the images: those of the points of the links must stand."""
         study = self.acting.statics.study
-        letters, still = study.drafts().velocities.written, study.mechanism.links[FRAME].points
-        moving = {letters.small(name) for name in self.acting.comparison.motion.analysis.points if name not in still}
+        velocities, points = study.drafts().velocities, self.acting.comparison.motion.analysis.points
+        moving = {velocities.point(name).name for name in points} - {velocities.pole.name}
         for name, place in self.images.items():
             yield Expected(
                 Kind.POINT, LEVER, name, place, self.acting.fast, self.acting.k, may_lack=name not in moving
