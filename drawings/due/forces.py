@@ -22,7 +22,7 @@ from drawings.layout.table import cell_name
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Key, Kind
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, Text
 from plans.checks.force_bill import ActingForce, Bearing, ForceBill
 from plans.checks.hand.forces import forces_by_hand
 from plans.study import Study
@@ -40,7 +40,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     for k in shown:
         scales = next(leaf.metadata["scales"] for leaf in leaves if int(leaf.metadata["position"]) == k)
         sheet = _Sheet(Acting(statics, comparison, k), scales, keys)
-        yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.table())
+        yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
         yield from lever(sheet.acting, scales)
     yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
@@ -148,6 +148,30 @@ class _Sheet:
                 off = math.inf if self.acting.doubtful else MM * self._off(arm)
                 own = row._replace(value=MM * arm.length, allowed=off, may_lack=self.acting.doubtful)
                 yield own._replace(name=arm.letter)
+
+    def terms(self) -> Iterator[Expected]:
+        """Give the terms of the equations of moments: sign, force and arm; what the equation gives stands first."""
+        drive = self.acting.statics.study.mechanism.drive
+        for cut in self.acting.statics.drafts().plans.plan.cuts:
+            bill, figure = self.acting.bills[cut.label], f"equations-{cut.label}-{self.k}"
+            for one in cut.equations:
+                about, found = one.about.name, one.found.name
+                own = {load.name for load in one.loads} | {found}
+                arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
+                terms = {arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms}
+                moments = moments_of(bill)
+                couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
+                terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
+                first = [] if cut.group is None and drive.ram is not None else [found]
+                terms = {name: terms.get(name, (1.0, self.acting.letter(name))) for name in (*first, *terms)}
+                for name, (moment, product) in terms.items():
+                    sign = "+ " if moment > 0 else "− "
+                    sign = "" if sign == "+ " and name == next(iter(terms)) else sign
+                    none = name in couples and abs(moment) <= self.acting.none[1]
+                    allowed = math.inf if self.acting.doubtful or none else 0.0
+                    text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
+                    lost = none or self.acting.doubtful or len(terms) == 1
+                    yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost)
 
     def _must(self, bill: ForceBill) -> set[str]:
         """Name what the equations of a cut must tell: what is given, and the reactions from outside."""

@@ -31,7 +31,7 @@ def lever(acting: Acting, scales: Mapping[str, float]) -> Iterator[Expected]:
     """Give what must stand on the lever of a position, where there is one."""
     if LEVER in scales:
         own = _Lever(acting, scales[LEVER])
-        yield from own.points()
+        yield from (*own.points(), *own.beside())
         yield from own.forces()
         yield from own.equation()
 
@@ -70,6 +70,8 @@ class _Lever:
             found.setdefault(letters.small(f"S{link}"), QUARTER * bill.speed(link, bill.on(link, body.centre)))
         for name, link in product(motion.points, links):
             found.setdefault(letters.under(name, link), QUARTER * bill.speed(link, bill.place(name)))
+        if self.acting.statics.machine.transmission.kind == GEAR:
+            found.setdefault("w", self.hung[0].at)
         return found
 
     def points(self) -> Iterator[Expected]:
@@ -78,13 +80,15 @@ class _Lever:
         velocities, points = study.drafts().velocities, self.acting.comparison.motion.analysis.points
         moving = {velocities.point(name).name for name in points} - {velocities.pole.name}
         for name, place in self.images.items():
-            yield Expected(
-                Kind.POINT, LEVER, name, place, self.acting.fast, self.acting.k, may_lack=name not in moving
-            )
-        how, drive = self.acting.statics.machine.transmission, study.mechanism.drive
-        if how.kind == GEAR:
-            driven = next(one for one in self.hung if one.name == DRIVING)
-            yield Expected(Kind.POINT, LEVER, "w", driven.at, self.acting.fast, self.acting.k, may_lack=True)
+            lost = name not in moving
+            yield Expected(Kind.POINT, LEVER, name, place, self.acting.fast, self.acting.k, may_lack=lost)
+
+    def beside(self) -> Iterator[Expected]:
+        """Give the images of places beside the named points, as those of guides that run past them: they carry no force."""
+        letters = self.acting.statics.study.drafts().velocities.written
+        for link in self.acting.statics.study.mechanism.links:
+            name = letters.own("n", link)
+            yield Expected(Kind.POINT, LEVER, name, 0j, math.inf, self.acting.k, may_lack=True)
 
     @cached_property
     def hung(self) -> list[_Hung]:

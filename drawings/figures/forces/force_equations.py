@@ -9,6 +9,7 @@ from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Passage, Term, WrittenEquation, forces, listed, moments, plain
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
+from drawings.paper.statement import Kind, Statement
 from geometry.board import Mark, at
 from plans.forces.cut import CLOSING, REACTION, Couple, Cut, Equation
 from plans.forces.force import ForcePlan
@@ -81,8 +82,8 @@ class Equations:
         unknown = one.found.name
         named = {load.name for load in one.loads} | {unknown}
         armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
-        terms = [self._term(arm) for arm in armed if arm.name != unknown]
-        terms += [self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0]
+        terms = {arm.name: self._term(arm) for arm in armed if arm.name != unknown}
+        terms |= {couple.name: self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0}
         force = next((arm for arm in armed if arm.name == unknown), None)
         if one.line is None:
             value, unit, own = self._value(one.found).real, "N*m", ("+", self.letter(unknown))
@@ -91,8 +92,14 @@ class Equations:
             own = ("+", self.letter(unknown)) if force is None else self._term(force)
         given = self.cut.group is None and self.plan.mechanism.drive.ram is not None  # it drives: no moment is left
         if terms:
-            yield moments(self._about(one), terms if given else [own, *terms])
+            every = terms if given else {unknown: own, **terms}
+            yield moments(self._about(one), [*every.values()], states=[self._said(one, name) for name in every])
         yield from () if given else (plain(self.statement(unknown, value, unit)),)
+
+    def _said(self, one: Equation, name: str) -> Statement:
+        """Say whose a term is: by its force or moment, the point, and what the equation gives."""
+        figure = f"equations-{self.cut.label}-{self.column}"
+        return Statement(Kind.LETTER, figure, f"{name} about {one.about.name} for {one.found.name}")
 
     def _about(self, one: Equation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
