@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
 from drawings.lettering.words import number
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Group, Leaf
-from drawings.paper.walk import groups, stated, texts
+from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
@@ -54,24 +54,15 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Read the written scales of each figure that has marks."""
+    """Name the figures none of whose written scales is one that a mark or an axis of it is drawn to."""
     for figure in leaf.groups:
-        marked = [one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point")]
-        axes = [one.states.scale for one in stated((figure,)) if one.states and one.states.kind is Kind.AXIS]
-        yield from scales(figure, {(data["quantity"], float(data["scale"])) for data in marked}, axes)
-
-
-def scales(group: Group, marks: Collection[tuple[str, float]], axes: Collection[float] = ()) -> Iterator[Message]:
-    """Read a figure's written scales: mu is that of the marks of its letter, else of an axis; K is 1/mu."""
-    for text in (text.plain for text in texts((group,))):
-        written = [*_SCALE.finditer(text)] if _SCALE.match(text) else []
-        if not written and text.startswith("μ") and marks:
-            yield message("wrong.scale", text=text)
-        for place, (symbol, letter, read) in enumerate(found.groups() for found in written):
-            own = {mu for quantity, mu in marks if quantity == letter} or {*axes}
-            own |= {mu for _, mu in marks} if not own and not place else set()
-            if own and read.replace(",", ".") not in {number(1 / mu if symbol == "K" else mu) for mu in own}:
-                yield message("wrong.scale", text=text)
+        own = [*groups((figure,))]
+        drawn = {float(one.data["scale"]) for one in own if one.data.get("kind") in ("vector", "point")}
+        drawn |= {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        told = [found for text in texts((figure,)) for found in _SCALE.findall(text.plain)]
+        for mu in drawn if told else ():
+            if not any(size.replace(",", ".") == number(1 / mu if symbol == "K" else mu) for symbol, _, size in told):
+                yield message("wrong.scale", text=figure.name)
 
 
 def written_scales(group: Group) -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""A mechanism balanced by the analysis, in one position: places, chains of vectors, what is nothing (уравновешенный)."""
+"""A mechanism balanced by the analysis, in one position: places, chains of vectors (уравновешенный механизм)."""
 
 from __future__ import annotations
 

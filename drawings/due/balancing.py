@@ -60,8 +60,6 @@ class _Sheet:
             for name, place in places.items():
                 yield Expected(Kind.POINT, plan, name, place, slack, k)
             yield from (Expected(Kind.VECTOR, plan, one.name, one.value, slack, k, True) for one in own.chain(state))
-            for one in own.weights(state):
-                yield Expected(Kind.LENGTH, plan, f"R_{one.link}", one.outer, slack + KNOWN * one.outer, k, True)
 
     def polygon(self) -> Iterator[Expected]:
         """Give the static moments and their sum, but for what is nothing beside all of them."""
@@ -95,8 +93,15 @@ class _Sheet:
         slack = max(own.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + KNOWN * largest
         values = list(own.states.values())[-1].centre.moment
         for k, value in enumerate(np.where(np.abs(values) <= own.none.moment, 0.0, values).tolist()):
-            crowded = len(values) > len(own.told) or abs(value) < 0.1 * largest
-            yield Expected(Kind.VECTOR, ROCKING, str(k), 1j * value, slack, k, crowded)
+            yield Expected(Kind.VECTOR, ROCKING, str(k), 1j * value, slack, k, may_lack=True)
+        names = ("last, before", "last") if len(own.states) > 1 else ("last",)
+        for name, one in zip(names, own.states.values(), strict=True):
+            around = one.around
+            if own.whole and not np.isnan(around.moment).any():
+                moments = np.where(np.abs(around.moment) <= own.none.moment, 0.0, around.moment)
+                course = partial(_between, np.degrees(own.own.linkage.sense * (around.phi - around.phi[0])), moments)
+                loose = max(own.slack(f"M_Φ{prime}", COSTS) for prime in PRIMES.values()) + KNOWN * largest
+                yield Expected(Kind.CURVE, ROCKING, name, course, loose, ends=(0.0, TURN), may_lack=True)
 
     def shares(self) -> Iterator[Expected]:
         """Give the least values of the choice, and both curves of it."""
@@ -150,7 +155,7 @@ class _Sheet:
                 changed = KNOWN * abs(now[row])
                 yield Expected(Kind.NUMBER, COSTS, cell_name(row, 1), now[row], changed, digits=DIGITS)
                 change = 100 * (now[row] / value - 1) if value else NOTHING
-                yield Expected(Kind.NUMBER, COSTS, cell_name(row, 2), change, CHANGE)
+                yield Expected(Kind.NUMBER, COSTS, cell_name(row, 2), change, CHANGE, digits=3)
 
     def _largest(self, state: State) -> Iterator[tuple[str, float]]:
         """Give what is largest of a state by the names of the rows; what is nothing is 0."""

@@ -14,7 +14,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.balance_letters import FORCE
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Phrase, Slot, joined
+from drawings.lettering.phrase import Phrase, Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
@@ -78,7 +78,8 @@ class ShareFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole graph, its curves and least places lettered."""
         ranked = sorted(self.letters, key=lambda one: -one.size)
-        found = tuple(labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        found = tuple(telling(NAME, letter, one.text) for letter, one in zip(placed, ranked, strict=True))
         return (Group((*self.lines, Group(found)), NAME),)
 
 
@@ -102,7 +103,7 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("share graph"), scales, hand),
-        *axes.lines((0.0, 1.0), (0.0, shown.high), hand),
+        *axes.lines((0.0, 1.0), (0.0, shown.high), hand, NAME),
         *(
             Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
             for k in range(1, DIVISIONS + 1)

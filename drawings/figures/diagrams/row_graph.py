@@ -13,7 +13,9 @@ from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part
 from drawings.lettering.lettering import text_width
 from drawings.lettering.thinning import every
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
 
@@ -27,10 +29,10 @@ def graph_part(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Coll
     """Draw a row on its axes, each ordinate that is numbered measurable."""
     hand = plate.hand
     lines = (
-        *axes.lines((0.0, plate.length), row.span, hand),
+        *axes.lines((0.0, plate.length), row.span, hand, plate.named(row.key)),
         *_edges(row, plate, axes, numbered),
-        *(stroke for curve in row.thin for stroke in _line(curve, axes, hand.other)),
-        *(stroke for curve in row.results for stroke in _line(curve, axes, hand.result)),
+        *_course(row, plate, "exact", [stroke for curve in row.thin for stroke in _line(curve, axes, hand.other)]),
+        *_course(row, plate, "result", [stroke for curve in row.results for stroke in _line(curve, axes, hand.result)]),
         *_points(row, plate, axes, numbered),
     )
     return Part(plate.named(row.key), lines, (*_letters(row, plate, axes), *_numbers(row, plate, axes, numbered)))
@@ -73,6 +75,12 @@ def _line(curve: Curve, axes: Axes, style: LineStyle) -> Iterator[Stroke]:
     for run in stretches(curve.y):
         points = tuple(axes.on(float(curve.x[k]), float(curve.y[k])) for k in run)
         yield Polyline(points, False, style)
+
+
+def _course(row: DiagramRow, plate: DiagramsPlate, name: str, lines: list[Stroke]) -> Iterator[Stroke]:
+    """Give the lines of a curve as what they state."""
+    if lines:
+        yield stating(Statement(Kind.CURVE, plate.named(row.key), name), *lines)
 
 
 def _points(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Iterator[Stroke]:

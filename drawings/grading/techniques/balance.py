@@ -12,7 +12,6 @@ from drawings.figures.balance.static_polygon import NAME as MOMENTS
 from drawings.grading import verdict
 from drawings.grading.records import Found, Letters, Record, Slip
 from drawings.lettering.balance_letters import CENTRE, FORCE, RESULT
-from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from drawings.report.balance.balance_report import drafting_for

@@ -1,4 +1,4 @@
-"""What the analysis alone says that the sheets of a bank must show: vectors, masses, curves (ожидаемое на листе)."""
+"""A bank of equal mechanisms shaken, by the analysis alone: polygons, masses, what is followed over a turn (блок)."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class Body(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Expected:
+class Bank:
     """A bank by the analysis, with what the two roads may differ by."""
 
     task: BankTask

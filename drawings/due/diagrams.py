@@ -1,17 +1,24 @@
-"""What the rows of the kinematic diagrams must show by the analysis: ordinates, curves, chords, errors (ожидаемое)."""
+"""What the kinematic diagrams and the table of the output must show, by the analysis alone (диаграммы S, v, a)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from drawings.checks.expected import Expected
+from drawings.layout.table import cell_name
 from drawings.page.drafting import Drafting
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf, Text
 from plans.checks.diagrams_comparison import LETTERS, DiagramsComparison
 from plans.model.diagrams import TURN, Axis, ChordError, Diagrams, chord_error
 from plans.model.motion import Floats
+from plans.study import Study
 
+TABLE, DIGITS = "output", 4
+KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 KEYS = ("travel", "velocity", "acceleration")
 AHEAD = ("Δψ", "Δω", "ε")
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
@@ -36,16 +43,30 @@ class ExpectedRow:
     flat: bool
     allowed: float  # what both roads may differ by
 
-    @property
-    def chorded(self) -> bool:
-        """Whether it is drawn by chords."""
-        return self.key != KEYS[0]
 
-    def said(self, drafting: Drafting) -> list[str]:
-        """Give what is told under the caption."""
-        if self.flat:
-            return [drafting.word("diagram flat")]
-        return [] if self.off is None else [drafting.word("chords off", off=drafting.number(100 * self.off.share))]
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give the graphs of the output, and its table, where a scene asks for them and they can be drawn."""
+    comparison = study.comparison("diagrams") if study["diagrams"].wanted else None
+    if not isinstance(comparison, DiagramsComparison):
+        return
+    for row in expected_rows(comparison):
+        figure, slack = named(row.key), row.allowed + KNOWN * float(np.nanmax(np.abs(row.at), initial=0.0))
+        for k, value in zip(row.axis.numbers, row.at.tolist(), strict=True):
+            yield Expected(Kind.VECTOR, figure, str(k), 1j * value, slack, k, may_lack=True)
+        for name, course in (("result", row.result), ("exact", row.exact)):
+            ends = float(row.runs[0][0]), float(row.runs[-1][1])
+            yield Expected(Kind.CURVE, figure, name, course, slack, may_lack=name == "exact" or row.flat, ends=ends)
+    axis, omega = comparison.analysis.axis, abs(study["linkage"].mechanism.drive.omega)
+    for column, (values, allowed) in enumerate(columns(comparison, omega)):
+        slack = allowed + KNOWN * float(np.nanmax(np.abs(values), initial=0.0)) * (omega if column else 0.0)
+        for k, number in reversed(list(enumerate(axis.numbers))):
+            cell = cell_name(str(number), column)
+            yield Expected(Kind.NUMBER, TABLE, cell, float(values[k]), slack, digits=DIGITS, may_lack=True)
+
+
+def named(key: str) -> str:
+    """Name the figure of a row."""
+    return f"diagrams-{key}"
 
 
 def expected_rows(comparison: DiagramsComparison) -> tuple[ExpectedRow, ...]:
@@ -163,3 +184,21 @@ def _parabola(x: Floats, y: Floats, k: np.ndarray, at: Floats) -> Floats:
             part = part * (at - ends[other]) / (ends[own] - ends[other])
         total = total + part
     return total
+
+
+def columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, float]]:
+    """Give what the columns must say at the positions, and how far each may be off."""
+    found, turns = comparison.analysis, comparison.analysis.count.turns
+    s, v, a = found.at
+    whole = s + turns * found.axis.turned, v + turns * omega, a
+    slacks = [float(np.nanmax(one.allowed, initial=0.0)) for one in comparison.findings[:3]]
+    sizes = [float(np.nanmax(np.abs(row), initial=0.0)) for row in whole]
+    sizes = [max(omega**power * size for power, size in enumerate(sizes[k::-1])) for k in range(len(sizes))]
+    own = [(row, slack + KNOWN * size) for row, slack, size in zip(whole, slacks, sizes, strict=True)]
+    return [(found.axis.turned * 360 / TURN, KNOWN), *own]
+
+
+def headings(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
+    """Give the headings of the columns: the crank angle, the output's own letters and units."""
+    own = (f"{one.name}, {drafting.word(one.unit)}" for one in comparison.findings[:3])
+    return [Text(0j, head).plain for head in ("φ, °", *own)]
