@@ -36,12 +36,12 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the force sheets of a scene (row of the table of sheets)."""
     comparison, statics = study.comparison("forces"), study["forces"]
     shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))
-    keys = frozenset(key for leaf in leaves for key in stated_keys(leaf))
     for k in shown:
-        scales = next(leaf.metadata["scales"] for leaf in leaves if int(leaf.metadata["position"]) == k)
-        sheet = _Sheet(Acting(statics, comparison, k), scales, keys)
+        own = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]
+        scales, keys = own[0].metadata["scales"], [stated_keys(leaf) for leaf in own]
+        sheet = _Sheet(Acting(statics, comparison, k), scales, frozenset(chain(*keys)))
         yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
-        yield from lever(sheet.acting, scales)
+        yield from lever(sheet.acting, scales, keys)
     yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
     yield from notes(statics, comparison, shown)

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import permutations, product
 from typing import NamedTuple
+
+import numpy as np
 
 from drawings.checks.expected import Expected
 from drawings.due.acting import ABOUT, REACTION, Acting, unbraced
 from drawings.lettering.indices import with_index
 from drawings.lettering.words import letter
 from drawings.paper.limits import SEEN
-from drawings.paper.statement import Kind
+from drawings.paper.statement import Key, Kind
 from plans.checks.force_bill import ActingForce
 from plans.forces.primary import BALANCING, DRIVING
 from plans.model.kinetostatics import NOTHING
@@ -27,11 +29,17 @@ TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 QUARTER = -1j
 
 
-def lever(acting: Acting, scales: Mapping[str, float]) -> Iterator[Expected]:
-    """Give what must stand on the lever of a position, where there is one."""
+def lever(acting: Acting, scales: Mapping[str, float], sheets: Sequence[frozenset[Key]]) -> Iterator[Expected]:
+    """Give what must stand on the lever of a position, where there is one, by what its sheets state.
+
+    Beside its equation on a sheet without it the arms are told in true units.
+    """
     if LEVER in scales:
-        own = _Lever(acting, scales[LEVER])
-        yield from (*own.points(), *own.beside())
+        figures = [{key[1] for key in keys} for keys in sheets]
+        alone = any(f"{EQUATION}-{acting.k}" in own and LEVER not in own for own in figures)
+        names = {key[2] for keys in sheets for key in keys if key[0] is Kind.POINT and key[1] == LEVER}
+        own = _Lever(acting, scales[LEVER], 1.0 if alone else scales[LEVER], frozenset(names))
+        yield from own.points()
         yield from own.forces()
         yield from own.equation()
 
@@ -54,10 +62,12 @@ class _Hung(NamedTuple):
 
 @dataclass(frozen=True)
 class _Lever:
-    """The lever of one position, at a scale."""
+    """The lever of one position at a scale, what a unit of its arms is in the equation, and the images it shows."""
 
     acting: Acting
     mu: float
+    unit: float
+    names: frozenset[str]
 
     @cached_property
     def images(self) -> dict[str, complex]:
@@ -72,7 +82,8 @@ class _Lever:
             found.setdefault(letters.under(name, link), QUARTER * bill.speed(link, bill.place(name)))
         if self.acting.statics.machine.transmission.kind == GEAR:
             found.setdefault("w", self.hung[0].at)
-        return found
+        beside = complex(math.nan, math.nan)  # of places on guides that run past the points: no force acts there
+        return found | {name: beside for name in self.names if name not in found}
 
     def points(self) -> Iterator[Expected]:
         """Give the images: those of the points of the links must stand."""
@@ -80,15 +91,8 @@ class _Lever:
         velocities, points = study.drafts().velocities, self.acting.comparison.motion.analysis.points
         moving = {velocities.point(name).name for name in points} - {velocities.pole.name}
         for name, place in self.images.items():
-            lost = name not in moving
-            yield Expected(Kind.POINT, LEVER, name, place, self.acting.fast, self.acting.k, may_lack=lost)
-
-    def beside(self) -> Iterator[Expected]:
-        """Give the images of places beside the named points, as those of guides that run past them: they carry no force."""
-        letters = self.acting.statics.study.drafts().velocities.written
-        for link in self.acting.statics.study.mechanism.links:
-            name = letters.own("n", link)
-            yield Expected(Kind.POINT, LEVER, name, 0j, math.inf, self.acting.k, may_lack=True)
+            off = math.inf if math.isnan(place.real) else self.acting.fast
+            yield Expected(Kind.POINT, LEVER, name, place, off, self.acting.k, may_lack=name not in moving)
 
     @cached_property
     def hung(self) -> list[_Hung]:
@@ -130,7 +134,7 @@ class _Lever:
     def forces(self) -> Iterator[Expected]:
         """Give the directions of the forces, and the arms."""
         none = self.acting.none[0]
-        fastest = max(abs(one) for one in self.images.values())
+        fastest = float(np.nanmax([abs(one) for one in self.images.values()]))
         for one in self.hung:
             size, paired = abs(one.value), "/" in one.name
             lost = paired or size <= none or abs(one.at) <= ABOUT * NOTHING * fastest
@@ -184,11 +188,11 @@ class _Lever:
         for one in self.hung:
             yield row._replace(name=one.letter, value=abs(one.value), allowed=self.acting.none[0])
         for mark, one in self.terms:
-            off = math.inf if self._doubtful else self._off(one) / self.mu
-            yield row._replace(name=mark, value=one.length / self.mu, allowed=off, digits=ARM_DIGITS)
+            off = math.inf if self._doubtful else self._off(one) / self.unit
+            yield row._replace(name=mark, value=one.length / self.unit, allowed=off, digits=ARM_DIGITS)
         for start, end in permutations(self.images, 2):
-            size = abs(self.images[end] - self.images[start]) / self.mu
-            off = 2 * self.acting.fast / self.mu
+            size = abs(self.images[end] - self.images[start]) / self.unit
+            off = math.inf if math.isnan(size) else 2 * self.acting.fast / self.unit
             yield row._replace(name=with_index(start) + with_index(end), value=size, allowed=off, digits=ARM_DIGITS)
         moment = float(self.acting.comparison.analysis.balancing.moment[self.acting.k])
         yield row._replace(name=self.acting.letter(BALANCING), value=moment, allowed=self.acting.none[1])
