@@ -80,10 +80,14 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, label: Stroke) -> Stroke:
-    """Give lettering of a figure, with its leader or without, as what it states where it is a phrase with slots."""
-    template = next((template_of(one.content) for one in texts((label,)) if isinstance(one.content, str)), "")
-    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots.
+
+    A letter that a leader leads to is a group: its content is given.
+    """
+    own = (content,) if content else (one.content for one in texts((stroke,)) if isinstance(one.content, str))
+    template = "".join(map(template_of, own))
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 
 def _text(part: object, language: str) -> object:
