@@ -18,11 +18,16 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, stated
-from plans.model.motion import Complexes
+from plans.model.motion import Complexes, Floats
 
 Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
-MARKS = {"vector": Kind.VECTOR, "point": Kind.POINT}  # what measuring reads, by the kind of its data
+LOOKED = 360  # places of a path that are looked at
+MARKS = {
+    "vector": Kind.VECTOR,
+    "point": Kind.POINT,
+    "profile": Kind.CURVE,
+}  # what measuring reads, by the kind of its data
 
 
 def seen(measured: Measured, leaf: Leaf) -> Seen:
@@ -31,11 +36,13 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
     for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
+    for one in measured.profiles:
+        found.setdefault((Kind.CURVE, one.plan, one.name, None), []).append(Read(one.places, one.scale))
     places = frames(leaf)
     for one in stated(leaf.groups):
         said = one.states
         if said is not None and said.kind is Kind.PHRASE:
-            for name, number in (read_back(said.name, str(read(one, None).value)) or {said.name: ""}).items():
+            for name, number in read_back(said.name, str(read(one, None).value)) or [(said.name, "")]:
                 found.setdefault((said.kind, said.figure, name, said.position), []).append(Read(number))
         elif said is not None and said.kind not in FRAMES:
             at = None if said.position is None else str(said.position)
@@ -74,7 +81,7 @@ def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -
 def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
     """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities."""
     for line in (one for one in lines if SLOT.search(template_of(one))):
-        for name, text in (read_back(template_of(line), Text(0j, line).plain) or {line: ""}).items():
+        for name, text in read_back(template_of(line), Text(0j, line).plain) or [(line, "")]:
             row = due.get((Kind.PHRASE, NOTES, name, None))
             if row is None or not holds(Read(text), row):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
@@ -97,10 +104,18 @@ def holds(found: Read, due: Expected) -> bool:
         case float() | int() | complex() as true if isinstance(value, str):
             return _reads(value.lstrip("±+"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
-            return bool(apart(value, path) <= slack and apart(path, value) <= slack)
+            one, other = even(value, found), even(path, found)
+            return bool(apart(one, other) <= slack and apart(other, one) <= slack)
+        case np.ndarray() as path if not isinstance(value, str):
+            return bool(apart(np.array([value]), path) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
-            return bool(abs(value - true) <= slack)
+            return bool(np.abs(even(np.array([value - true]), found)).max() <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
+
+
+def even(values: Complexes, found: Read) -> Complexes:
+    """Give values as they lie on paper, in units of the abscissas, where those of the ordinates are others."""
+    return values.real + 1j * values.imag * (found.scale / found.up) if found.up and found.scale else values
 
 
 def _reads(text: str, true: float, due: Expected) -> bool:
@@ -123,12 +138,22 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
     return bool(inside.all())
 
 
+def bows(path: Complexes) -> Floats:
+    """Give how far a curve may lie from the lines between places on it, as far as one that turns at once."""
+    run = np.diff(path)
+    off = np.abs(np.angle(run[1:] * run[:-1].conj())) * np.maximum(np.abs(run[1:]), np.abs(run[:-1])) / 4
+    return np.asarray(np.maximum(np.append(0.0, off), np.append(off, 0.0)))
+
+
 def apart(drawn: Complexes, path: Complexes) -> float:
-    """Give how far the places of one path are at most from the lines between those of another."""
-    start, run = path[:-1], np.diff(path)
+    """Give how far places of one path, evenly of many, are at most from the lines between those of another.
+
+    Where that bends a place may lie as far from its lines as an arc does from its chords.
+    """
+    start, run, bow = path[:-1], np.diff(path), bows(path)
     size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
     farthest = 0.0
-    for spot in drawn:
+    for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
         share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
-        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot))))
+        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot) - bow)))
     return math.inf if math.isnan(farthest) else farthest
