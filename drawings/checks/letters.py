@@ -67,7 +67,7 @@ def strayed(leaf: Leaf) -> Iterator[Message]:
             assert one.states is not None
             vector, _, name = one.states.name.rpartition(" ")
             spots = along(lines[vector].start, lines[vector].end) if vector in lines else ()
-            if vector and not distance(_labels(one.strokes), spots) <= NEAREST:
+            if spots and not distance(_labels(one.strokes), spots) <= NEAREST:
                 yield on("letter", plan, name=name)
 
 
