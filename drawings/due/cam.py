@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from drawings.checks.cyclogram.cyclogram_charts import ANGLE, BARS, true_bars
+from drawings.checks.cyclogram.due_rows import cam_rows
 from drawings.checks.expected import Expected, by_hand, subject
 from drawings.due.cam_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.due.cam_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
@@ -38,7 +40,10 @@ NEAREST = 1e-9  # of the largest value: chords that are exact but for the roundi
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam, or of the shaft of several (row of the table of sheets)."""
     name = subject(leaves[0])
-    if name != EVERY:
+    if name == EVERY:
+        rows = cam_rows([one.cam for one in study.comparison("cam").analysis.cams])
+        yield from (Expected(Kind.VECTOR, BARS, bar, value, ANGLE) for bar, value in true_bars(rows, 0.0))
+    else:
         scales = next((one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {})
         drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
         own = _Cam(numbers_of(study, name), scales, drawn, drafting_of(study.scene))
@@ -164,10 +169,9 @@ class _Cam:
     def _lengths(self) -> Iterator[Expected]:
         """Give the sizes in the figure of the profile; two of them go where there is room, or about a sharp place."""
         own, sizes, found = self.values, self.values.sizes, self.values.found
-        if own.cam.translates:
-            return
         true = {"R_0": complex(sizes.base), "e": complex(own.cam.sense * sizes.offset), "L": sizes.pivot}
-        told = {"R_0": self.numbers.size("R_0"), "e": self.numbers.size("e"), "L": self.numbers.size("L")}
+        true = {} if own.cam.translates else true
+        told = {name: self.numbers.size(name) for name in true}
         if found.sharpest is not None:
             true["ρ_min"], told["ρ_min"] = complex(found.sharpest.value), self.numbers.radius("ρ_min", found.sharpest)
         for name, value in true.items():
@@ -175,7 +179,7 @@ class _Cam:
             number, slack = told[name]
             yield Expected(Kind.VECTOR, PROFILE, name, value * cmath.rect(1.0, way), slack / MM, may_lack=True)
             yield Expected(Kind.PHRASE, PROFILE, name, number, slack, digits=4, may_lack=True)
-        if own.cam.rocks:
+        if sizes.pivot:
             yield Expected(Kind.POINT, PROFILE, "O_1", sizes.pivot, self._off("O1"))
 
     def sizes(self) -> Iterator[Expected]:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise, product
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -15,9 +15,10 @@ import numpy as np
 from drawings.checks.hold import bows
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
+from plans.analytic.cam.stretches import stretches
 from plans.cam.study import CamDrawing
 from plans.checks.cam.comparison import Compared
-from plans.model.cam import Cam
+from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import CamFound, Contour, Sizes, Travel
 from plans.model.motion import Complexes, Floats
 
@@ -194,8 +195,12 @@ class CamValues:
     @cached_property
     def diagram(self) -> Complexes:
         """The diagram of the sizes densely, m, from its origin."""
-        sides = product(self.cam.moving(), (False, True))
-        return np.concatenate([self.ends(self.at(np.linspace(one.start, one.end, DENSE), side)) for one, side in sides])
+        shares = np.clip(np.linspace(0.0, 1.0, DENSE), EQUAL, 1 - EQUAL)  # within what jumps at both ends
+        own = (
+            one.phase.start + one.phase.angle * (one.start + (one.end - one.start) * shares)
+            for one in stretches(self.cam, (RISE, RETURN))
+        )
+        return np.concatenate([self.ends(self.at(turned)) for turned in own])
 
     def points(self) -> Mapping[str, Complexes]:
         """Give the points of the numbered positions by their letters, (N,) m, in the cam; K and O_1 as they are due."""

@@ -51,6 +51,12 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from diagrams.due(study, leaves)
 
 
+def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafting) -> Iterator[Expected]:
+    """Give the sense of the drive and the strokes that any plan of positions of a linkage may show."""
+    own = _Linkage(study, comparison, drafting, ())
+    yield from chain(own.senses(0), own.strokes())
+
+
 def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
     """Give the mass centres that no point of the scene is or names: link, and place in its own frame."""
     form, links = cast("ForceForm | None", study.scene.part("forces")), study.mechanism.links
