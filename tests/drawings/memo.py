@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from drawings.checks import verify_forces, verify_kinematics
-from drawings.checks.verify import verify
+from drawings.checks.expected import Expected
+from drawings.checks.verify import SelfCheckFailed, written, wrongs
+from drawings.due import forces, linkage
 from drawings.measure.measure import Measured
+from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.force_comparison import ForceComparison
@@ -22,9 +24,9 @@ def memo(linkage: LinkageStudy, motion: MotionComparison) -> Study:
     return study
 
 
-def loaded_memo(statics: Statics, forces: ForceComparison) -> Study:
-    study = memo(statics.study, forces.motion)
-    study._made["forces"], study._compared["forces"] = statics, forces
+def loaded_memo(statics: Statics, comparison: ForceComparison) -> Study:
+    study = memo(statics.study, comparison.motion)
+    study._made["forces"], study._compared["forces"] = statics, comparison
     return study
 
 
@@ -34,9 +36,18 @@ def cams_of(study: Study, other: Study) -> Study:
     return study
 
 
+def held(path: Path, leaf: Leaf, study: Study, due: Callable[..., Iterable[Expected]]) -> Measured:
+    """Hold a written sheet against what must stand on it, and give what was measured."""
+    own = written(path, leaf)
+    (wrong,) = wrongs([own], {row.key: row for row in due(study, [leaf])}, study.scene.sheet)
+    if wrong or isinstance(own.seen, SheetRefused):
+        raise SelfCheckFailed(str(wrong))
+    return own.seen.measured
+
+
 def verify_motion(path: Path, leaf: Leaf, study: Study) -> Measured:
-    return verify(path, leaf, partial(verify_kinematics.faults, study=study)).measured
+    return held(path, leaf, study, linkage.due)
 
 
-def verify_loaded(path: Path, leaf: Leaf, statics: Statics, forces: ForceComparison) -> Measured:
-    return verify(path, leaf, partial(verify_forces.faults, study=loaded_memo(statics, forces))).measured
+def verify_loaded(path: Path, leaf: Leaf, statics: Statics, comparison: ForceComparison) -> Measured:
+    return held(path, leaf, loaded_memo(statics, comparison), forces.due)
