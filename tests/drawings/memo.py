@@ -6,10 +6,9 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from drawings.checks.expected import Expected
-from drawings.checks.verify import SelfCheckFailed, written, wrongs
+from drawings.checks.verify import SelfCheckFailed, measured_wrongs
 from drawings.due import forces, linkage
-from drawings.measure.measure import Measured
-from drawings.paper.limits import SheetRefused
+from drawings.measure.measure import Measured, measure_file
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.force_comparison import ForceComparison
@@ -38,11 +37,10 @@ def cams_of(study: Study, other: Study) -> Study:
 
 def held(path: Path, leaf: Leaf, study: Study, due: Callable[..., Iterable[Expected]]) -> Measured:
     """Hold a written sheet against what must stand on it, and give what was measured."""
-    own = written(path, leaf)
-    (wrong,) = wrongs([own], {row.key: row for row in due(study, [leaf])}, study.scene.sheet)
-    if wrong or isinstance(own.seen, SheetRefused):
+    measured, rows = measure_file(path), {row.key: row for row in due(study, [leaf])}
+    if wrong := list(measured_wrongs(measured, leaf, rows, rows)):
         raise SelfCheckFailed(str(wrong))
-    return own.seen.measured
+    return measured
 
 
 def verify_motion(path: Path, leaf: Leaf, study: Study) -> Measured:
