@@ -23,7 +23,7 @@ from plans.model.motion import Floats
 
 BALANCING = "balancing"
 TURN, STEPS = 360.0, 720  # degrees; places of a curve
-FAR = 1e-9
+FAR, FAINT = 1e-9, 0.01  # of the greatest: no road is further off; a smaller ordinate may be a point
 
 
 def curves(
@@ -63,7 +63,8 @@ class _Curves:
         """Give the ordinates of the positions; where numbers have no room some have none."""
         for k, size in enumerate(self.sizes):
             if np.isfinite(size):
-                yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=True)
+                lost = k not in self.shown or abs(size) <= self.slack + FAINT * float(np.nanmax(np.abs(self.sizes)))
+                yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=lost)
 
     @cached_property
     def turned(self) -> tuple[Floats, Kinetostatics, Floats]:

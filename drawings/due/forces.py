@@ -13,7 +13,7 @@ import numpy as np
 from drawings.checks.expected import NOTHING as DASH
 from drawings.checks.expected import Expected, by_hand
 from drawings.checks.hold import stated_keys
-from drawings.due.acting import Acting, DueArm, forces_of, moments_of, unbraced
+from drawings.due.acting import Acting, DueArm, forces_of, moments_of, named, unbraced
 from drawings.due.force_curves import curves
 from drawings.due.force_notes import notes
 from drawings.due.lever import lever
@@ -184,10 +184,8 @@ class _Sheet:
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)
-        for one in comparison.of("forces"):
-            name, _, how = one.name.partition(" ")
-            by = f" ({word(language, f'by {how}')})" if how else ""
-            head = f"{self.acting.letter(name)}{by}, {word(language, one.unit)}"
+        for letters, one in named(self.acting.statics, comparison):
+            head = f"{letters}, {word(language, one.unit)}"
             told = np.abs(comparison.analysis.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed
             found, slack = one.analysis[self.k], float(one.allowed[self.k])
             value = float(abs(found) if np.iscomplexobj(found) else found)
