@@ -41,8 +41,8 @@ def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Mes
     labels, known = labels_of(leaf.groups), due or {}
     for key, letter, spots in _marks(leaf.groups):
         _, plan, name, _ = key
-        letter = known.get(key) or letter
-        plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
+        own = known.get(key) or letter
+        plain = Text(0j, own if "{" in own else with_index(own)).plain
         if not distance(labels.get(plain, ()), spots) <= WITHIN.get(plan, NEAREST):
             yield on("letter", plan, name=name)
 

@@ -1,4 +1,4 @@
-"""Readers: what ink states, read off it; the only code that knows how a kind of statement is drawn (чтение утверждений).
+"""Readers: what ink states, read off it; they alone know how a kind of statement is drawn (чтение утверждений).
 
 A reader takes the strokes of one statement and the frame of its figure, which is itself read from ink.
 """
@@ -103,8 +103,8 @@ def _point(group: Group, frame: Frame | None) -> complex:
 
 
 def _curve(group: Group, frame: Frame | None) -> Complexes:
-    places = np.array([spot for stroke in flat((group,)) for spot in along(stroke)])
-    return places * _scale(group) if frame is None else frame.true(places)
+    places: Complexes = np.array([spot for stroke in flat((group,)) for spot in along(stroke)], dtype=np.complex128)
+    return np.asarray(places * _scale(group)) if frame is None else frame.true(places)
 
 
 def _length(group: Group, frame: Frame | None) -> float:

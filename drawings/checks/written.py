@@ -9,9 +9,10 @@ from collections.abc import Collection, Iterator
 from drawings.lettering.words import number
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Group, Leaf
-from drawings.paper.walk import groups, stated, texts
+from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
+MARKED = ("vector", "point")
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 _SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
 
@@ -54,24 +55,31 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Read the written scales of each figure that has marks."""
+    """Name the written scales of figures, or of their headings, that no mark of their letter and no axis is drawn to."""
     for figure in leaf.groups:
-        marked = [one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point")]
-        axes = [one.states.scale for one in stated((figure,)) if one.states and one.states.kind is Kind.AXIS]
-        yield from scales(figure, {(data["quantity"], float(data["scale"])) for data in marked}, axes)
+        own = [*groups(one for one in leaf.groups if one is figure or (figure.name and _below(one, figure)))]
+        marks = {(one.data["quantity"], float(one.data["scale"])) for one in own if one.data.get("kind") in MARKED}
+        axes = {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        for text in (text.plain for text in texts((figure,))):
+            yield from (message("wrong.scale", text=text) for _ in _unlike(text, marks, axes))
 
 
-def scales(group: Group, marks: Collection[tuple[str, float]], axes: Collection[float] = ()) -> Iterator[Message]:
-    """Read a figure's written scales: mu is that of the marks of its letter, else of an axis; K is 1/mu."""
-    for text in (text.plain for text in texts((group,))):
-        written = [*_SCALE.finditer(text)] if _SCALE.match(text) else []
-        if not written and text.startswith("μ") and marks:
-            yield message("wrong.scale", text=text)
-        for place, (symbol, letter, read) in enumerate(found.groups() for found in written):
-            own = {mu for quantity, mu in marks if quantity == letter} or {*axes}
-            own |= {mu for _, mu in marks} if not own and not place else set()
-            if own and read.replace(",", ".") not in {number(1 / mu if symbol == "K" else mu) for mu in own}:
-                yield message("wrong.scale", text=text)
+def _below(one: Group, head: Group) -> bool:
+    """Tell whether a figure stands under a heading: "diagrams-travel" under "diagrams"."""
+    return one.name.startswith(f"{head.name}-")
+
+
+def _unlike(text: str, marks: Collection[tuple[str, float]], axes: Collection[float]) -> Iterator[str]:
+    """Give the letters of the scales of a line that are others; K is 1/mu, to its own digits."""
+    written = [*_SCALE.finditer(text)] if _SCALE.match(text) else []
+    if text.startswith("μ") and marks and not written:
+        yield text
+    for place, (symbol, letter, read) in enumerate(found.groups() for found in written):
+        own = {mu for quantity, mu in marks if quantity == letter}
+        if not own and (axes or not place):  # the axis of the abscissas of a graph bears no marks
+            own = {*axes, *(mu for _, mu in marks)}
+        if own and read.replace(",", ".") not in {number(1 / mu if symbol == "K" else mu) for mu in own}:
+            yield letter
 
 
 def written_scales(group: Group) -> dict[str, float]:

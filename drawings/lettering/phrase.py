@@ -71,10 +71,11 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, label: Stroke) -> Stroke:
-    """Give lettering of a figure, with its leader, as what it states, where its content is a phrase with slots."""
-    template = "".join(template_of(text.content) for text in texts((label,)))
-    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots."""
+    contents = (content,) if content else (text.content for text in texts((stroke,)))
+    template = "".join(template_of(one) for one in contents if isinstance(one, str))
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 
 def _text(part: object, language: str) -> object:

@@ -7,11 +7,11 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
+from drawings.checks.balance import verify_balancing
+from drawings.checks.rotor import verify_rotor
 
 from drawings.checks import verify_forces, verify_kinematics
-from drawings.checks.balance import verify_balancing
 from drawings.checks.dynamics import verify_dynamics
-from drawings.checks.rotor import verify_rotor
 from drawings.figures.workings.working import LENGTHS, MASSES, READING, SCALES, SEGMENTS, TANGENTS
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure

@@ -16,6 +16,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.paper.ties import apart
 from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
@@ -88,7 +89,7 @@ def _edges(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: A
         yield Line(foot - tick, foot + tick, hand.drafted)
         if k in numbered:
             yield from _ordinate(graph, strips.names[k], k, (foot, axes.on(angle, value)), value, axes, hand)
-        for tip in {axes.on(angle, value), axes.on(angle, other)}:
+        for tip in apart((axes.on(angle, value), axes.on(angle, other))):
             yield Circle(tip, DOT * hand.symbol, INK)
 
 
@@ -123,5 +124,5 @@ def _letters(graph: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
 def _numbers(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the edges at the axis, each on the side away from its ordinate."""
     for k in numbered:
-        away = axes.rise if graph.values[k] < graph.base else -axes.rise
+        away = axes.rise if axes.below(float(graph.values[k]) - graph.base) else -axes.rise
         yield Letter(axes.on(strips.turned[k]), strips.names[k], hand.number, cmath.phase(away), TICK + 0.6)

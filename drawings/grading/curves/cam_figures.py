@@ -14,7 +14,7 @@ from drawings.checks.cam.blank.tabled_cam import tabled
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_laws import named as law_named
 from drawings.checks.cam.profile_marks import normals, points
-from drawings.checks.cyclogram.due_rows import cam_rows
+from drawings.due.machine_rows import cam_rows
 from drawings.figures.cam.pressure_graph import NAME as ANGLES
 from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.size_view import NAME as SIZES
