@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from drawings.lettering.words import number
 from drawings.paper.statement import Kind
@@ -55,13 +55,14 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Name the written scales of figures, or of their headings, that no mark of their letter and no axis is drawn to."""
+    """Name the written scales of figures and headings to which no mark of their letter and no axis is drawn."""
     for figure in leaf.groups:
         own = [*groups(one for one in leaf.groups if one is figure or (figure.name and _below(one, figure)))]
         marks = {(one.data["quantity"], float(one.data["scale"])) for one in own if one.data.get("kind") in MARKED}
         axes = {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
         for text in (text.plain for text in texts((figure,))):
-            yield from (message("wrong.scale", text=text) for _ in _unlike(text, marks, axes))
+            if not _agrees(text, marks, axes):
+                yield message("wrong.scale", text=text)
 
 
 def _below(one: Group, head: Group) -> bool:
@@ -69,17 +70,22 @@ def _below(one: Group, head: Group) -> bool:
     return one.name.startswith(f"{head.name}-")
 
 
-def _unlike(text: str, marks: Collection[tuple[str, float]], axes: Collection[float]) -> Iterator[str]:
-    """Give the letters of the scales of a line that are others; K is 1/mu, to its own digits."""
-    written = [*_SCALE.finditer(text)] if _SCALE.match(text) else []
-    if text.startswith("μ") and marks and not written:
-        yield text
-    for place, (symbol, letter, read) in enumerate(found.groups() for found in written):
-        own = {mu for quantity, mu in marks if quantity == letter}
-        if not own and (axes or not place):  # the axis of the abscissas of a graph bears no marks
-            own = {*axes, *(mu for _, mu in marks)}
-        if own and read.replace(",", ".") not in {number(1 / mu if symbol == "K" else mu) for mu in own}:
-            yield letter
+def _agrees(text: str, marks: Collection[tuple[str, float]], axes: Collection[float]) -> bool:
+    """Tell whether the scales of a line are those of marks of their letters, one of the others that of an axis."""
+    written = [found.groups() for found in _SCALE.finditer(text)] if _SCALE.match(text) else []
+    letters = {quantity for quantity, _ in marks}
+    known = [one for one in written if one[1] in letters]
+    others = [one for one in (written if axes else written[:1]) if one not in known]  # abscissas bear no marks
+    every = {*axes, *(mu for _, mu in marks)}
+    right = all(_is(one, {mu for quantity, mu in marks if quantity == one[1]}) for one in known)
+    lost = text.startswith("μ") and marks and not written
+    return right and not lost and (not every or not others or any(_is(one, every) for one in others))
+
+
+def _is(written: Sequence[str], scales: Collection[float]) -> bool:
+    """Tell whether a scale is one of some; K is 1/mu, to its own digits."""
+    symbol, _, read = written
+    return read.replace(",", ".") in {number(1 / mu if symbol == "K" else mu) for mu in scales}
 
 
 def written_scales(group: Group) -> dict[str, float]:

@@ -185,6 +185,7 @@ FAULTS: dict[str, tuple[Change, str]] = {
     "the curve of moments aside": (in_part("moments", traced(0, 0.3j)), "M_{us} on reduced moments"),
     "the line of the driving moment aside": (in_part("moments", traced(1, 0.3j)), "M_{dr} on reduced moments"),
     "the line of the drive's work aside": (in_part("works", traced(1, 0.3)), "A_{dr} on works"),
+    "a wrong pole distance": (in_part("works", scaled("H_p")), "H_p on works"),
     "a wrong scale of moments": (in_part("moments", scaled("μ_M")), "μM"),
     "a wrong scale of angles": (in_part("moments", scaled("μ_φ")), "μM"),
     "a wrong scale of works": (in_part("works", scaled("μ_A")), "μA"),
