@@ -35,6 +35,7 @@ LOOP, EQUATIONS, SKETCH = "loop", "loop-equations", "flywheel_sketch"
 TANGENTS, SEGMENTS, ANGLES, CUTS = ("ψmin", "ψmax"), ("o1l", "o1k"), ("ψ_{min}", "ψ_{max}"), ("l", "k")
 RESULTS, POSITIONS = "results", "positions"
 DIGITS, FEW, FINE, FINER = 4, 3, 5, 6  # of numbers in notes; of per cents there; in equations; of results
+MARKED = 72  # strips: of more not all edges bear marks
 LOST = 1e-9  # of the largest work: all that a turn of weights leaves over
 TOUCHED = 1e-5  # of the loop's height: a corner so near a tangent may be the one that it touches
 TIMES = (("2δ", 2.0), ("δ/2", 0.5))  # fluctuations beside the one that is asked for
@@ -128,7 +129,8 @@ class _Machine:
         short = not abs(cut) > 1.01 * frame.up  # mm: so short a segment has no dimension
         yield Expected(Kind.VECTOR, LOOP, SEGMENTS[which], 1j * cut, KNOWN * high, may_lack=short)
         spot = complex(touch.varying, touch.surplus)
-        yield Expected(Kind.POINT, LOOP, ANGLES[which], spot, self._tied(wheel, which, frame), may_lack=True)
+        crowded = which == 1 and len(self.turn.cycle.means) > MARKED
+        yield Expected(Kind.POINT, LOOP, ANGLES[which], spot, self._tied(wheel, which, frame), may_lack=crowded)
 
     def _tied(self, wheel: Flywheel, which: int, frame: Frame) -> float:
         """Give how far the corners that a tangent touches by rounding are apart, kg*m2."""
