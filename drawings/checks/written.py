@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from itertools import chain
 
 from drawings.lettering.words import number
 from drawings.paper.statement import Kind
@@ -12,8 +13,9 @@ from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
-MARKED = ("vector", "point")
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+PAPER = "mm"  # the unit of what is drawn in millimetres of paper, to no scale
+_MARKED = ("vector", "point")  # the kinds of marks that are drawn to scale
 _SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
 
 
@@ -55,37 +57,28 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Name the written scales of figures and headings to which no mark of their letter and no axis is drawn."""
+    """Name the figures whose marks or axes are drawn to no scale that is written: of their letter there, else anywhere."""
+    everywhere = _told(leaf.groups)
     for figure in leaf.groups:
-        own = [*groups(one for one in leaf.groups if one is figure or (figure.name and _below(one, figure)))]
-        marks = {(one.data["quantity"], float(one.data["scale"])) for one in own if one.data.get("kind") in MARKED}
-        axes = {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
-        for text in (text.plain for text in texts((figure,))):
-            if not _agrees(text, marks, axes):
-                yield message("wrong.scale", text=text)
+        own, told = [*groups((figure,))], _told((figure,))
+        marks = (one.data for one in own if one.data.get("kind") in _MARKED and one.data["unit"] != PAPER)
+        drawn = {(data["quantity"], float(data["scale"])) for data in marks}
+        drawn |= {("", one.states.scale) for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        for letter, mu in drawn if everywhere else ():
+            if not _written(mu, told.get(letter) or {*chain(*everywhere.values())}):
+                yield message("wrong.scale", text=figure.name)
 
 
-def _below(one: Group, head: Group) -> bool:
-    """Tell whether a figure stands under a heading: "diagrams-travel" under "diagrams"."""
-    return one.name.startswith(f"{head.name}-")
+def _told(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
+    """Read the scales that figures state: by their letters the symbol, mu or K, and the number."""
+    told: dict[str, set[tuple[str, str]]] = {}
+    for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):
+        told.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
+    return told
 
 
-def _agrees(text: str, marks: Collection[tuple[str, float]], axes: Collection[float]) -> bool:
-    """Tell whether the scales of a line are those of marks of their letters, one of the others that of an axis."""
-    written = [found.groups() for found in _SCALE.finditer(text)] if _SCALE.match(text) else []
-    letters = {quantity for quantity, _ in marks}
-    known = [one for one in written if one[1] in letters]
-    others = [one for one in (written if axes else written[:1]) if one not in known]  # abscissas bear no marks
-    every = {*axes, *(mu for _, mu in marks)}
-    right = all(_is(one, {mu for quantity, mu in marks if quantity == one[1]}) for one in known)
-    lost = text.startswith("μ") and marks and not written
-    return right and not lost and (not every or not others or any(_is(one, every) for one in others))
-
-
-def _is(written: Sequence[str], scales: Collection[float]) -> bool:
-    """Tell whether a scale is one of some; K is 1/mu, to its own digits."""
-    symbol, _, read = written
-    return read.replace(",", ".") in {number(1 / mu if symbol == "K" else mu) for mu in scales}
+def _written(mu: float, told: Iterable[tuple[str, str]]) -> bool:
+    return any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in told)
 
 
 def written_scales(group: Group) -> dict[str, float]:

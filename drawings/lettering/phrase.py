@@ -60,6 +60,15 @@ def numbered(language: str, slot: Slot) -> Phrase:
     return Phrase(str(_text(slot, language)), str(_template(slot)))
 
 
+def slotted(before: str, quantity: str, number: str, after: str = "") -> Phrase:
+    """Write the number of a quantity that is rounded in its own way.
+
+    >>> slotted("K = ", "K", "1.500").template
+    'K = ⟨K⟩'
+    """
+    return Phrase(f"{before}{number}{after}", f"{before}⟨{quantity}⟩{after}")
+
+
 def joined(between: str, parts: Iterable[str]) -> Phrase:
     """Join phrases and words to one phrase."""
     own = [*parts]
