@@ -8,12 +8,12 @@ from collections.abc import Iterator
 
 from drawings.lettering.words import number
 from drawings.paper.statement import Kind
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
-_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
+_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
 
 
 def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
@@ -54,12 +54,30 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Name the figures none of whose written scales is one that a mark or an axis of it is drawn to."""
+    """Name the figures none of whose written scales, or of their heading's, a mark or an axis of theirs is drawn to."""
     for figure in leaf.groups:
         own = [*groups((figure,))]
         drawn = {float(one.data["scale"]) for one in own if one.data.get("kind") in ("vector", "point")}
         drawn |= {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
-        told = [found for text in texts((figure,)) for found in _SCALE.findall(text.plain)]
+        heads = [one for one in leaf.groups if figure.name in (one.name, *_below(one.name, figure.name))]
+        told = [found for text in texts(heads) for found in _SCALE.findall(text.plain)]
         for mu in drawn if told else ():
-            if not any(size.replace(",", ".") == number(1 / mu if symbol == "K" else mu) for symbol, size in told):
+            if not any(size.replace(",", ".") == number(1 / mu if symbol == "K" else mu) for symbol, _, size in told):
                 yield message("wrong.scale", text=figure.name)
+
+
+def _below(head: str, name: str) -> tuple[str, ...]:
+    """Give the name of a figure that stands under a heading: "diagrams-travel" under "diagrams"."""
+    return (name,) if head and name.startswith(f"{head}-") else ()
+
+
+def written_scales(group: Group) -> dict[str, float]:
+    """Read the scales that a figure states by their letters, true units a mm; a K is the inverse of mu, 0 is none.
+
+    >>> from drawings.paper.strokes import Text
+    >>> written_scales(Group((Text(0j, "μ_{φ} = 0,02 рад/мм;  K_M = 4 mm/(N·m);  K_A = 0 mm/J"),)))
+    {'φ': 0.02, 'M': 0.25}
+    """
+    found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
+    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
+    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs if value}

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from drawings.lettering.words import number, word
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, texts
 
 SLOT = re.compile("⟨(.*?)⟩")
 NUMBER = r"([−-]?\d+(?:[.,]\d+)?|—)"
@@ -71,14 +71,10 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
-    """Give lettering of a figure as what it states, where its content is a phrase with slots.
-
-    A letter that a leader leads to is a group: its content is given.
-    """
-    told = content or (stroke.content if isinstance(stroke, Text) else "")
-    template = template_of(told) if isinstance(told, str) else ""
-    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
+def telling(figure: str, label: Stroke) -> Stroke:
+    """Give lettering of a figure, with its leader, as what it states, where its content is a phrase with slots."""
+    template = "".join(template_of(text.content) for text in texts((label,)))
+    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
 
 
 def _text(part: object, language: str) -> object:
@@ -91,13 +87,13 @@ def _template(part: object) -> object:
     return template_of(part) if isinstance(part, str) else part
 
 
-def read_back(template: str, text: str) -> dict[str, str] | None:
-    """Read the numbers of a phrase off a text that is written by its template; None where it says something else.
+def read_back(template: str, text: str) -> list[tuple[str, str]]:
+    """Read the numbers of a phrase off a text that is written by its template; none where it says something else.
 
     >>> read_back("m_{II} = ⟨m_II⟩ kg,  D = ⟨D⟩ mm", "mII = 0.25 kg, D = 40 mm")
-    {'m_II': '0.25', 'D': '40'}
+    [('m_II', '0.25'), ('D', '40')]
     """
     names, pieces = SLOT.findall(template), SLOT.split(template)[::2]
     pattern = NUMBER.join(r"\s+".join(map(re.escape, re.split(r"\s+", Text(0j, piece).plain))) for piece in pieces)
     found = re.search(pattern, text)
-    return None if found is None else dict(zip(names, found.groups(), strict=True))
+    return [] if found is None else [*zip(names, found.groups(), strict=True)]

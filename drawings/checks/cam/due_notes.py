@@ -207,4 +207,4 @@ def smoothed(law: Law) -> tuple[float, float]:
     """Give how far the analysis's curve of a table is from its points at the most, in shares, and at which."""
     shares, s = np.array(law.points, dtype=float).T
     off = np.abs(LAWS[law.name](law, shares, 0, False) - s)
-    return float(off.max()), float(shares[off.argmax()])
+    return float(off.max()), float(shares[off.round(9).argmax()])

@@ -79,7 +79,7 @@ class ShareFigure:
         """Give the whole graph, its curves and least places lettered."""
         ranked = sorted(self.letters, key=lambda one: -one.size)
         placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
-        found = tuple(telling(NAME, letter, one.text) for letter, one in zip(placed, ranked, strict=True))
+        found = tuple(telling(NAME, letter) for letter in placed)
         return (Group((*self.lines, Group(found)), NAME),)
 
 

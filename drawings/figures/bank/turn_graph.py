@@ -85,7 +85,7 @@ class TurnGraphFigure:
     def _stations(self, labels: Labels) -> Iterator[Stroke]:
         first = self.shown.curves[0]
         for k in stations(first):
-            side = -BELOW if first.values[k] < 0 else BELOW
+            side = -BELOW if self.axes.below(float(first.values[k])) else BELOW
             foot = self.axes.on(angle(first, k))
             yield labels.beside(foot, number(first, k), self.drafting.hand.number, TICK + 0.6, side)
 

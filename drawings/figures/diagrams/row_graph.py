@@ -15,6 +15,7 @@ from drawings.lettering.lettering import text_width
 from drawings.lettering.thinning import every
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
@@ -46,7 +47,7 @@ def numbered_positions(plate: DiagramsPlate, length: float) -> tuple[int, ...]:
     count = len(places) - plate.axis.closed
     step = every(size * count / length, count)
     for k in (*range(0, len(places), step), *range(len(places))):
-        if all(abs(places[k] - places[other]) >= size for other in kept):
+        if all(tied(abs(places[k] - places[other]) - size) >= 0 for other in kept):
             kept.append(k)
     return tuple(sorted(set(kept)))
 
@@ -109,6 +110,6 @@ def _letters(row: DiagramRow, plate: DiagramsPlate, axes: Axes) -> Iterator[Lett
 def _numbers(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate."""
     for k in numbered:
-        side = cmath.phase(axes.rise if not row.flat and row.at[k] < 0 else -axes.rise)
+        side = cmath.phase(axes.rise if not row.flat and axes.below(float(row.at[k])) else -axes.rise)
         foot = axes.on(float(plate.axis.turned[k]))
         yield Letter(foot, str(plate.axis.numbers[k]), plate.hand.number, side, TICK + 0.6)

@@ -16,6 +16,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Text
+from drawings.paper.ties import tied
 from drawings.symbols.symbols import ARROW_LENGTH
 from plans.linkage.letters import POLES
 
@@ -57,7 +58,7 @@ def least_length(text: str, hand: Hand) -> float:
 
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
-    order = sorted(parts, key=lambda part: -part.length)
+    order = sorted(parts, key=lambda part: -tied(part.length))
     return Group(
         tuple(
             labels.along(one.start, one.end, one.text, hand.number, GAP, cmath.phase(one.end - one.start) + math.pi / 2)

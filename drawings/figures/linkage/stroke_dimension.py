@@ -17,6 +17,7 @@ from drawings.lettering.words import fixed
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Box, Group, Line, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from plans.linkage.travel import frame_slide
 
@@ -57,7 +58,7 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, 
 
 
 def _ordered(ends: list[complex]) -> tuple[complex, complex]:
-    first, last = sorted(ends, key=lambda pin: (round(pin.real, 6), pin.imag))
+    first, last = sorted(ends, key=lambda pin: (tied(pin.real), pin.imag))
     return first, last
 
 
@@ -84,7 +85,7 @@ def clearest(
         if distance >= cheapest:
             break  # no place further off can be better
         for strokes in _candidates(first, last, distance, text, hand):
-            cost = distance + _cost(strokes, ink, room)
+            cost = tied(distance + _cost(strokes, ink, room))
             if cost < cheapest:
                 best, cheapest = strokes, cost
     return best
@@ -101,8 +102,8 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     start, end = first + off, last + off
     along, out = (end - start) / abs(end - start), off / abs(off)
     width = text_width(Text(0j, text, hand.letter, "middle", True))
-    roomy = abs(end - start) >= 2 * ARROW_LENGTH * hand.symbol + 2
-    fits = abs(end - start) >= width + 2
+    roomy = tied(abs(end - start) - 2 * ARROW_LENGTH * hand.symbol) >= 2
+    fits = tied(abs(end - start) - width) >= 2
     tail = along * TAIL * hand.symbol
     tips = [(end, start), (start, end)] if roomy else [(start - 2 * tail, start), (end + 2 * tail, end)]
     shelf = end + tail + along * (width + 2 if not fits else 0)
