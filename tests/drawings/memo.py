@@ -2,13 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-from pathlib import Path
-
-from drawings.checks import verify_forces, verify_kinematics
-from drawings.checks.verify import verify
-from drawings.measure.measure import Measured
-from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.statics import Statics
@@ -32,11 +25,3 @@ def cams_of(study: Study, other: Study) -> Study:
     """Give a study the cams of another, whose scene differs in its sheet alone."""
     study._made["cam"], study._compared["cam"] = other["cam"], other.comparison("cam")
     return study
-
-
-def verify_motion(path: Path, leaf: Leaf, study: Study) -> Measured:
-    return verify(path, leaf, partial(verify_kinematics.faults, study=study)).measured
-
-
-def verify_loaded(path: Path, leaf: Leaf, statics: Statics, forces: ForceComparison) -> Measured:
-    return verify(path, leaf, partial(verify_forces.faults, study=loaded_memo(statics, forces))).measured
