@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.expected import Expected
+from drawings.checks.expected import Expected, course
 from drawings.due.acting import Acting
 from drawings.paper.statement import Kind
 from plans.analytic.kinetostatics import kinetostatics
@@ -85,7 +85,7 @@ class _Curves:
         x, _, y = self.turned
         allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
         name = balancing_quantity(self.statics.study.mechanism.drive).name
-        return Expected(Kind.CURVE, BALANCING, name, partial(np.interp, xp=x, fp=y), allowed, ends=(0.0, float(x[-1])))
+        return Expected(Kind.CURVE, BALANCING, name, course(x, y), allowed, ends=(0.0, float(x[-1])))
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""

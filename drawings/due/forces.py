@@ -180,7 +180,7 @@ class _Sheet:
         return {*own, *(one.name for one in bill.bearings)}
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may have no row."""
+        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)
