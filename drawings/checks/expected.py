@@ -14,6 +14,7 @@ from plans.model.motion import Complexes, Floats
 Value: TypeAlias = complex | float | str | Callable[[Floats], Floats] | Complexes
 
 
+KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 NOTES, NOTHING = "notes", "—"  # the figure that notes stand on; what a cell without a value says
 
 

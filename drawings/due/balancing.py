@@ -11,8 +11,8 @@ from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTHING, Expected
-from drawings.due.balanced import AFTER, BEFORE, KNOWN, Balanced
+from drawings.checks.expected import KNOWN, NOTHING, Expected
+from drawings.due.balanced import AFTER, BEFORE, Balanced
 from drawings.layout.table import cell_name
 from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight
 from drawings.lettering.indices import with_index

@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from drawings.checks.cyclogram.cyclogram_charts import ANGLE, BARS, true_bars
-from drawings.checks.cyclogram.due_rows import cam_rows
 from drawings.checks.expected import Expected, by_hand, subject
 from drawings.due.cam_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.due.cam_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
+from drawings.due.machine_rows import ANGLE, BARS, cam_rows, true_bars
 from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
 from drawings.page.drafting import Drafting, drafting_of
