@@ -44,7 +44,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from lever(sheet.acting, scales, keys)
     yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
-    yield from notes(statics, comparison, shown)
+    yield from notes(comparison, shown)
 
 
 @dataclass(frozen=True)
