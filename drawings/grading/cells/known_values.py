@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.linkage.value_rows import TABLE, named
-from drawings.due.diagrams import columns, headings
 from drawings.due.acting import named as force_rows
+from drawings.due.diagrams import columns, headings
 from drawings.figures.diagrams.output_table import NAME
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Text
