@@ -208,7 +208,7 @@ def moments_of(bill: ForceBill) -> Mapping[str, float]:
 def opposite(one: ActingForce) -> ActingForce:
     """Give a reaction as the other link takes it."""
     head, index = one.name.split("_")
-    giver, taker = index.split(",") if "," in index else index
+    giver, taker = index.split(",") if "," in index else tuple(index)
     return one._replace(name=f"{head}_{indices(int(taker), int(giver))}", value=-one.value)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
@@ -85,7 +85,9 @@ class _Curves:
         x, _, y = self.turned
         allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
         name = balancing_quantity(self.statics.study.mechanism.drive).name
-        return Expected(Kind.CURVE, BALANCING, name, partial(np.interp, xp=x, fp=y), allowed, ends=(0.0, float(x[-1])))
+        return Expected(
+            Kind.CURVE, BALANCING, name, lambda at: np.asarray(np.interp(at, x, y)), allowed, ends=(0.0, float(x[-1]))
+        )
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""
