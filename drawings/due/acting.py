@@ -1,4 +1,4 @@
-"""What acts in one position by the analysis: forces, arms in the equations, letters (действующие силы)."""
+"""What acts in one position by the analysis: forces, arms, what is none, letters (действующие силы)."""
 
 from __future__ import annotations
 
@@ -208,7 +208,7 @@ def moments_of(bill: ForceBill) -> Mapping[str, float]:
 def opposite(one: ActingForce) -> ActingForce:
     """Give a reaction as the other link takes it."""
     head, index = one.name.split("_")
-    giver, taker = index.split(",") if "," in index else (index[0], index[1:])
+    giver, taker = index.split(",") if "," in index else tuple(index)
     return one._replace(name=f"{head}_{indices(int(taker), int(giver))}", value=-one.value)
 
 

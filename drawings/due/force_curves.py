@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.expected import Expected, course
+from drawings.checks.expected import Expected
 from drawings.due.acting import Acting
 from drawings.paper.statement import Kind
 from plans.analytic.kinetostatics import kinetostatics
@@ -85,7 +85,9 @@ class _Curves:
         x, _, y = self.turned
         allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
         name = balancing_quantity(self.statics.study.mechanism.drive).name
-        return Expected(Kind.CURVE, BALANCING, name, course(x, y), allowed, ends=(0.0, float(x[-1])))
+        return Expected(
+            Kind.CURVE, BALANCING, name, lambda at: np.asarray(np.interp(at, x, y)), allowed, ends=(0.0, float(x[-1]))
+        )
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""

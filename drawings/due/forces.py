@@ -44,7 +44,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from lever(sheet.acting, scales, keys)
     yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
-    yield from notes(statics, comparison, shown)
+    yield from notes(comparison, shown)
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,15 @@ class _Sheet:
             for one in bill.bearings:
                 yield from self._bearing(plan, one)
             mu = self.scales.get(f"scheme-{label}", 0.0)
-            yield from (self._arm(plan, one, mu) for one in self.acting.arms[label] if one.letter.startswith("h"))
+            for arm in (one for one in self.acting.arms[label] if one.letter.startswith("h")):
+                row = self._arm(plan, arm, mu)
+                off = math.inf if self.acting.doubtful else 2 * self.acting.off
+                yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - self._zero(bill), allowed=off))
+
+    def _zero(self, bill: ForceBill) -> complex:
+        """Give the place from which those of a scheme are told: that of its first point."""
+        links = self.acting.statics.study.mechanism.links
+        return bill.place(min(name for link in bill.links for name in links[link].points))
 
     def _arrow(self, plan: str, one: ActingForce, lost: bool = False) -> Expected:
         """Give the direction of a force; of one that is none rounding decides."""
@@ -180,7 +188,7 @@ class _Sheet:
         return {*own, *(one.name for one in bill.bearings)}
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may lack."""
+        """Give the cells of the table: by plan, by analysis, by hand; what is none all the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)

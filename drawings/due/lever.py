@@ -1,4 +1,4 @@
-"""What must stand on Zhukovsky's lever, by the analysis alone: images, forces, arms (рычаг Жуковского)."""
+"""What must stand on Zhukovsky's lever by the analysis: images, forces, arms, its equation (рычаг Жуковского)."""
 
 from __future__ import annotations
 
