@@ -76,7 +76,7 @@ def _diagram(load: Force | Moment, stroke: Stroke) -> Iterator[Expected]:
         end = [complex(path[-1].real), complex(length)] if load.overrun[1] else []
         way = np.concatenate((begin, path, end))
         places = np.linspace(0, len(way) - 1, PIECES * (len(way) - 1) + 1)
-        way = np.interp(places, np.arange(len(way)), way)
+        way = np.asarray(np.interp(places, np.arange(len(way)), way), dtype=np.complex128)
         yield Expected(Kind.CURVE, figure, "back" if one.back else "out", way, KNOWN * length)
     yield from _corners(figure, load)
 
