@@ -63,11 +63,11 @@ def strayed(leaf: Leaf) -> Iterator[Message]:
             if spots and any(not distance((one,), spots) <= WITHIN.get(plan, NEAREST) for one in labels):
                 yield on("letter", plan, name=letter)
         lines = {one.data["name"]: line for one, line in vectors if isinstance(line, Line)}
-        for one in (own for own in stated((figure,)) if own.states is not None and own.states.kind is Kind.LETTER):
+        for one in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
             assert one.states is not None
             vector, _, name = one.states.name.rpartition(" ")
-            spots = along(lines[vector].start, lines[vector].end) if vector in lines else ()
-            if spots and not distance(_labels(one.strokes), spots) <= NEAREST:
+            own = lines.get(vector)
+            if own is not None and not distance(_labels(one.strokes), along(own.start, own.end)) <= NEAREST:
                 yield on("letter", plan, name=name)
 
 

@@ -1,4 +1,4 @@
-"""What acts in one position by the analysis: forces, arms in the equations, what is none, letters (действующие силы)."""
+"""What acts in one position by the analysis: forces, arms in the equations, letters (действующие силы)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.lettering.indices import with_index
-from drawings.lettering.words import letter
+from drawings.lettering.words import letter, word
+from plans.checks.comparison import Finding
 from plans.checks.force_bill import ActingForce, ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
@@ -65,7 +66,10 @@ class Acting:
     def bills(self) -> dict[str, ForceBill]:
         """What acts on each group, and on the primary link, by their links."""
         groups = self.statics.study.groups
-        return {"-".join(map(str, one.links)): one for one in (ForceBill(self.expected, groups, own) for own in (*groups, None))}
+        return {
+            "-".join(map(str, one.links)): one
+            for one in (ForceBill(self.expected, groups, own) for own in (*groups, None))
+        }
 
     @cached_property
     def slack(self) -> float:
@@ -93,13 +97,13 @@ class Acting:
         return self._off(VELOCITIES.plan)
 
     def _off(self, plan: str) -> float:
-        return 2 * max(float(np.broadcast_to(one.allowed, one.analysis.shape)[self.k]) for one in self.comparison.motion.of(plan))
+        return 2 * max(
+            float(np.broadcast_to(one.allowed, one.analysis.shape)[self.k]) for one in self.comparison.motion.of(plan)
+        )
 
     def letter(self, name: str) -> str:
         """Write a force or a moment as a sheet does: R^t_34, or M^Φ_4/BD."""
-        head, slash, line = name.partition("/")
-        head = REACTION.sub(self.statics.form.sheet.reactions, head)
-        return letter(self.statics.study.language, with_index(head)) + slash + line
+        return lettered(self.statics, name)
 
     def name(self, name: str) -> str:
         """Name a force or a moment by its letter, without braces."""
@@ -171,6 +175,21 @@ def _near(size: float, least: float) -> bool:
     return least / ABOUT < size < least * ABOUT
 
 
+def lettered(statics: Statics, name: str) -> str:
+    """Write a force or a moment as the sheets of a scene do."""
+    head, slash, line = name.partition("/")
+    head = REACTION.sub(statics.form.sheet.reactions, head)
+    return letter(statics.study.language, with_index(head)) + slash + line
+
+
+def named(statics: Statics, comparison: ForceComparison) -> Iterator[tuple[str, Finding]]:
+    """Give the findings of forces, each with what its row of the table is lettered: R_34, M_bal (by lever)."""
+    for one in comparison.of("forces"):
+        name, _, how = one.name.partition(" ")
+        by = f" ({word(statics.study.language, f'by {how}')})" if how else ""
+        yield f"{lettered(statics, name)}{by}", one
+
+
 def forces_of(bill: ForceBill) -> Mapping[str, ActingForce]:
     """Give every force that may be told of a cut."""
     driving = [] if bill.driving is None else [bill.driving]
@@ -189,7 +208,7 @@ def moments_of(bill: ForceBill) -> Mapping[str, float]:
 def opposite(one: ActingForce) -> ActingForce:
     """Give a reaction as the other link takes it."""
     head, index = one.name.split("_")
-    giver, taker = index.split(",") if "," in index else index
+    giver, taker = index.split(",") if "," in index else (index[0], index[1:])
     return one._replace(name=f"{head}_{indices(int(taker), int(giver))}", value=-one.value)
 
 

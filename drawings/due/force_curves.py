@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.expected import Expected
+from drawings.checks.expected import Expected, course
 from drawings.due.acting import Acting
 from drawings.paper.statement import Kind
 from plans.analytic.kinetostatics import kinetostatics
@@ -23,12 +23,10 @@ from plans.model.motion import Floats
 
 BALANCING = "balancing"
 TURN, STEPS = 360.0, 720  # degrees; places of a curve
-FAR = 1e-9
+FAR, FAINT = 1e-9, 0.01  # of the greatest: no road is further off; a smaller ordinate may be a point
 
 
-def curves(
-    statics: Statics, comparison: ForceComparison, shown: Sequence[int]
-) -> Iterator[Expected]:
+def curves(statics: Statics, comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expected]:
     """Give the graph of what balances the drive, and the hodographs of the reactions that are asked for."""
     own = _Curves(statics, comparison, shown)
     yield from (*own.ordinates(), own.graph())
@@ -63,7 +61,8 @@ class _Curves:
         """Give the ordinates of the positions; where numbers have no room some have none."""
         for k, size in enumerate(self.sizes):
             if np.isfinite(size):
-                yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=True)
+                lost = k not in self.shown or abs(size) <= self.slack + FAINT * float(np.nanmax(np.abs(self.sizes)))
+                yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=lost)
 
     @cached_property
     def turned(self) -> tuple[Floats, Kinetostatics, Floats]:
@@ -86,14 +85,14 @@ class _Curves:
         x, _, y = self.turned
         allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
         name = balancing_quantity(self.statics.study.mechanism.drive).name
-        return Expected(
-            Kind.CURVE, BALANCING, name, partial(np.interp, xp=x, fp=y), allowed, ends=(0.0, float(x[-1]))
-        )
+        return Expected(Kind.CURVE, BALANCING, name, course(x, y), allowed, ends=(0.0, float(x[-1])))
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""
         plan, one = f"hodograph-{key}", self.comparison.analysis.reactions[key]
-        slack = 2 * float(np.nanmax([np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"]))
+        slack = 2 * float(
+            np.nanmax([np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"])
+        )
         for k, value in enumerate(one.force):
             if np.isfinite(value):
                 yield Expected(Kind.POINT, plan, str(k), complex(value), slack, k, may_lack=True)

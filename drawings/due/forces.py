@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
@@ -13,7 +13,7 @@ import numpy as np
 from drawings.checks.expected import NOTHING as DASH
 from drawings.checks.expected import Expected, by_hand
 from drawings.checks.hold import stated_keys
-from drawings.due.acting import Acting, DueArm, forces_of, moments_of, unbraced
+from drawings.due.acting import Acting, DueArm, forces_of, moments_of, named, unbraced
 from drawings.due.force_curves import curves
 from drawings.due.force_notes import notes
 from drawings.due.lever import lever
@@ -125,9 +125,7 @@ class _Sheet:
         value, off = arm.foot - arm.pivot, self._off(arm)
         lost = self.acting.doubtful or arm.length <= LEAST * mu + off
         allowed = math.inf if self.acting.doubtful else off
-        return Expected(
-            Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter
-        )
+        return Expected(Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
 
     def _off(self, arm: DueArm) -> float:
         """Give how far off an arm may be, m: by its places and by the direction of its force."""
@@ -158,7 +156,9 @@ class _Sheet:
                 about, found = one.about.name, one.found.name
                 own = {load.name for load in one.loads} | {found}
                 arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
-                terms = {arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms}
+                terms = {
+                    arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms
+                }
                 moments = moments_of(bill)
                 couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
                 terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
@@ -180,14 +180,12 @@ class _Sheet:
         return {*own, *(one.name for one in bill.bearings)}
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may have no row."""
+        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)
-        for one in comparison.of("forces"):
-            name, _, how = one.name.partition(" ")
-            by = f" ({word(language, f'by {how}')})" if how else ""
-            head = f"{self.acting.letter(name)}{by}, {word(language, one.unit)}"
+        for letters, one in named(self.acting.statics, comparison):
+            head = f"{letters}, {word(language, one.unit)}"
             told = np.abs(comparison.analysis.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed
             found, slack = one.analysis[self.k], float(one.allowed[self.k])
             value = float(abs(found) if np.iscomplexobj(found) else found)

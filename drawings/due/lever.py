@@ -1,4 +1,4 @@
-"""What must stand on Zhukovsky's lever, by the analysis alone: images, forces, arms, its equation (рычаг Жуковского)."""
+"""What must stand on Zhukovsky's lever, by the analysis alone: images, forces, arms (рычаг Жуковского)."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from drawings.lettering.indices import with_index
 from drawings.lettering.words import letter
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Text
 from plans.checks.force_bill import ActingForce
 from plans.forces.primary import BALANCING, DRIVING
 from plans.model.kinetostatics import NOTHING
@@ -41,7 +42,7 @@ def lever(acting: Acting, scales: Mapping[str, float], sheets: Sequence[frozense
         own = _Lever(acting, scales[LEVER], 1.0 if alone else scales[LEVER], frozenset(names))
         yield from own.points()
         yield from own.forces()
-        yield from own.equation()
+        yield from (*own.equation(), *own.letters())
 
 
 class _Hung(NamedTuple):
@@ -104,7 +105,9 @@ class _Lever:
 
     def _force(self, one: ActingForce) -> _Hung:
         at = QUARTER * self.acting.bills[str(self.acting.statics.study.mechanism.drive.link)].speed(one.link, one.at)
-        return _Hung(self.acting.name(one.name), self.acting.letter(one.name), one.value, at, (at.conjugate() * one.value).imag)
+        return _Hung(
+            self.acting.name(one.name), self.acting.letter(one.name), one.value, at, (at.conjugate() * one.value).imag
+        )
 
     def _balancing(self) -> Iterator[ActingForce]:
         """Give what balances the lever: what drives by a force, else the force at the crank's end."""
@@ -119,17 +122,18 @@ class _Lever:
 
     def _couples(self, link: int) -> Iterator[_Hung]:
         """Give the couples of a link as two forces at any two points: the sheet chooses which."""
-        known, k = self.acting.expected, self.acting.k
+        known, k, bill = self.acting.expected, self.acting.k, next(iter(self.acting.bills.values()))
         body, spin = known.machine.bodies.get(link), float(known.motion.links[link].omega[k])
         told = [] if body is None else [(f"M^Φ_{link}", -body.inertia * float(known.motion.links[link].epsilon[k]))]
         told += [(one.name, float(one.moment[k])) for one in known.loading.moments if one.link == link]
         for name, moment in told:
             for start, end in permutations(known.motion.points, 2):
-                run = complex(known.motion.points[end].r[k] - known.motion.points[start].r[k])
+                run = bill.place(end) - bill.place(start)
                 if run:
-                    ends = (QUARTER * complex(known.motion.points[one].v[k]) for one in (end, start))
-                    written = f"{self.acting.letter(name)}/l_{{{start}{end}}}"
-                    yield _Hung(f"{self.acting.name(name)}/{start}{end}", written, 1j * moment / run.conjugate(), next(ends), moment * spin, next(ends))
+                    far, near = (QUARTER * bill.speed(link, bill.place(one)) for one in (end, start))
+                    line, force = f"{start}{end}", 1j * moment / run.conjugate()
+                    written = f"{self.acting.letter(name)}/l_{{{line}}}"
+                    yield _Hung(f"{self.acting.name(name)}/{line}", written, force, far, moment * spin, near)
 
     def forces(self) -> Iterator[Expected]:
         """Give the directions of the forces, and the arms."""
@@ -196,6 +200,27 @@ class _Lever:
             yield row._replace(name=with_index(start) + with_index(end), value=size, allowed=off, digits=ARM_DIGITS)
         moment = float(self.acting.comparison.analysis.balancing.moment[self.acting.k])
         yield row._replace(name=self.acting.letter(BALANCING), value=moment, allowed=self.acting.none[1])
+
+    def letters(self) -> Iterator[Expected]:
+        """Give the terms of the equation in letters; where images coincide any of them may letter an arm."""
+        marks = {one.name: mark for mark, one in self.terms}
+        told = [one for one in self.hung if abs(one.power) > self._none]
+        for one in told:
+            ends = [self._shown(one.at), *([self._shown(one.start)] if "/" in one.name else ["p"])]
+            arm = marks.get(one.name, "".join(reversed(ends)))
+            sign = "+ " if one.power > 0 else "− "
+            text = Text(0j, f"{one.letter}·{arm}").plain
+            allowed = math.inf if self._doubtful or (one.name not in marks and not all(ends)) else 0.0
+            row = Expected(Kind.LETTER, f"{EQUATION}-{self.acting.k}", one.letter, sign + text, allowed, may_lack=True)
+            yield row._replace(value=text) if one is told[0] and one.power > 0 else row
+
+    def _shown(self, place: complex) -> str:
+        """Give the letter of the one image at a place; none where there are several, or none."""
+        near = ABOUT * NOTHING * float(np.nanmax([abs(one) for one in self.images.values()]))
+        if abs(place) <= near:
+            return "p"
+        here = [name for name in self.names if abs(self.images[name] - place) <= near]
+        return with_index(here[0]) if len(here) == 1 else ""
 
 
 def _own(known: tuple[ActingForce, ...], link: int) -> Iterator[ActingForce]:

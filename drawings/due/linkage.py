@@ -164,7 +164,8 @@ class _Linkage:
             slack, turned = self._slack("H"), self._slack("θ")
             size, unit = ("H", 1000.0) if found.sliding else ("ψ", math.degrees(1))
             rests = 0 if self.study.travel is None else len(self.study.travel.rests)
-            yield Expected(Kind.PHRASE, NOTES, size, unit * found.stroke, unit * slack, digits=0)
+            yield from self._noted(size, unit * found.stroke, unit * slack, False)
+            yield from self._noted(f"{size}, {'m' if found.sliding else 'rad'}", found.stroke, slack, True)
             yield from self._noted("θ", math.degrees(found.overlap), math.degrees(turned), rests > 2)
             ratio = 2 * math.pi / (math.pi - found.overlap) ** 2 if found.overlap < math.pi else math.inf
             yield from self._noted("K", found.ratio, ratio * turned, rests > 2)

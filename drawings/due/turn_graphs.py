@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from drawings.checks.expected import Expected
+from drawings.checks.expected import Expected, course
 from drawings.checks.readers import Frame, Place
 from drawings.due.turn import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Curve, Turn
 from drawings.paper.statement import Kind
@@ -25,7 +25,7 @@ def graphs(turn: Turn, shown: Mapping[Place, Frame]) -> Iterator[Expected]:
     cycle = turn.cycle
     yield _curve(turn, MOMENTS, "M_{us}", lambda at: -turn.moment(at))
     yield _curve(turn, MOMENTS, "M_{dr}", level(cycle.driving))
-    yield _curve(turn, WORKS, "A_{us}", lambda at: np.interp(at, cycle.turned, -cycle.work) + 0.0)
+    yield _curve(turn, WORKS, "A_{us}", course(cycle.turned, -cycle.work))
     yield _curve(turn, WORKS, "A_{dr}", lambda at: cycle.driving * at)
     yield _curve(turn, SURPLUS, "ΔT", turn.energy)
     yield _curve(turn, INERTIA, "ΔJ", turn.inertia)
@@ -92,7 +92,7 @@ def tachogram(run: Run) -> Iterator[Expected]:
     if len(t) < 2:
         return
     ends = float(t[0]), float(t[-1])
-    yield Expected(Kind.CURVE, TACHOGRAM, "ω", lambda at: np.interp(at, t, omega) + 0.0, KNOWN * most, ends=ends)
+    yield Expected(Kind.CURVE, TACHOGRAM, "ω", course(t, omega), KNOWN * most, ends=ends)
     for k, stage in enumerate(run.stages, 1):
         last = float(omega[stage.last])
         slow = not last > 1e-2 * most

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, permutations
@@ -138,7 +138,7 @@ class VectorPlans:
         found = spans(self.study, self.study.drafts(), self.comparison.analysis, self.masses)
         return {name: f"{one.start.name} {one.end.name}" for name, one in found.items()}
 
-    def _drawn(self, plan: str, long: Collection[str]) -> set[str]:
+    def _drawn(self, plan: str, long: Set[str]) -> set[str]:
         """Give of the vectors that are long enough those that no plan is without: of points, then on from their ends.
 
         Points of one image have one letter there.
@@ -187,8 +187,10 @@ class VectorPlans:
             case Sliding(pair, host, pin, held):
                 under = written.under(pin, host)
                 below = under if held else _below(plan, pin, host)
-                ends, letters = (below, plan.point(pin).name), (pin, _capital(under))
-                (start, end), index = (ends[::-1], letters[1] + letters[0]) if held else (ends, "".join(letters))
+                start, end, first, last = below, plan.point(pin).name, pin, _capital(under)
+                if held:
+                    start, end, first, last = end, start, last, first
+                index = first + last
                 if name == VELOCITIES.plan:
                     yield start, end, f"v_{index}"
                 else:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from drawings.checks import verify_forces, verify_kinematics
-from drawings.checks.verify import verify
-from drawings.measure.measure import Measured
+from drawings.checks.expected import Expected
+from drawings.checks.verify import SelfCheckFailed, measured_wrongs
+from drawings.due import forces, linkage
+from drawings.measure.measure import Measured, measure_file
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.force_comparison import ForceComparison
@@ -22,9 +23,9 @@ def memo(linkage: LinkageStudy, motion: MotionComparison) -> Study:
     return study
 
 
-def loaded_memo(statics: Statics, forces: ForceComparison) -> Study:
-    study = memo(statics.study, forces.motion)
-    study._made["forces"], study._compared["forces"] = statics, forces
+def loaded_memo(statics: Statics, comparison: ForceComparison) -> Study:
+    study = memo(statics.study, comparison.motion)
+    study._made["forces"], study._compared["forces"] = statics, comparison
     return study
 
 
@@ -34,9 +35,17 @@ def cams_of(study: Study, other: Study) -> Study:
     return study
 
 
+def held(path: Path, leaf: Leaf, study: Study, due: Callable[..., Iterable[Expected]]) -> Measured:
+    """Hold a written sheet against what must stand on it, and give what was measured."""
+    measured, rows = measure_file(path), {row.key: row for row in due(study, [leaf])}
+    if wrong := list(measured_wrongs(measured, leaf, rows, rows)):
+        raise SelfCheckFailed(str(wrong))
+    return measured
+
+
 def verify_motion(path: Path, leaf: Leaf, study: Study) -> Measured:
-    return verify(path, leaf, partial(verify_kinematics.faults, study=study)).measured
+    return held(path, leaf, study, linkage.due)
 
 
-def verify_loaded(path: Path, leaf: Leaf, statics: Statics, forces: ForceComparison) -> Measured:
-    return verify(path, leaf, partial(verify_forces.faults, study=loaded_memo(statics, forces))).measured
+def verify_loaded(path: Path, leaf: Leaf, statics: Statics, comparison: ForceComparison) -> Measured:
+    return held(path, leaf, loaded_memo(statics, comparison), forces.due)

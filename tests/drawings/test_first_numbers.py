@@ -10,13 +10,10 @@ import numpy as np
 import pytest
 
 import drawings
-from drawings.checks.documents_old.compared import screen_faults
-from drawings.checks.documents_old.headlines import faults
 from drawings.report.linkage.first_numbers import greatest
-from drawings.report.report import headlines, summary
+from drawings.report.report import headlines
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from tests.parts import some
 
 GALLERY = Path(drawings.__file__).parent / "gallery"
 
@@ -69,60 +66,6 @@ def test_a_plan_of_positions_alone_says_nothing_of_strokes_and_velocities() -> N
     told = said("crank-rocker", ("title =", 'sheets = ["positions"]\ntitle ='), ("plans = [4, 10]\n", ""))
     assert "ψ" not in told
     assert "max" not in told
-
-
-def test_what_is_said_first_is_held_to_the_analysis() -> None:
-    text = (GALLERY / "scotch-yoke.toml").read_text("utf-8")
-    study = Study(parse_scene(text))
-    told = "\n".join(headlines(study))
-    assert list(faults([told], study)) == []
-    for right, wrong in (
-        ("H = 0.12 m", "H = 0.13 m"),
-        ("K = 1.0000", "K = 1.0100"),
-        ("|v_B|max = 0.75398 m/s (position 3)", "|v_B|max = 0.75398 m/s (position 2)"),
-        ("|a_B|max = 9.4748", "|a_B|max = 9.4749"),
-        ("|M_bal|max = 24 N·m", "|M_bal|max = 25 N·m"),
-        ("H = 0.12 m, ", ""),
-        ("output: link", "output: slot"),
-        ("\nH = ", "\nthe crank turns once a minute\nH = "),
-    ):
-        assert right in told
-        assert list(faults([told.replace(right, wrong)], study)) != []
-
-
-TOLD = ("flywheel", "feed-cam", "four-cylinder-bank", "four-bar-balance", "shaper-feed", "press")
-
-
-@pytest.mark.parametrize("name", some(TOLD, 3))
-def test_no_number_that_is_said_of_a_technique_can_be_another(name: str) -> None:
-    """Of a rotor, a cam, a bank, a balance, a cyclogram, a flywheel: the line stands, and each of its numbers."""
-    study = Study(parse_scene((GALLERY / f"{name}.toml").read_text("utf-8")))
-    *before, line = headlines(study)
-    assert list(faults([*before, line], study)) == []
-    assert list(faults(before, study)) != []
-    assert list(faults([*before, line, line], study)) != []
-    assert [str(one) for one in faults([*before, line, "another"], study)] == ["another (against the analysis)"]
-    numbers = [found for found in re.finditer(r"(?<![\w.])\d+\.\d+", line) if float(found[0])]
-    assert numbers
-    for found in numbers:
-        digit = next(k for k in range(*found.span()) if line[k] not in "0.")
-        other = line[:digit] + str(int(line[digit]) % 9 + 1) + line[digit + 1 :]
-        assert list(faults([*before, other], study)) != [], found[0]
-
-
-@pytest.mark.parametrize("language", ["en", "ru"])
-def test_the_short_comparison_tells_the_worst_of_each_plan(language: str) -> None:
-    text = (GALLERY / "scotch-yoke.toml").read_text("utf-8")
-    study = Study(parse_scene(text.replace("[sheet]\n", f'[sheet]\nlanguage = "{language}"\n')))
-    right = summary(study.comparisons, language)
-    assert list(screen_faults(right, study.comparisons, language)) == []
-    lines = right.splitlines()
-    for k, line in enumerate(lines[1:], 1):
-        number = re.search(r"[1-9][.,]\d\de", line)
-        assert list(screen_faults("\n".join([*lines[:k], *lines[k + 1 :]]), study.comparisons, language)) != []
-        if number is not None:
-            wrong = line[: number.start()] + str(int(number[0][0]) % 9 + 1) + line[number.start() + 1 :]
-            assert list(screen_faults(right.replace(line, wrong), study.comparisons, language)) != [], line
 
 
 def test_gaps_have_no_greatest() -> None:

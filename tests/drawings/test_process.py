@@ -23,12 +23,12 @@ COMMAND = (sys.executable, "-c", "from drawings.commands.process import run; run
 WAITING = """
 import time
 from drawings.commands import process; from drawings.checks import verify
-own = verify.verify
+own = verify.written
 def wait(*told):
     print("measuring", flush=True)
     time.sleep(60)
     return own(*told)
-verify.verify = wait
+verify.written = wait
 process.run()
 """
 # Waits while the command is imported, until it is told to end.

@@ -11,12 +11,13 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from drawings.checks.diagrams import verify_diagrams
 
-from drawings.checks.verify import SelfCheckFailed, verify_scales
+from drawings.checks.documents import Sheets, scale_faults
 from drawings.measure.measure import Measured, measure_file
 from drawings.measure.measured import MeasuredVector
+from drawings.paper.statement import Kind
 from drawings.paper.strokes import SheetError
+from drawings.paper.walk import stated
 from drawings.pens.svg import svg
 from drawings.sheets import forces, kinematics
 from drawings.sheets.admission import of_scales
@@ -62,6 +63,10 @@ def measured(scene: Scene, folder: Path) -> list[Measured]:
     return found
 
 
+def wrong(sheets: Sheets, scene: Scene) -> list[str]:
+    return [str(one) for one in scale_faults(sheets, scene.sheet)]
+
+
 def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
     return {mark.scale for one in sheets for mark in (*one.vectors, *one.points) if mark.plan == plan}
 
@@ -71,7 +76,7 @@ def test_plans_of_an_order_have_one_scale_by_default_and_each_its_own_where_that
     common, each = (parse_scene(f"{PLANS}\n{more}") for more in ("", 'scales = "each"'))
     sheets = measured(common, tmp_path)
     assert len(scales(sheets, "velocities")) == len(scales(sheets, "accelerations")) == 1
-    verify_scales([(KEYS, one) for one in sheets], common.sheet)
+    assert wrong([(KEYS, one) for one in sheets], common) == []
     assert keys(common) == {"", "velocities", "accelerations"}
     assert keys(each) == {""}
 
@@ -82,29 +87,15 @@ def keys(scene: Scene) -> set[str]:
     return {shown.panel.scale for shown in draft.shows if isinstance(shown, Exhibit)}
 
 
-def test_a_plan_that_has_another_scale_than_the_others_is_withheld(tmp_path: Path) -> None:
-    scene = parse_scene(PLANS)
-    sheets = [(KEYS, one._replace(vectors=tuple(map(finer, one.vectors)))) for one in measured(scene, tmp_path)]
-    with pytest.raises(SelfCheckFailed, match="the scale of velocities, which is not the common one"):
-        verify_scales(sheets, scene.sheet)
-    verify_scales(sheets, parse_scene(f'{PLANS}\nscales = "each"').sheet)
-
-
-def finer(vector: MeasuredVector) -> MeasuredVector:
-    """Let the velocity plan of position 3 be drawn a little larger."""
-    own = vector.plan == "velocities" and vector.position == 3
-    return replace(vector, scale=vector.scale / 1.25) if own else vector
-
-
 def test_a_figure_has_the_scale_that_the_scene_states(tmp_path: Path) -> None:
     scene = scene_of('[sheet.scale]\nlength = "2:3"\nvelocity = 0.07\nacceleration = 25\n')
     sheets = measured(scene, tmp_path)
     assert [scales(sheets, plan) for plan in ("positions", "velocities", "accelerations")] == [{0.0015}, {0.07}, {25.0}]
-    verify_scales([(KEYS, one) for one in sheets], scene.sheet)
+    assert wrong([(KEYS, one) for one in sheets], scene) == []
     for key in ("length", "velocity", "acceleration"):
-        other = scene.sheet.changed(scale=scene.sheet.scale.changed(**{key: 1}))
-        with pytest.raises(SelfCheckFailed, match="which the scene states otherwise"):
-            verify_scales([(KEYS, one) for one in sheets], other)
+        other = scene.changed(sheet=scene.sheet.changed(scale=scene.sheet.scale.changed(**{key: 1})))
+        (told, *_) = wrong([(KEYS, one) for one in sheets], other)
+        assert "which the scene states otherwise" in told
 
 
 def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_room_and_scales_that_fit() -> None:
@@ -142,16 +133,15 @@ def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_a
 
 
 @pytest.mark.rest
-def test_the_angle_of_the_kinematic_diagrams_has_the_scale_that_is_stated(tmp_path: Path) -> None:
+def test_the_angle_of_the_kinematic_diagrams_has_the_scale_that_is_stated() -> None:
     study = Study(scene_of("[sheet.scale]\nangle = 0.04\n"))
-    leaf = next(leaf for leaf in kinematics.leaves(study) if leaf.metadata["diagrams"])
-    (path := tmp_path / "sheet.svg").write_bytes(svg(leaf))
-    sheet = measure_file(path)
-    verify_scales([(KEYS, sheet)], study.scene.sheet)
-    assert list(verify_diagrams.faults(sheet, leaf, study)) == []
-    vars(study.scene.sheet.scale)["angle"] = Decimal("0.05")
-    wrong = [str(one) for one in verify_diagrams.faults(sheet, leaf, study)]
-    assert wrong == ["the scale of kinematic diagrams, which the scene states otherwise"]
+    levels = {
+        one.states.scale
+        for leaf in kinematics.leaves(study)
+        for one in stated(leaf.groups)
+        if one.states is not None and one.states.kind is Kind.AXIS and one.states.name == "x"
+    }
+    assert levels == {0.04}
 
 
 def test_the_way_of_a_load_diagram_has_the_scale_that_is_stated_and_its_ordinates_their_own() -> None:
@@ -160,9 +150,9 @@ def test_the_way_of_a_load_diagram_has_the_scale_that_is_stated_and_its_ordinate
         MeasuredVector("load_diagram-F_us", quantity, name, None, 1.0, 1.0, unit, scale, 0j, 1.0 + 0j)
         for quantity, name, unit, scale in (("S", "H", "m", 0.005), ("F", "a", "N", 20.0))
     )
-    verify_scales([(keys, Measured((way, load), ()))], scene.sheet)
-    with pytest.raises(SelfCheckFailed, match="the scale of load diagram of F_us, which the scene states otherwise"):
-        verify_scales([(keys, Measured((replace(way, scale=0.004), load), ()))], scene.sheet)
+    assert wrong([(keys, Measured((way, load), ()))], scene) == []
+    (told,) = wrong([(keys, Measured((replace(way, scale=0.004), load), ()))], scene)
+    assert told == "the scale of load diagram of F_us, which the scene states otherwise"
 
 
 def test_a_scale_of_figures_that_no_sheet_has_is_refused_and_those_are_listed_that_some_has() -> None:

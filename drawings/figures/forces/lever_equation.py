@@ -15,6 +15,7 @@ from drawings.layout.picture import Spot
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group
 from plans.forces.primary import BALANCING, DRIVING
 
@@ -46,10 +47,11 @@ class LeverEquation(NamedTuple):
 
     def _passage(self, mu: float | None, unit: str = "mm") -> Passage:
         arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}
-        lines = (self._arms(arms, unit), moments(POLE, [one.written for one in self.told]), self._numbers(arms))
-        return Passage(
-            NAME, (*lines, *self._found()), self.drafting.hand.text, figure=f"{NAME}-{self.column}"
-        )
+        figure = f"{NAME}-{self.column}"
+        said = [Statement(Kind.LETTER, figure, one.letter) for one in self.told]
+        letters = moments(POLE, [one.written for one in self.told], states=said)
+        lines = (self._arms(arms, unit), letters, self._numbers(arms), *self._found())
+        return Passage(NAME, lines, self.drafting.hand.text, figure=figure)
 
     def _arm(self, letter: str, length: float, mu: float | None) -> str:
         return WIDEST if mu is None else self.drafting.slot(Slot(letter, length / mu, ARM))

@@ -1,0 +1,54 @@
+"""Sheets held to the analysis in memory, as `plandraft draw` holds what it has written (сверка листов)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+
+from drawings.checks import verify
+from drawings.checks.verify import Written
+from drawings.checks.wrong import Wrong
+from drawings.eye.sheet import see
+from drawings.lettering.lettering import lettered
+from drawings.measure.measure import Measured
+from drawings.original.edition import leaves_of
+from drawings.paper.limits import SheetRefused
+from drawings.paper.strokes import Leaf
+from drawings.pens.svg import svg
+from drawings.sheets.documents import bind
+from drawings.sheets.table import SHEETS
+from plans.study import Study
+from plans.techniques import named
+
+
+def faults_of(study: Study) -> list[str]:
+    """Tell what is wrong with the sheets of a study."""
+    return [str(one) for kind, own in leaves_of(study).items() for one in wrongs(study, kind, own)]
+
+
+def faults_on(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[str]:
+    """Tell what is wrong with leaves of one kind that no set has bound."""
+    return [*map(str, wrongs(study, kind, bind({kind: leaves}, study.scene)[kind]))]
+
+
+def wrongs(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[Wrong]:
+    """List what is wrong with the bound leaves of one kind."""
+    sheet, written = study.scene.sheet, [seen(leaf) for leaf in leaves]
+    due = {row.key: row for row in named(SHEETS[kind].due)(study, leaves)}
+    scales = (verify.scale_wrongs(one, SHEETS[kind].scales, sheet) for one in written)
+    return [*chain(*verify.wrongs(written, due, sheet), *scales)]
+
+
+def seen(leaf: Leaf, mode: str = "text") -> Written:
+    """See a leaf as it stands in its file."""
+    try:
+        return Written(leaf, see(svg(lettered(leaf, mode))))
+    except SheetRefused as refused:
+        return Written(leaf, refused)
+
+
+def measured(leaf: Leaf) -> Measured:
+    """Measure a leaf as it stands in its file."""
+    found = seen(leaf).seen
+    assert not isinstance(found, SheetRefused)
+    return found.measured
