@@ -11,7 +11,6 @@ from _pytest.doctest import DoctestModule
 from hypothesis import settings
 
 from tests import homes, parts
-from tests.parts import SEEDED
 
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.load_profile("same")
@@ -35,8 +34,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    whole = config.getoption("whole")
-    parts.whole = whole or config.getoption("--hypothesis-profile") == SEEDED
+    parts.whole = config.getoption("whole")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

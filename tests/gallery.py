@@ -16,3 +16,5 @@ def _shows_a_linkage(path: Path) -> bool:
 
 
 LINKAGES = [path for path in SCENES if _shows_a_linkage(path)]
+STROKES = [path for path in LINKAGES if "[drive.stroke]" in path.read_text(encoding="utf-8")]  # they do not come round
+TURNING = [path for path in LINKAGES if path not in STROKES]

@@ -9,8 +9,6 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
-SEEDED = "seeded"  # the profile of runs on a planted fault: properties are whole in them
-
 whole = False  # set by tests/conftest.py before any test is imported
 
 

@@ -42,7 +42,7 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     for one in stated(leaf.groups):
         said = one.states
         if said is not None and said.kind is Kind.PHRASE:
-            for name, number in (read_back(said.name, str(read(one, None).value)) or {said.name: ""}).items():
+            for name, number in read_back(said.name, str(read(one, None).value)) or [(said.name, "")]:
                 found.setdefault((said.kind, said.figure, name, said.position), []).append(Read(number))
         elif said is not None and said.kind not in FRAMES:
             at = None if said.position is None else str(said.position)
@@ -81,13 +81,14 @@ def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -
 def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
     """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities."""
     for line in (one for one in lines if SLOT.search(template_of(one))):
-        for name, number in (read_back(template_of(line), Text(0j, line).plain) or {line: ""}).items():
+        for name, text in read_back(template_of(line), Text(0j, line).plain) or [(line, "")]:
             row = due.get((Kind.PHRASE, NOTES, name, None))
-            if row is None or not holds(Read(number), row):
+            if row is None or not holds(Read(text), row):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
 
 
 def told(how: str, key: Key) -> Wrong:
+    """Say what is wrong with a statement."""
     _, figure, name, position = key
     return on(how, figure, name=name if position is None else f"{name} ({position})")
 
@@ -101,21 +102,27 @@ def holds(found: Read, due: Expected) -> bool:
         case str() as text:
             return value == text
         case float() | int() | complex() as true if isinstance(value, str):
-            return _reads(value.removeprefix("±"), float(abs(true)) if isinstance(true, complex) else float(true), due)
+            return _reads(value.lstrip("±+"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
-            return bool(apart(value, path) <= slack and apart(path, value) <= slack)
+            one, other = even(value, found), even(path, found)
+            return bool(apart(one, other) <= slack and apart(other, one) <= slack)
         case np.ndarray() as path if not isinstance(value, str):
             return bool(apart(np.array([value]), path) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
-            return bool(abs(value - true) <= slack)
+            return bool(np.abs(even(np.array([value - true]), found)).max() <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
+
+
+def even(values: Complexes, found: Read) -> Complexes:
+    """Give values as they lie on paper, in units of the abscissas, where those of the ordinates are others."""
+    return values.real + 1j * values.imag * (found.scale / found.up) if found.up and found.scale else values
 
 
 def _reads(text: str, true: float, due: Expected) -> bool:
     """Tell whether a written number is a true one, or a full turn off where that is the same."""
     found = number(text)
     turns = due.period * round((found - true) / due.period) if due.period and found is not None else 0.0
-    return reads(text, true + turns, due.allowed, due.digits)
+    return any(reads(text, true + turns, due.allowed, digits) for digits in {0, due.digits})
 
 
 def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
@@ -126,7 +133,8 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
         return False
     true = np.array([due.value(np.clip(drawn.real + off, low, high)) for off in (-near, 0.0, near)])
     slack = due.allowed + 2 * QUANTUM * found.up
-    inside = (drawn.imag >= true.min(axis=0) - slack) & (drawn.imag <= true.max(axis=0) + slack)
+    least, most = np.fmin.reduce(true, axis=0), np.fmax.reduce(true, axis=0)  # beside a gap there is one side alone
+    inside = (drawn.imag >= least - slack) & (drawn.imag <= most + slack)
     return bool(inside.all())
 
 

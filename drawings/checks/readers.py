@@ -1,4 +1,4 @@
-"""Readers: what ink states, read off it; the only code that knows how a kind of statement is drawn (чтение утверждений).
+"""Readers: what ink states, read off it; they alone know how a kind of statement is drawn (чтение утверждений).
 
 A reader takes the strokes of one statement and the frame of its figure, which is itself read from ink.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, NamedTuple, TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -103,24 +103,26 @@ def _point(group: Group, frame: Frame | None) -> complex:
 
 
 def _curve(group: Group, frame: Frame | None) -> Complexes:
-    places = np.array([spot for stroke in flat((group,)) for spot in along(stroke)])
-    return places * _scale(group) if frame is None else frame.true(places)
+    places: Complexes = np.array([spot for stroke in flat((group,)) for spot in along(stroke)], dtype=np.complex128)
+    return np.asarray(places * _scale(group)) if frame is None else frame.true(places)
 
 
 def _length(group: Group, frame: Frame | None) -> float:
     """Read a dimension between the tips of its two arrows, or the length of a line without any."""
-    tips = [_head(one.points)[0] for one in flat((group,)) if isinstance(one, Fill) and len(one.points) == 3]
+    tips = [_head(one.points)[0] for one in flat((group,)) if _is_head(one)]
     return abs(tips[1] - tips[0]) * _scale(group) if len(tips) == 2 else abs(_vector(group, frame))
 
 
 def _angle(group: Group, frame: Frame | None) -> float:
-    """Read the angle of arcs, about their centre from the tip of one arrowhead to that of the other if there are two."""
+    """Read how far arcs about a centre go, to the tips of their arrows."""
     strokes = [*flat((group,))]
     arcs = [one for one in strokes if isinstance(one, Arc)]
-    tips = [_head(one.points)[0] - arcs[0].centre for one in strokes if isinstance(one, Fill) and len(one.points) == 3]
-    swept = sum(one.sweep for one in arcs)
-    turned = abs(cmath.phase(tips[1] / tips[0])) if len(tips) == 2 else swept
-    return min((turned, math.tau - turned), key=lambda angle: abs(angle - swept)) if len(tips) == 2 else swept
+    swept, heads = sum(one.sweep for one in arcs), [_head(one.points) for one in strokes if _is_head(one)]
+    if len(heads) != 2:
+        about = arcs[0].centre
+        return swept + sum(abs(cmath.phase((tip - about) / (back - about))) for tip, back in heads)
+    turned = abs(cmath.phase((heads[1][0] - arcs[0].centre) / (heads[0][0] - arcs[0].centre)))
+    return min((turned, math.tau - turned), key=lambda angle: abs(angle - swept))
 
 
 def _direction(group: Group, frame: Frame | None) -> complex:
@@ -131,6 +133,10 @@ def _direction(group: Group, frame: Frame | None) -> complex:
     if arc is None:
         return _way(tip - back)
     return complex(math.copysign(1.0, ((back - arc.centre).conjugate() * (tip - arc.centre)).imag))
+
+
+def _is_head(one: Stroke) -> TypeGuard[Fill]:
+    return isinstance(one, Fill) and len(one.points) == 3
 
 
 def _head(points: tuple[complex, ...]) -> tuple[complex, complex]:

@@ -5,14 +5,18 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator
+from itertools import chain
 
 from drawings.lettering.words import number
+from drawings.paper.statement import Kind
 from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
-_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
+PAPER = "mm"  # the unit of what is drawn in millimetres of paper, to no scale
+_MARKED = ("vector", "point")  # the kinds of marks that are drawn to scale
+_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
 
 
 def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
@@ -53,18 +57,37 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Read the written scale of each figure that has marks."""
+    """Name the figures whose marks or axes are drawn to no scale that is written: of their letter there, else anywhere."""
+    everywhere = _told(leaf.groups)
     for figure in leaf.groups:
-        marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
-        yield from scales(figure, {float(data["scale"]) for data in marked})
+        own, told = [*groups((figure,))], _told((figure,))
+        marks = (one.data for one in own if one.data.get("kind") in _MARKED and one.data["unit"] != PAPER)
+        drawn = {(data["quantity"], float(data["scale"])) for data in marks}
+        drawn |= {("", one.states.scale) for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        for letter, mu in drawn if everywhere else ():
+            if not _written(mu, told.get(letter) or {*chain(*everywhere.values())}):
+                yield message("wrong.scale", text=figure.name)
 
 
-def scales(group: Group, stated: Iterable[float]) -> Iterator[Message]:
-    """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
-    for text in (text.plain for text in texts((group,))):
-        found = _SCALE.match(text)
-        if found is None and not text.startswith("μ"):
-            continue
-        symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
-        if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
-            yield message("wrong.scale", text=text)
+def _told(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
+    """Read the scales that figures state: by their letters the symbol, mu or K, and the number."""
+    told: dict[str, set[tuple[str, str]]] = {}
+    for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):
+        told.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
+    return told
+
+
+def _written(mu: float, told: Iterable[tuple[str, str]]) -> bool:
+    return any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in told)
+
+
+def written_scales(group: Group) -> dict[str, float]:
+    """Read the scales that a figure states by their letters, true units a mm; a K is the inverse of mu, 0 is none.
+
+    >>> from drawings.paper.strokes import Text
+    >>> written_scales(Group((Text(0j, "μ_{φ} = 0,02 рад/мм;  K_M = 4 mm/(N·m);  K_A = 0 mm/J"),)))
+    {'φ': 0.02, 'M': 0.25}
+    """
+    found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
+    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
+    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs if value}

@@ -1,14 +1,72 @@
-"""What must stand on these sheets (to be written)."""
+"""What must stand on the sheets of a cyclogram: plan of characteristic positions, bars, table (лист циклограммы)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from drawings.checks.expected import Expected
+from drawings.due import machine_rows
+from drawings.due.linkage import mass_centres, measures
+from drawings.layout.table import cell_name
+from drawings.page.drafting import drafting_of
+from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
+from plans.analytic.balance.mass_centre import placed
+from plans.checks.compare import road_of
+from plans.model.cyclogram import BEGIN, END, Cyclogram
+from plans.model.mechanism import FRAME
+from plans.model.order import POSITIONS
 from plans.study import Study
+
+CHARACTERISTIC, TABLE = "characteristic", "stations"
+FAR = 1e-9  # of the mechanism's size: both roads agree in a place far better
+ANGLES, LENGTHS, TURN = 1e-5, 1e-3, 360.0  # degrees and mm that both roads may differ by; a turn
+INFINITE = "∞"
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets."""
-    yield from ()
+    """Give what must stand on the sheets of a scene's cyclogram (row of the table of sheets)."""
+    found: Cyclogram = study.comparison("cyclogram").analysis
+    rows = machine_rows.rows(found, study["cyclogram"].cams)
+    yield from machine_rows.chart(rows, found.positions[0].turned)
+    yield from _table(study, found)
+    for leaf in leaves[:1]:
+        yield from _plan(study, found, leaf.metadata["characteristic"])
+        for one in measures(study["linkage"], study.comparison("linkage"), drafting_of(study.scene)):
+            yield one._replace(may_lack=True)
+
+
+def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
+    """Give the crank's pins of all positions, and the points of the one in full lines."""
+    own = study["cyclogram"]
+    mechanism, turned = own.pictured.mechanism, np.array([one.turned for one in found.positions])
+    motion = road_of(own.linkage).motion(found.sense * turned, 0)
+    drive, fixed = mechanism.drive, mechanism.links[FRAME].points
+    places = {name: complex(one.r[shown]) for name, one in motion.points.items()} | dict(fixed)
+    size = max(abs(place) for place in places.values())
+    for name, place in places.items():
+        if name != drive.pivot:
+            yield Expected(Kind.POINT, POSITIONS.plan, name, place, FAR * size, shown)
+    for name, (link, centre) in mass_centres(own.pictured).items():
+        spot = complex(placed(mechanism, motion, link, centre)[shown])
+        yield Expected(Kind.POINT, POSITIONS.plan, name, spot, FAR * size, shown)
+    for k, pin in enumerate(motion.points[drive.end].r.tolist()):
+        lacks = k == shown
+        yield Expected(Kind.POINT, CHARACTERISTIC, f"{drive.end}_{k}", complex(pin), FAR * size, k, may_lack=lacks)
+
+
+def _table(study: Study, found: Cyclogram) -> Iterator[Expected]:
+    """Give the cells of the table: place of the tool, turn of the shaft by both roads, how sharp it is."""
+    word = drafting_of(study.scene).word
+    for k, one in enumerate(found.positions):
+        row = f"{k}  {word(f'role {one.role}')}"
+        gone = one.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
+        turned, rests = math.degrees(one.turned), one.role in (BEGIN, END)
+        yield Expected(Kind.NUMBER, TABLE, cell_name(row, 0), gone, LENGTHS)
+        for column in (1, 2):
+            yield Expected(Kind.NUMBER, TABLE, cell_name(row, column), turned, ANGLES, period=TURN)
+        condition = INFINITE if rests else one.condition
+        yield Expected(Kind.NUMBER, TABLE, cell_name(row, 3), condition, FAR, digits=3)

@@ -35,7 +35,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's rotor (row of the table of sheets)."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
     own = _Rotor(study["rotor"].rotor, comparison, drafting)
-    scales = next((leaf.metadata["scales"] for leaf in leaves), {})
+    scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     slips = rotor_by_hand(study["rotor"], scales)
     yield from chain(own.polygons(), own.views(), own.masses(), own.results(slips), own.notes())
 

@@ -1,4 +1,4 @@
-"""Redraws the gallery: every scene's sheets and reports, the alphabet and the index page; stale files are removed."""
+"""Draws the gallery anew and tells what changes; with --because REASON that is kept, and listed with the reason."""
 
 from __future__ import annotations
 
@@ -6,54 +6,78 @@ import argparse
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from drawings.commands.draw import draw
 from drawings.files import atomic_files
 from drawings.files.file_error import FileError
+from drawings.files.manifest import manifest_name
 from drawings.gallery.catalogue import GALLERY, catalogue
+from drawings.gallery.changes import changes
 from drawings.gallery.index import PAGE, GalleryScene, index
+from drawings.gallery.renewals import ALPHABET, enter, unlisted
 from drawings.lettering.lettering import lettered
 from drawings.lettering.specimen import specimen
 from drawings.pens.svg import svg
 from geometry.errors import DraftError
 from plans.words.words import message
 
-FILES = 7
-ALPHABET = "alphabet.svg"
+FILES, CHANGED = 7, 5
 WRITTEN = (".svg", ".md", ".csv")  # what draw writes beside a scene
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Redraw a gallery and print each file that was written; give the exit code, as the command plandraft does."""
+    """Tell what changes of a gallery, a line each; give 5 if that is not kept, else as the command plandraft does."""
     parser = argparse.ArgumentParser(prog="python -m drawings.gallery", description=__doc__)
     parser.add_argument("folder", type=Path, nargs="?", default=GALLERY, help="scenes to draw (default: the gallery)")
-    folder: Path = parser.parse_args(arguments).folder
+    parser.add_argument("--because", metavar="REASON", help="keep what changed, and list it with this reason")
+    options = parser.parse_args(arguments)
     try:
-        for path in redraw(folder):
-            print(path, flush=True)
+        told = 0
+        for line in redraw(options.folder, options.because):
+            print(line, flush=True)
+            told += 1
     except (DraftError, OSError) as error:
         print(error, file=sys.stderr)
         return error.exit_code if isinstance(error, DraftError) else FILES
-    return 0
+    return CHANGED if told and not options.because else 0
 
 
-def redraw(folder: Path) -> Iterator[Path]:
-    """Draw every scene of a folder into it, then the alphabet and the index; yield the files as they are written."""
+def redraw(folder: Path, because: str | None = None) -> Iterator[str]:
+    """Draw every scene of a folder, the alphabet and the index; yield what changes, and keep it for a reason alone.
+
+    A set in which nothing changes stays as it is, to the last digit of another processor.
+    """
     entries, exhibits = catalogue(folder), list[GalleryScene]()
     if not entries:
         raise FileError(folder, message("file.no_scenes"))
-    for entry in entries:
-        drawn = draw(entry.path, folder)
-        exhibits.append(GalleryScene(entry, drawn.study, drawn.paths))
-        yield from drawn.paths
-    for path, content in (
-        (folder / ALPHABET, svg(lettered(specimen()))),
-        (folder / PAGE, index(exhibits).encode("utf-8")),
-    ):
-        atomic_files.write(path, content)
-        yield path
+    with TemporaryDirectory() as beside:
+        fresh = Path(beside)
+        for entry in entries:
+            drawn = draw(entry.path, fresh)
+            exhibits.append(GalleryScene(entry, drawn.study, drawn.paths))
+            yield from _renewed(folder, drawn.paths, fresh / manifest_name(entry.name), because)
+        (fresh / ALPHABET).write_bytes(svg(lettered(specimen())))
+        (fresh / PAGE).write_text(index(exhibits), "utf-8")
+        for name in (ALPHABET, PAGE):
+            yield from _renewed(folder, [fresh / name], None, because)
     for path in stale(folder, exhibits):
-        path.unlink()
+        yield f"{path.name}: went"
+        if because:
+            path.unlink()
+    if because:
+        enter(folder, because)
+    else:
+        yield from (f"{name}: not as it is listed" for name in unlisted(folder))
+
+
+def _renewed(folder: Path, paths: Sequence[Path], manifest: Path | None, because: str | None) -> list[str]:
+    """Tell what changes of a set; keep all of it, or nothing."""
+    told = [one for path in paths for one in changes(path, folder / path.name)]
+    if told and because:
+        for path in (*paths, *([manifest] if manifest else ())):
+            atomic_files.write(folder / path.name, path.read_bytes())
+    return told
 
 
 def stale(folder: Path, exhibits: Iterable[GalleryScene]) -> list[Path]:

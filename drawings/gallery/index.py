@@ -26,7 +26,7 @@ the report beside it holds every position's values by both roads.
 ```console
 plandraft new shaper              # puts shaper.toml into this folder, to be changed; without a name: the list
 plandraft draw shaper.toml -o out/
-python -m drawings.gallery        # redraws every sheet, every report, the alphabet and this page
+python -m drawings.gallery        # draws all of it anew, and tells what changes; --because REASON keeps that
 ```
 
 | mechanism | scene | structure | output | sheet |

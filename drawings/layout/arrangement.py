@@ -18,6 +18,7 @@ import numpy.typing as npt
 from drawings.layout.bareness import Area, Grid
 from drawings.layout.slicing import GAP, SAME, Size
 from drawings.page.page import Field, Page
+from drawings.paper.ties import PLACES
 from plans.model.motion import Floats
 
 REACH = 6  # steps that a thing is moved at most at once
@@ -152,7 +153,7 @@ class Arrangement:
             free &= ~_meet(boxes, other)
         for place in self._taken:
             free &= ~_meet(inked, place).any(-1)
-        return _Stands(boxes[free], self._grid.cells(inked[free]), FAR * np.hypot(*shifts[free].T))
+        return _Stands(boxes[free], self._grid.cells(inked[free]), (FAR * np.hypot(*shifts[free].T)).round(PLACES))
 
 
 def _meeting(stands: Sequence[_Stands]) -> Truths | bool:

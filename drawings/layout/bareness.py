@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.page.page import Field
+from drawings.paper.ties import PLACES, tied
 from plans.model.motion import Floats
 
 CELLS = 72  # across the longer side of a sheet
@@ -58,13 +59,14 @@ class Grid:
     def cells(self, boxes: Floats) -> npt.NDArray[np.intp]:
         """Give the cells that boxes (..., 4) mm cover."""
         low = np.array([self.field.left, self.field.bottom] * 2)
-        return np.asarray(np.clip(((boxes - low) / self.cell).round().astype(int), 0, np.array(self.whole[2:] * 2)))
+        ends = ((boxes - low) / self.cell).round(PLACES).round().astype(int)
+        return np.asarray(np.clip(ends, 0, np.array(self.whole[2:] * 2)))
 
     def area(self, box: Field) -> Area:
         """Give the cells that a box covers."""
         (left, low, *_), cell, (_, _, wide, high) = self.field, self.cell, self.whole
-        first, beyond = (min(max(round((side - left) / cell), 0), wide) for side in (box.left, box.right))
-        lowest, above = (min(max(round((side - low) / cell), 0), high) for side in (box.bottom, box.top))
+        first, beyond = (min(max(round(tied((side - left) / cell)), 0), wide) for side in (box.left, box.right))
+        lowest, above = (min(max(round(tied((side - low) / cell)), 0), high) for side in (box.bottom, box.top))
         return Area(first, lowest, beyond, above)
 
     def barest(self, areas: Sequence[Area]) -> Area:

@@ -15,6 +15,7 @@ from drawings.layout.slicing import SAME, Piece, Size, Tree, pieces
 from drawings.layout.standing import natural
 from drawings.layout.units import Stock
 from drawings.page.scale import Scale
+from drawings.paper.ties import tied
 
 State: TypeAlias = tuple[int, ...]  # the step of each group of figures that share a scale
 
@@ -86,7 +87,7 @@ def _steps(figures: Sequence[_Figure], legible: bool) -> Steps:
     shares = [fmean(can_be_read(one.picture, one.at(scale)) for one in figures) for scale in scales]
     least = min(READ, max(shares, default=READ)) or READ if legible else 0.0  # of one that is never legible no step
     kept = [step for step, share in zip(every, shares, strict=True) if share >= least]
-    return Steps(tuple(kept), tuple(fmean(_sizes(figures, step)) for step in kept))
+    return Steps(tuple(kept), tuple(tied(fmean(_sizes(figures, step))) for step in kept))
 
 
 def _sizes(figures: Sequence[_Figure], step: Mapping[str, Rung]) -> Iterator[float]:

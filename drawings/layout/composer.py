@@ -26,6 +26,7 @@ from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Order, Shape, nested
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
+from drawings.paper.ties import tied
 from plans.words.words import message
 
 LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
@@ -79,12 +80,12 @@ class _Set:
 
     @cached_property
     def score(self) -> float:
-        return self.most - sum(sheet.fault for sheet in self.sheets)
+        return tied(self.most - sum(sheet.fault for sheet in self.sheets))
 
     @cached_property
     def settled(self) -> float:
         """How good it is when all is moved to where it leaves less bare: no less than its score."""
-        return self.most - sum(sheet.left for sheet in self.sheets)
+        return tied(self.most - sum(sheet.left for sheet in self.sheets))
 
 
 class _Composer:
@@ -208,7 +209,7 @@ class _Composer:
         sheets = tuple(self._stood(tree, rungs, self._ends(k == last)) for k, tree in enumerate(trees))
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
         late = LATE * any(sheet.notes for sheet in sheets[1:])
-        return _Set(sheets, math.log(size) - late)
+        return _Set(sheets, tied(math.log(size) - late))
 
 
 def _with_others(sheet: Stood) -> Composition:

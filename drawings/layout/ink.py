@@ -15,6 +15,7 @@ from drawings.layout.bareness import barest
 from drawings.lettering.extent import bounds
 from drawings.page.page import Field
 from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
+from drawings.paper.ties import MARGIN
 from drawings.paper.walk import flat
 from geometry.curve import sampled
 from plans.model.motion import Complexes, Floats
@@ -127,7 +128,7 @@ class _Cells:
                 yield sampled(stroke.pieces, SAG)
 
     def _covered(self, box: Box) -> tuple[slice, slice]:
-        left, bottom, right, top = (max(int(side / CELL), 0) for side in box)
+        left, bottom, right, top = (max(int(side / CELL + MARGIN), 0) for side in box)
         return slice(bottom, top + 1), slice(left, right + 1)
 
     def _sampled(self, chains: list[Chain]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
@@ -135,13 +136,13 @@ class _Cells:
         points = np.concatenate([np.asarray(chain) for chain in chains])
         steps = np.diff(points)
         breaks = np.cumsum([len(chain) for chain in chains])[:-1] - 1
-        counts = (np.abs(steps) / CELL).astype(int) + 2  # both ends among them
+        counts = (np.abs(steps) / CELL + MARGIN).astype(int) + 2  # both ends among them
         counts[breaks] = 0  # from the end of a chain to the next one's start nothing is drawn
         which = np.repeat(np.arange(len(steps)), counts)
         share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[which] - 1)
         along = points[which] + steps[which] * share
-        rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
-        columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
+        rows = np.clip((along.imag / CELL + MARGIN).astype(int), 0, self._map.shape[0] - 1)
+        columns = np.clip((along.real / CELL + MARGIN).astype(int), 0, self._map.shape[1] - 1)
         return rows, columns
 
 
@@ -169,13 +170,14 @@ class _Pieces:
         step, own_step, apart = ends - starts, own_ends - own_starts, starts - own_starts
         sides = _cross(step, -apart) * _cross(step, own_ends - starts)
         others = _cross(own_step, apart) * _cross(own_step, ends - own_starts)
-        return float(((sides <= 0) & (others <= 0)).sum(axis=1) @ self._weights[near])
+        return float(((sides <= MARGIN) & (others <= MARGIN)).sum(axis=1) @ self._weights[near])
 
     def _near(self, spots: Complexes) -> npt.NDArray[np.intp]:
         """Give the pieces whose boxes meet the box of some spots."""
         left, bottom, right, top = self._boxes
         x, y = spots.real, spots.imag
-        across, up = (left <= x.max()) & (right >= x.min()), (bottom <= y.max()) & (top >= y.min())
+        across = (left <= x.max() + MARGIN) & (right >= x.min() - MARGIN)
+        up = (bottom <= y.max() + MARGIN) & (top >= y.min() - MARGIN)
         return np.flatnonzero(across & up)
 
 
@@ -186,7 +188,7 @@ def padded(box: Box, shift: complex, by: float = CLEAR) -> Box:
 
 
 def _round(centre: complex, radius: float, start: float, sweep: float) -> Chain:
-    count = max(int(abs(sweep) * radius / CELL), 8)
+    count = max(int(abs(sweep) * radius / CELL + MARGIN), 8)
     return [centre + cmath.rect(radius, start + sweep * k / count) for k in range(count + 1)]
 
 
@@ -213,7 +215,7 @@ def _chains(stroke: Stroke) -> Iterator[Chain]:
             yield from _chains(Arc(centre, radius, 0.0, TURN))
         case Arc(radius=radius):
             facet = 2 * math.acos(max(1 - SAG / radius, 0.0)) if radius > 0 else TURN
-            count = max(math.ceil(stroke.sweep / facet), 1)
+            count = max(math.ceil(stroke.sweep / facet - MARGIN), 1)
             yield [stroke.at(k / count) for k in range(count + 1)]
         case Curve(pieces):
             yield sampled(pieces, SAG)

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from drawings.layout.ink import LETTERED, Ink, padded
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.ties import tied, tied_spot
 
 WELL_CLEAR = 0.7  # mm around a label beside a line, where another main line may run along it
 DIRECTIONS = 16
@@ -64,7 +65,7 @@ class Labels:
         """Place a label `gap` mm beside a line, near its middle if it can, else as beside a point of it."""
         box = bounds(Text(0j, content, size, "start", self._slanted))
         across = 1j * (end - start) / abs(end - start)
-        if (across * cmath.rect(1.0, -prefer)).real < 0:
+        if tied((across * cmath.rect(1.0, -prefer)).real) < 0:
             across = -across
         half = complex(box[2] - box[0], box[3] - box[1]) / 2
         reach = gap + abs(half.real * across.real) + abs(half.imag * across.imag)  # from the line to the box's middle
@@ -117,16 +118,16 @@ class Labels:
 def free_side(spot: complex, lines: Iterable[Stroke], near: float) -> float:
     """Give the middle of the widest angle that the lines ending near a spot leave free; π/4 where none ends."""
     turns = sorted(
-        cmath.phase(far - spot)
+        cmath.phase(tied_spot(far - spot))
         for line in lines
         if isinstance(line, Line)
         for end, far in ((line.start, line.end), (line.end, line.start))
-        if abs(end - spot) < near
+        if tied(abs(end - spot) - near) < 0
     )
     if not turns:
         return math.pi / 4
     gaps = [(b - a, a) for a, b in zip(turns, [*turns[1:], turns[0] + 2 * math.pi], strict=True)]
-    wide, start = max(gaps)
+    wide, start = max(gaps, key=lambda gap: tied(gap[0]))
     return start + wide / 2
 
 

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby, pairwise
 from typing import NamedTuple
 
+from drawings.paper.ties import tied, tied_spot
+
 BANDS = 8  # of equal height, from below
 
 
@@ -31,7 +33,7 @@ def outline(values: Sequence[complex]) -> tuple[Band, ...]:
     wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
     if not wide or not high:
         return WHOLE
-    hull = _hull({complex((v.real - left) / wide, (v.imag - low) / high) for v in values})
+    hull = _hull({tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in values})
     return tuple(_joined(_band(hull, k / BANDS, (k + 1) / BANDS) for k in range(BANDS)))
 
 
@@ -45,7 +47,7 @@ def traced(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> tup
     wide, high = max(v.real for v in values) - left, max(v.imag for v in values) - low
     if not wide or not high:
         return WHOLE
-    shares = [[complex((v.real - left) / wide, (v.imag - low) / high) for v in line] for line in lines]
+    shares = [[tied_spot(complex((v.real - left) / wide, (v.imag - low) / high)) for v in line] for line in lines]
     bands = (_crossed(shares, k / BANDS, (k + 1) / BANDS) for k in range(BANDS))
     return tuple(_joined(band for band in bands if band is not None))
 
@@ -53,7 +55,7 @@ def traced(lines: Sequence[Sequence[complex]], values: Sequence[complex]) -> tup
 def _crossed(lines: Sequence[Sequence[complex]], low: float, high: float) -> Band | None:
     """Give between what sides lines are between two heights, if any is."""
     sides = [side for line in lines for side in _sides(line, low, high)]
-    return Band(low, high, min(sides), max(sides)) if sides else None
+    return Band(low, high, tied(min(sides)), tied(max(sides))) if sides else None
 
 
 def _joined(bands: Iterator[Band]) -> Iterator[Band]:
@@ -65,7 +67,7 @@ def _joined(bands: Iterator[Band]) -> Iterator[Band]:
 def _band(hull: Sequence[complex], low: float, high: float) -> Band:
     """Give between what sides a hull lies between two heights."""
     sides = list(_sides([*hull, hull[0]], low, high))
-    return Band(low, high, min(sides), max(sides))
+    return Band(low, high, tied(min(sides)), tied(max(sides)))
 
 
 def _sides(line: Sequence[complex], low: float, high: float) -> Iterator[float]:

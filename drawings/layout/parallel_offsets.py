@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
+from drawings.paper.ties import tied, tied_spot
+
 Segment: TypeAlias = tuple[complex, complex]
 Box: TypeAlias = tuple[float, float, float, float]  # left, bottom, right, top
 
@@ -31,7 +33,7 @@ def merging(one: Segment, other: Segment) -> bool:
     run = min(_beside(one, other, near), _beside(other, one, near))
     slope, most = ABREAST
     abreast = abs((along.conjugate() * beside).imag) < slope * abs(along) * abs(beside)
-    return run > SHARE * shorter or (abreast and run > most)
+    return tied(run - SHARE * shorter) > 0 or (abreast and tied(run) > most)
 
 
 def parallel_offsets(
@@ -89,7 +91,8 @@ def _clear(segment: Segment, before: Sequence[Segment]) -> bool:
 
 def _within(segment: Segment, inside: Box) -> bool:
     left, bottom, right, top = inside
-    return all(left <= end.real <= right and bottom <= end.imag <= top for end in segment)
+    ends = map(tied_spot, segment)
+    return all(left <= end.real <= right and bottom <= end.imag <= top for end in ends)
 
 
 def _roomy(segment: Segment, before: Sequence[Segment], room: float) -> bool:
@@ -103,13 +106,13 @@ def _roomy(segment: Segment, before: Sequence[Segment], room: float) -> bool:
 
 def _abreast(one: Segment, other: Segment, room: float) -> bool:
     """Tell whether a line has another within a letter's room for most of its length."""
-    return _beside(one, other, room) > abs(one[1] - one[0]) / 2
+    return tied(_beside(one, other, room) - abs(one[1] - one[0]) / 2) > 0
 
 
 def _left(one: Segment, other: Segment) -> bool:
     """Tell whether the middle of a line is to the left of another."""
     along = one[1] - one[0]
-    return (along.conjugate() * (sum(other) / 2 - one[0])).imag > 0
+    return tied((along.conjugate() * (sum(other) / 2 - one[0])).imag) > 0
 
 
 def _outward(segment: Segment, middle: complex) -> complex:
@@ -121,9 +124,9 @@ def _outward(segment: Segment, middle: complex) -> complex:
     start, end = segment
     across = 1j * (end - start) / abs(end - start)
     away = (((start + end) / 2 - middle) * across.conjugate()).real
-    if abs(away) < THROUGH:
-        away = across.real if abs(across.real) > abs(across.imag) else across.imag
-    return across if away >= 0 else -across
+    if tied(abs(away)) < THROUGH:
+        away = across.real if tied(abs(across.real) - abs(across.imag)) > 0 else across.imag
+    return across if tied(away) >= 0 else -across
 
 
 def _crowd(segment: Segment, before: Sequence[Segment]) -> int:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeAlias
 
+from drawings.paper.ties import tied
+
 SheetRun: TypeAlias = tuple[int, int]  # the first and the last unit of a sheet
 Fits: TypeAlias = Callable[[int, int], bool]
 
@@ -43,7 +45,7 @@ def partings(count: int, sheets: int, fits: Fits, areas: Sequence[float]) -> lis
         ways.append(way)
         if len(ways) == MOST:
             break
-    return sorted(ways, key=lambda way: max(sum(areas[i : j + 1]) for i, j in way))
+    return sorted(ways, key=lambda way: tied(max(sum(areas[i : j + 1]) for i, j in way)))
 
 
 def _ways(start: int, count: int, sheets: int, fits: Fits) -> Iterator[tuple[SheetRun, ...]]:

@@ -14,6 +14,7 @@ from drawings.layout.table import RuledTable
 from drawings.layout.units import Order, Shape, Stock, Unit, further, groups, orders
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
+from drawings.paper.ties import tied
 from plans.words.words import Message, message
 
 FEW = 8  # figures of a set: among more of them tables and notes have places enough
@@ -140,7 +141,7 @@ class _Fitting:
                 v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
                 rungs = [step[name] for step in steps[v].rungs]
                 area = panel.share * field.width * field.height
-                large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= area]
+                large = [k for k, rung in enumerate(rungs) if tied(rung.wide * rung.high - area) >= 0]
                 fitting = [k for k, rung in enumerate(rungs) if self._alone(name, rung)]
                 found[v] = max(min(large[:1] + fitting[-1:]), floors[v])
         return tuple(found)

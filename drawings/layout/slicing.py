@@ -13,6 +13,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from drawings.paper.ties import PLACES
 from plans.model.motion import Floats
 
 GAP = 5.0  # mm between two units; the margins of figures keep letters apart already
@@ -139,10 +140,11 @@ def _joined(first: Floats, second: Floats) -> Floats:
 
 def _kept(sizes: Floats) -> Ways:
     """Choose the sizes that no other beats both ways; of too many those that lie evenly among them."""
+    sizes = sizes.round(PLACES)
     order = np.lexsort((sizes[:, 1], sizes[:, 0]))
     high = sizes[order, 1]
     lower = np.ones(len(high), bool)
-    lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1] - SAME
+    lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1]
     order = order[lower]
     return order[np.linspace(0, len(order) - 1, KEPT).round().astype(int)] if len(order) > KEPT else order
 

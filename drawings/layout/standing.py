@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
 from drawings.page.page import Field
+from drawings.paper.ties import MARGIN, tied
 
 EDGE = 2.0  # spare paper beside the frame is shared with nothing, that between two figures by both: times as much
 LEVEL = 25.0  # mm: headings that differ by no more are made level
@@ -31,7 +32,7 @@ class Stand(NamedTuple):
     def lifted(self, up: float) -> Stand:
         """Lift the run by some millimetres, if that is little and leaves it in its cell."""
         low, high = self.box.bottom + up, self.box.top + up
-        if abs(up) > LEVEL or low < self.cell.bottom - SAME or high > self.cell.top + SAME:
+        if abs(up) > LEVEL + MARGIN or low < self.cell.bottom - SAME or high > self.cell.top + SAME:
             return self
         return self._replace(box=self.box._replace(bottom=low, top=high))
 
@@ -111,8 +112,8 @@ class Standing:
         """Make headings level of figures whose cells begin at one height, or nearly so."""
         heads = [k for k, stand in enumerate(stands) if self.units[next(pieces(stand.tree)).unit].figure]
         rows: list[list[int]] = []
-        for k in sorted(heads, key=lambda k: -stands[k].cell.top):
-            if rows and stands[rows[-1][0]].cell.top - stands[k].cell.top <= LEVEL:
+        for k in sorted(heads, key=lambda k: -tied(stands[k].cell.top)):
+            if rows and stands[rows[-1][0]].cell.top - stands[k].cell.top <= LEVEL + MARGIN:
                 rows[-1].append(k)
             else:
                 rows.append([k])

@@ -13,6 +13,7 @@ from drawings.layout.table import Cell, Later, RuledTable, TableRow
 from drawings.layout.table import table as measure
 from drawings.lettering.words import fixed, letter, word
 from drawings.page.drafting import Drafting
+from drawings.paper.ties import tied
 from plans.checks.comparison import Comparison, Finding
 from plans.model.order import ORDERS
 
@@ -79,7 +80,7 @@ def _told(value: Any) -> float:
 
 
 def _places(finding: Finding) -> int:
-    return max(DIGITS - 1 - int(np.floor(np.log10(finding.largest))), 0)
+    return max(DIGITS - 1 - math.floor(tied(math.log10(finding.largest))), 0)
 
 
 def _cells_by_hand(finding: Finding, position: int, language: str) -> tuple[Cell, Cell, Cell]:

@@ -14,6 +14,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Final, NamedTuple, TypeAlias
 
+from drawings.paper.ties import MARGIN, tied
+
 # Slanted letters stand at 75 degrees to the line of writing.
 SLANT: Final = math.tan(math.radians(15))
 # Between letters; halved where the neighbouring lines are not parallel, as in ГА or AT.
@@ -118,7 +120,7 @@ def gap(left: str, right: str) -> float:
     if not (any(one.isalpha() for one in pair) and all(one.isalpha() or one in _STOPS for one in pair)):
         return GAP
     room = min(a + b for a, b in zip(_profiles(left)[1], _profiles(right)[0], strict=True))
-    return GAP / 2 if room >= GAP / 2 else GAP
+    return GAP / 2 if tied(room) >= GAP / 2 else GAP
 
 
 @cache
@@ -208,7 +210,8 @@ def _profiles(letter: str) -> tuple[Profile, Profile]:
     body = glyph(letter)
     left, right = [math.inf] * _STRIPS, [math.inf] * _STRIPS
     for point in _samples(body):
-        strip = min(int((point.imag - _LOWEST) / _STRIP), _STRIPS - 1)  # a tower of accents is as high as it may be
+        own = int((point.imag - _LOWEST) / _STRIP + MARGIN)
+        strip = min(own, _STRIPS - 1)  # a tower of accents is as high as it may be
         left[strip] = min(left[strip], point.real - MIDDLE.real)
         right[strip] = min(right[strip], body.width - point.real - MIDDLE.real)
     return _widened(left), _widened(right)

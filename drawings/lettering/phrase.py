@@ -60,6 +60,15 @@ def numbered(language: str, slot: Slot) -> Phrase:
     return Phrase(str(_text(slot, language)), str(_template(slot)))
 
 
+def slotted(before: str, quantity: str, number: str, after: str = "") -> Phrase:
+    """Write the number of a quantity that is rounded in its own way.
+
+    >>> slotted("K = ", "K", "1.500").template
+    'K = ⟨K⟩'
+    """
+    return Phrase(f"{before}{number}{after}", f"{before}⟨{quantity}⟩{after}")
+
+
 def joined(between: str, parts: Iterable[str]) -> Phrase:
     """Join phrases and words to one phrase."""
     own = [*parts]
@@ -71,10 +80,14 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, label: Stroke) -> Stroke:
-    """Give lettering of a figure, with its leader or without, as what it states where it is a phrase with slots."""
-    template = next((template_of(one.content) for one in texts((label,)) if isinstance(one.content, str)), "")
-    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots.
+
+    A letter that a leader leads to is a group: its content is given.
+    """
+    own = (content,) if content else (one.content for one in texts((stroke,)) if isinstance(one.content, str))
+    template = "".join(map(template_of, own))
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 
 def _text(part: object, language: str) -> object:
@@ -87,13 +100,13 @@ def _template(part: object) -> object:
     return template_of(part) if isinstance(part, str) else part
 
 
-def read_back(template: str, text: str) -> dict[str, str] | None:
-    """Read the numbers of a phrase off a text that is written by its template; None where it says something else.
+def read_back(template: str, text: str) -> list[tuple[str, str]]:
+    """Read the numbers of a phrase off a text that is written by its template; none where it says something else.
 
     >>> read_back("m_{II} = ⟨m_II⟩ kg,  D = ⟨D⟩ mm", "mII = 0.25 kg, D = 40 mm")
-    {'m_II': '0.25', 'D': '40'}
+    [('m_II', '0.25'), ('D', '40')]
     """
     names, pieces = SLOT.findall(template), SLOT.split(template)[::2]
     pattern = NUMBER.join(r"\s+".join(map(re.escape, re.split(r"\s+", Text(0j, piece).plain))) for piece in pieces)
     found = re.search(pattern, text)
-    return None if found is None else dict(zip(names, found.groups(), strict=True))
+    return [] if found is None else [*zip(names, found.groups(), strict=True)]

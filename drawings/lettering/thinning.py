@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
+from drawings.paper.ties import tied
+
 
 def every(least: float, whole: int) -> int:
     """Choose how many positions apart numbers stand: a divisor of the whole turn, if one is not much above the least.
@@ -12,7 +14,7 @@ def every(least: float, whole: int) -> int:
     >>> every(1.4, 24), every(4.1, 24), every(2.0, 23)
     (2, 6, 2)
     """
-    first = max(math.ceil(least), 1)
+    first = max(math.ceil(tied(least)), 1)
     return next((step for step in range(first, 2 * first) if whole % step == 0), first)
 
 
@@ -30,6 +32,6 @@ def numbered(places: Sequence[complex], length: float, apart: float, first: Iter
     if step == 1:
         return tuple(free)
     for k in free:
-        if k % step == 0 and all(abs(places[k] - places[other]) >= apart for other in kept):
+        if k % step == 0 and all(tied(abs(places[k] - places[other]) - apart) >= 0 for other in kept):
             kept.append(k)
     return tuple(kept)

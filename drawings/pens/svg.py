@@ -33,6 +33,7 @@ from drawings.paper.strokes import (
     Stroke,
     Text,
 )
+from drawings.paper.ties import tied
 from drawings.paper.walk import unstated
 from drawings.pens.deferred import deferred
 from drawings.pens.fonts import EM, FONTS, longest, pieces
@@ -196,7 +197,7 @@ def _run(stroke: Text, height: float) -> Any:
     own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size)}
     length = text_width(stroke) + 2 * free
     narrow = min(1.0, length / longest(stroke))
-    own |= {"textLength": number(round(length / narrow, 2)), "lengthAdjust": "spacingAndGlyphs"}
+    own |= {"textLength": number(round(tied(length / narrow), 2)), "lengthAdjust": "spacingAndGlyphs"}
     if stroke.slanted:
         own["font-style"] = "italic"
     if transforms := list(_transforms(stroke, place, narrow)):

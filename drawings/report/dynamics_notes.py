@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from plans.model.account import Account
 from plans.model.dynamics import TURN, Cycle, Flywheel, Task, settled
@@ -49,11 +50,11 @@ class DynamicsNotes(NamedTuple):
 
     def asked(self) -> Iterator[str]:
         """Say what is asked of the motion."""
-        speed = {"n": self._number(self.task.speed * RPM), "omega": self._number(self.task.speed)}
+        speed = {"n": self._slot("n", self.task.speed * RPM), "omega": self._slot("ω_m", self.task.speed)}
         if self.task.delta is None:
-            yield self.drafting.word("dynamics asked speed", **speed)
+            yield self.drafting.phrase("dynamics asked speed", **speed)
         else:
-            yield self.drafting.word("dynamics asked", **speed, delta=self.fluctuation(self.task.delta))
+            yield self.drafting.phrase("dynamics asked", **speed, delta=self.fluctuation(self.task.delta))
 
     def works(self) -> Iterator[str]:
         """Say what the loads take in a turn, and by what moment the drive gives it."""
@@ -64,8 +65,8 @@ class DynamicsNotes(NamedTuple):
             yield self.drafting.word("no work of turn")
         else:
             key = "work of turn" if cycle.net < 0 else "work given"
-            numbers = (self._number(abs(value)) for value in (cycle.net, cycle.driving))
-            yield self.drafting.word(key, **dict(zip(("work", "moment"), numbers, strict=True)))
+            moment = self._slot("M_dr", abs(cycle.driving))
+            yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
 
     def stopping(self) -> Iterator[str]:
         """Say that the machine would stop without a flywheel where none is asked for."""
@@ -89,14 +90,15 @@ class DynamicsNotes(NamedTuple):
         low, high = wheel.touches
         excess = high.surplus - low.surplus
         share = excess / (self.task.speed**2 * self.task.delta)
-        said = {"fast": self._angle(high.turned), "slow": self._angle(low.turned), "excess": self._number(excess)}
-        said |= {"most": self._number(resisting(cycle, high.turned, low.turned)), "whole": self._number(wheel.whole)}
+        said = {"fast": self._angle("φ fastest", high.turned), "slow": self._angle("φ slowest", low.turned)}
+        said |= {"excess": self._slot("A excess", excess), "whole": self._slot("J_0", wheel.whole)}
+        said |= {"most": self._slot("M_us most", resisting(cycle, high.turned, low.turned))}
         if abs(wheel.whole - share) <= NOISE * wheel.whole:  # the links have one inertia at both angles
-            yield self.drafting.word("why loads alone", **said)
+            yield self.drafting.phrase("why loads alone", **said)
         else:
             key = "why loads" if share > wheel.whole / 2 else "why masses"
-            links = self._signed(wheel.whole - share)
-            yield self.drafting.word(key, **said, share=self._number(share), links=links)
+            links = self._signed("J_0 of links", wheel.whole - share)
+            yield self.drafting.phrase(key, **said, share=self._slot("J_0 of loads", share), links=links)
         yield from self.missing()
 
     def missing(self) -> Iterator[str]:
@@ -104,10 +106,10 @@ class DynamicsNotes(NamedTuple):
         wheel = self.account.flywheel
         if wheel is None:
             return
-        numbers = {"own": wheel.own, "present": wheel.present, "bare": wheel.own + wheel.present, "whole": wheel.whole}
-        told = {name: self._number(value) for name, value in numbers.items()}
+        told = {"own": self._slot("J_0^* of links", wheel.own), "present": self._slot("J_0^* of shafts", wheel.present)}
+        told |= {"bare": self._slot("J_0^*", wheel.own + wheel.present), "whole": self._slot("J_0", wheel.whole)}
         key = "flywheel adds" if wheel.needed > 0 else "heavy enough"
-        yield self.drafting.word(key, **told, inertia=self._number(wheel.inertia))
+        yield self.drafting.phrase(key, **told, inertia=self._slot("J_fly", wheel.inertia))
 
     def other(self) -> Iterator[str]:
         """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
@@ -115,64 +117,62 @@ class DynamicsNotes(NamedTuple):
         if wheel is None or cycle is None or not self.task.delta or wheel.needed <= 0:
             return
         deltas = [times * self.task.delta for times in OTHERS]
-        more, less = (self._number(self.flywheel_at(delta).inertia) for delta in deltas)
-        twice, half = map(self.fluctuation, deltas)
-        yield self.drafting.word("other fluctuation", twice=twice, more=more, half=half, less=less)
+        more, less = (self.flywheel_at(delta).inertia for delta in deltas)
+        said = {"more": self._slot("J_fly at 2δ", more), "less": self._slot("J_fly at δ/2", less)}
+        twice, half = (self.fluctuation(delta, of) for delta, of in zip(deltas, ("2δ", "δ/2"), strict=True))
+        yield self.drafting.phrase("other fluctuation", **said, twice=twice, half=half)
         if self.exact:
-            off = self.drafting.number(100 * self._less(wheel.inertia, self.exact) / self.exact, PER_CENT)
-            said = {"count": len(cycle.means), "exact": self._number(self.exact), "off": off}
-            yield self.drafting.word("error of strips", **said)
+            off = Slot("J_fly off", 100 * self._less(wheel.inertia, self.exact) / self.exact, PER_CENT)
+            exact = self._slot("J_fly exact", self.exact)
+            yield self.drafting.phrase("error of strips", count=len(cycle.means), exact=exact, off=off)
 
     def achieved(self) -> Iterator[str]:
         """Say how evenly the machine runs with the flywheel, and how it would run without."""
         speeds, before, wheel = self.account.speeds, self.account.before, self.account.flywheel
         if speeds is None:
             return
-        low, high = map(self._number, speeds.extremes)
-        yield self.drafting.word("achieved motion", delta=self._number(speeds.delta), low=low, high=high)
+        low, high = map(self._slot, ("ω_min", "ω_max"), speeds.extremes)
+        yield self.drafting.phrase("achieved motion", delta=self._slot("δ", speeds.delta), low=low, high=high)
         if wheel is not None and wheel.needed > 0:
             stops = before is None or not all(map(math.isfinite, before.extremes))
-            own = self.drafting.word("would stop") if stops or before is None else f"δ = {self._number(before.delta)}"
-            yield self.drafting.word("without flywheel", own=own)
+            if stops or before is None:
+                yield self.drafting.phrase("without flywheel", own=self.drafting.word("would stop"))
+            else:
+                own = joined("", ("δ = ", self.drafting.slot(self._slot("δ without flywheel", before.delta))))
+                yield self.drafting.phrase("without flywheel", own=own)
 
     def sizes(self) -> Iterator[str]:
         """Say the sizes of the rim; of one that is too thick, what would do."""
-        rim, number = self.rim, self._number
+        rim, slot, phrase = self.rim, self._slot, self.drafting.phrase
         if rim is None:
             return
         if not rim.fits:
-            yield self.drafting.word(
-                "rim too thick", diameter=number(1000 * rim.diameter), least=number(1000 * rim.least_diameter)
-            )
+            least = slot("rim D least", 1000 * rim.least_diameter)
+            yield phrase("rim too thick", diameter=slot("rim D", 1000 * rim.diameter), least=least)
             return
-        speed = number(rim.at_speed(self.task.speed * self.task.rim.ratio))
-        section = {"breadth": number(1000 * rim.breadth), "thickness": number(1000 * rim.thickness)}
-        added = self.drafting.number(100 * rim.added, PER_CENT)
-        yield self.drafting.word(
-            "rim sizes",
-            mass=number(rim.mass),
-            diameter=number(1000 * rim.diameter),
-            **section,
-            speed=speed,
-            added=added,
-        )
+        said = {"mass": slot("rim m", rim.mass), "diameter": slot("rim D", 1000 * rim.diameter)}
+        said |= {"breadth": slot("rim b", 1000 * rim.breadth), "thickness": slot("rim t", 1000 * rim.thickness)}
+        said |= {"speed": slot("rim v", rim.at_speed(self.task.speed * self.task.rim.ratio))}
+        yield phrase("rim sizes", **said, added=Slot("rim added", 100 * rim.added, PER_CENT))
 
-    def fluctuation(self, delta: float) -> str:
+    def fluctuation(self, delta: float, of: str = "δ") -> Phrase:
         """Write a coefficient of fluctuation as tables of permitted ones do."""
-        return f"1/{self._number(1 / delta)}"
+        return joined("", ("1/", self.drafting.slot(self._slot(f"1/{of}", 1 / delta))))
 
     def _less(self, one: float, other: float) -> float:
         """Subtract; nothing is left where that is but rounding."""
         return float(settled(np.array([one - other]), abs(other))[0])
 
-    def _angle(self, turned: float) -> str:
-        return self._number(math.degrees(turned))
+    def _angle(self, quantity: str, turned: float) -> Slot:
+        return self._slot(quantity, math.degrees(turned))
 
-    def _signed(self, value: float) -> str:
-        return f"{'−' if value < 0 else '+'} {self._number(abs(value))}"
+    def _signed(self, quantity: str, value: float) -> Phrase:
+        """Write a number after its sign, which is a part of what it is called."""
+        sign = "−" if value < 0 else "+"
+        return joined(" ", (sign, self.drafting.slot(self._slot(f"{quantity} {sign}", abs(value)))))
 
-    def _number(self, value: float) -> str:
-        return self.drafting.number(value, self.digits)
+    def _slot(self, quantity: str, value: float) -> Slot:
+        return Slot(quantity, value, self.digits)
 
 
 def resisting(cycle: Cycle, start: float, end: float) -> float:

@@ -30,11 +30,14 @@ def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> 
     width = min(field.width, edge - CLEAR - LEAN * size - field.left)  # the last letter leans beyond its width
     broken = [_broken(_marked(note), width, size) for note in paragraphs]
     step = min(STEP * size, field.height / max(sum(map(len, broken)), 1))
-    strokes, top = list[Stroke](), field.top - size
+    strokes, count = list[Stroke](), 0
     for note, lines in zip(paragraphs, broken, strict=True):
-        own = [Text(complex(field.left, top - k * step), line, size, "start", True) for k, line in enumerate(lines)]
-        strokes += [stating(Statement(Kind.PHRASE, NOTES, told), *own)] if SLOT.search(told := template_of(note)) else own
-        top -= len(lines) * step
+        feet = [complex(field.left, field.top - size - (count + k) * step) for k in range(len(lines))]
+        own = [Text(foot, line, size, "start", True) for foot, line in zip(feet, lines, strict=True)]
+        strokes += (
+            [stating(Statement(Kind.PHRASE, NOTES, told), *own)] if SLOT.search(told := template_of(note)) else own
+        )
+        count += len(lines)
     return Group(tuple(strokes), NOTES)
 
 

@@ -10,7 +10,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 from drawings.lettering.extent import GRAIN
-from drawings.paper.strokes import Arc, Curve, Line, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import Arc, Curve, Line, LineStyle, Polyline, Stroke, numeral
+from drawings.paper.ties import tied
 from geometry.curve import sampled
 
 DASHED, DASH_DOT = (2.0, 8.0), (5.0, 30.0)
@@ -49,9 +50,9 @@ def fit(style: LineStyle, length: float, closed: bool = False) -> LineStyle:
     least, most = DASHED if len(rest) == 1 else DASH_DOT
 
     def fitting(gaps: int) -> float:
-        return (length - gaps * between) / (gaps + last)
+        return float(numeral((length - gaps * between) / (gaps + last)))  # of lines of one length it is one
 
-    gaps = max(round((length - last * dash) / (dash + between)), 1)
+    gaps = max(round(tied((length - last * dash) / (dash + between))), 1)
     while gaps > 1 and fitting(gaps) < least:
         gaps -= 1
     while fitting(gaps) > most:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Statement
 from drawings.paper.strokes import Line, Stroke
+from drawings.paper.ties import tied
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
@@ -50,7 +51,7 @@ class Dimension(NamedTuple):
 def arrows(start: complex, end: complex, hand: Hand) -> tuple[Stroke, ...]:
     """Draw a dimension line with arrows at both ends: within or, where there is no room, outside."""
     along = (end - start) / abs(end - start) * ARROW_LENGTH * hand.symbol
-    tails = (end, start) if abs(end - start) > 3 * abs(along) else (start - 2 * along, end + 2 * along)
+    tails = (end, start) if tied(abs(end - start) - 3 * abs(along)) > 0 else (start - 2 * along, end + 2 * along)
     heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
     outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
     return Line(start, end, hand.drafted), *outer, *(head for head in heads if head is not None)

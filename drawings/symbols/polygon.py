@@ -15,6 +15,7 @@ from drawings.layout.place import Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke
+from drawings.paper.ties import tied
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import arrowhead
 
@@ -110,7 +111,7 @@ def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float
     spots = [end for arrow in arrows for end in arrow.ends]
     middle = sum(spots, 0j) / max(len(spots), 1)
     strokes = []
-    for one, (start, end), shift in sorted(arrows, key=lambda arrow: abs(arrow.vector.value)):
+    for one, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
         outward = shift or (start + end) / 2 - middle or 1j
         strokes.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
     return strokes

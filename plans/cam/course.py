@@ -67,6 +67,10 @@ class Course:
         """Where a phase or a piece of a law begins or ends, rad, rising from 0 to the whole turn."""
         return tuple(sorted({0.0, *self._columns[0].tolist(), self.cam.turn}))
 
+    def with_joints(self, turned: Floats) -> Floats:
+        """Add the joints to turns of the cam, rad, (N,), rising: no chord cuts off a corner of what is drawn."""
+        return np.union1d(settled(turned, self), self.joints)
+
     @cached_property
     def corners(self) -> tuple[float, ...]:
         """The ends of the phases, and the joints at which S'' jumps or has a corner, rad: no strip goes beyond one."""

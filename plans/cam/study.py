@@ -97,7 +97,7 @@ class CamDrawing:
     def curve(self) -> Contour:
         """The profile at many turns, from 0 to a whole one, among them all joints of the law."""
         even = np.linspace(0.0, self.cam.turn, CLOSE + 1)
-        return self.profile(np.union1d(even, self.course.joints)).contour
+        return self.profile(self.course.with_joints(even)).contour
 
     def profile(self, turned: Floats, before: bool = False) -> Profile:
         """Draw the profile at any turns of the cam, rad, (N,)."""

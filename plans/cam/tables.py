@@ -27,7 +27,7 @@ class Ruler(NamedTuple):
     def departure(self, law: Law) -> tuple[float, float]:
         """Give how far it is from a table's points at most, in shares of the lift, and at which share of the phase."""
         off = np.abs(self.s - np.array(law.points)[:, 1])
-        worst = int(np.argmax(off))
+        worst = int(np.argmax(off.round(9)))  # of a table and its mirror image the first
         return float(off[worst]), float(self.share[worst])
 
 

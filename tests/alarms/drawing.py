@@ -14,8 +14,17 @@ from typing import NamedTuple
 from drawings.commands import cli
 from tests.time_limit import limited
 
-DRAWN, REFUSED, WITHHELD, CRASHED, SLOW = "drawn", "refused", "withheld", "crashed", "too slow"
-OUTCOMES = {0: DRAWN, 4: DRAWN, 3: REFUSED, 8: REFUSED, 5: WITHHELD}
+WHOLE, REMARKED, REFUSED, WITHHELD, CRASHED, SLOW = (
+    "drawn",
+    "with remarks",
+    "refused",
+    "withheld",
+    "crashed",
+    "too slow",
+)
+OUTCOMES = (WHOLE, REMARKED, REFUSED, WITHHELD, CRASHED, SLOW)
+CODES = {0: WHOLE, 4: REMARKED, 3: REFUSED, 8: REFUSED, 5: WITHHELD}
+DRAWN = (WHOLE, REMARKED)
 ALARMS = (WITHHELD, CRASHED, SLOW)
 SCENES = 40  # that a process draws before another takes its place: what is kept between them grows
 LONGEST = 240.0  # s: a scene that takes longer is told as too slow
@@ -63,7 +72,7 @@ def drawing(scene_of: tuple[str, str]) -> Outcome:
                 contextlib.redirect_stdout(io.StringIO()),
             ):
                 code = cli.main(["draw", str(scene), "-o", str(Path(folder) / "out")])
-            outcome = OUTCOMES.get(code, CRASHED)
+            outcome = CODES.get(code, CRASHED)
         except _TooSlow:
             outcome = SLOW
     lines = told.getvalue().replace(f"{scene}:", "").strip()

@@ -7,16 +7,22 @@ from pathlib import Path
 
 import pytest
 
+from plans.scene.scene import parse_scene
+from tests import parts
 from tests.alarms.drawing import CRASHED, WITHHELD, drawing
-from tests.alarms.machines import machine, papered
+from tests.alarms.machines import papered
 from tests.alarms.neighbours import neighbour
+from tests.alarms.scenes import TECHNIQUES, drawn, scene, scenes
 from tests.gallery import SCENES
 from tests.parts import first
 
 SOON = "ram-pushed-evenly"  # the scene that is drawn in the shortest time
+EVERY_DAY = (22, 28, 35, 40, 63, 81, 86, 87, 89, 94, 97, 111)  # of each technique one that is drawn in a short time
+WHOLE = range(120)
 CASES = sorted(
     (Path(__file__).parents[1] / "cases" / "alarms").glob("*.toml"), key=lambda path: (path.stem != SOON, path)
 )
+REST = [k for k in WHOLE if k not in EVERY_DAY] if parts.whole else []
 
 
 @pytest.mark.parametrize("path", first(CASES), ids=lambda path: path.stem)
@@ -25,18 +31,28 @@ def test_an_earlier_alarm_is_drawn(path: Path) -> None:
     assert not one.alarm, one.told
 
 
-@pytest.mark.rest
-@pytest.mark.parametrize("number", first(range(12)))
-def test_a_random_mechanism_is_drawn_or_refused(number: int) -> None:
-    one = drawing((f"machine-{number}", machine(1, number)))
+@pytest.mark.parametrize("number", [*EVERY_DAY, *(pytest.param(k, marks=pytest.mark.rest) for k in REST)])
+def test_a_random_scene_is_drawn_or_refused(number: int) -> None:
+    made = scene(1, number)
+    one = drawing((made.name, made.text))
     assert not one.alarm, one.told
 
 
-@pytest.mark.rest
-@pytest.mark.parametrize("number", first(range(len(SCENES))))
-def test_a_neighbour_of_a_scene_is_drawn_or_refused(number: int) -> None:
-    one = drawing((f"neighbour-{number}", neighbour(1, number)))
-    assert not one.alarm, one.told
+def test_a_scene_of_a_number_is_the_same_alone_and_among_others() -> None:
+    found = list(scenes(7, 3, ["cam", "chain"], first=5))
+    assert [one.number for one in found] == [7, 8, 17]
+    assert found == [scene(7, one.number) for one in found]
+
+
+def test_scenes_of_all_techniques_are_read() -> None:
+    for one in scenes(1, 80, list(TECHNIQUES)):
+        assert parse_scene(one.text).sheets, one.name
+
+
+def test_the_sheets_of_a_scene_are_laid_out_in_memory() -> None:
+    made, leaves = drawn(1, 5)
+    assert made.technique == "rotor"
+    assert [len(own) for own in leaves.values()] == [1]
 
 
 def test_a_neighbour_differs_in_what_is_measured_alone() -> None:

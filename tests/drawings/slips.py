@@ -111,12 +111,10 @@ def note(old: str, new: str) -> Change:
     """Write a part of the notes otherwise."""
 
     def change(stroke: Stroke) -> Stroke:
-        if not isinstance(stroke, Group) or stroke.name != "notes":
-            return stroke
-        told = (one for one in stroke.strokes if isinstance(one, Text) and isinstance(one.content, str))
-        return replace(stroke, strokes=tuple(replace(one, content=one.content.replace(old, new)) for one in told))
+        said = isinstance(stroke, Text) and isinstance(stroke.content, str)
+        return replace(stroke, content=stroke.content.replace(old, new)) if said else stroke
 
-    return change
+    return in_part("notes", change)
 
 
 def without(name: str) -> Change:

@@ -10,9 +10,9 @@ from functools import cache, partial
 from pathlib import Path
 
 import pytest
+from drawings.checks.balance.verify_balancing import faults, set_faults
 
 from drawings.bench import balance_sheet
-from drawings.checks.balance.verify_balancing import faults, set_faults
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured

@@ -12,8 +12,8 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-
 from drawings.checks.bank.verify_bank import faults, set_faults
+
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.figures.bank.bank_view import SIDE
 from drawings.lettering.lettering import lettered

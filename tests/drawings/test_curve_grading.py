@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.checks.dynamics.load_law import Branch, branches
+from drawings.due.loads import Branch, branches
 from drawings.eye.sheet import see
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of

@@ -9,8 +9,8 @@ from functools import cache, partial
 from pathlib import Path
 
 import pytest
-
 from drawings.checks.diagrams.verify_diagrams import faults
+
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.figures.diagrams import kinematic_diagrams
 from drawings.figures.diagrams.diagram_notes import diagram_notes

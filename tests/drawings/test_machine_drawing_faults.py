@@ -25,7 +25,7 @@ from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import study as machine
 
 CASES, GALLERY = ROOT / "tests" / "cases", ROOT / "drawings" / "gallery"
-KINDS = ("rotor", "cyclogram", "dynamics")
+KINDS = ("cyclogram",)
 FAULTS = {kind: drawing_faults(CASES / f"{kind}_drawing_faults.toml") for kind in KINDS}
 EVERY_DAY = [fault for kind in KINDS for fault in FAULTS[kind]]
 ASKED = 'fluctuation = "1/25"\nflywheel.diameter = "1.2 m"\n'

@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-
 from drawings.checks.rotor.verify_rotor import check, faults
+
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured

@@ -11,8 +11,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-
 from drawings.checks.diagrams import verify_diagrams
+
 from drawings.checks.verify import SelfCheckFailed, verify_scales
 from drawings.measure.measure import Measured, measure_file
 from drawings.measure.measured import MeasuredVector

@@ -21,12 +21,12 @@ from plans.model.motion import Floats, Motion
 from plans.model.rates import Pace, Rates
 from plans.scene.scene import parse_scene, read_scene
 from tests import parts
-from tests.gallery import GALLERY, LINKAGES
+from tests.gallery import GALLERY, TURNING
 from tests.plans.force_cases import finding
 from tests.plans.test_carrying import COUPLING_ROD
 from tests.rows import over
 
-FORCES = [path for path in LINKAGES if '"forces"' in path.read_text(encoding="utf-8")]
+FORCES = [path for path in TURNING if '"forces"' in path.read_text(encoding="utf-8")]
 ROUNDING = 1e-12  # of the largest: an acceleration that cancels is known to no more
 
 
@@ -73,7 +73,7 @@ def assert_same_forces(one: Kinetostatics, other: Kinetostatics) -> None:
 
 @pytest.mark.rest
 @pytest.mark.part
-@over("path", LINKAGES if parts.whole else LINKAGES[::4])
+@over("path", TURNING if parts.whole else TURNING[::4])
 def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit(path: Path) -> None:
     one = study(path)
     steady, told = compare(one), compare(one.paced(constant(one)))
@@ -91,7 +91,7 @@ def test_at_the_same_rates_told_of_each_position_all_forces_are_the_same_to_the_
 
 
 @pytest.mark.part
-@over("path", LINKAGES if parts.whole else LINKAGES[::4])
+@over("path", TURNING if parts.whole else TURNING[::4])
 def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates(path: Path) -> None:
     one = study(path)
     pace, unit = uneven(one), one.paced(lambda phi: Rates(1.0, 0.0)).motion()
@@ -109,7 +109,7 @@ def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates
 
 
 @pytest.mark.part
-@over("path", LINKAGES if parts.whole else LINKAGES[::4])
+@over("path", TURNING if parts.whole else TURNING[::4])
 def test_both_roads_agree_at_uneven_rates(path: Path) -> None:
     one = study(path)
     assert compare(one.paced(uneven(one))).agrees

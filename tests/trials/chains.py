@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import pi, radians
 from random import Random
 
@@ -18,9 +18,9 @@ ROUGH = 0.03  # m: how far a sketched point is off, on links of 0.3 to 2 m
 CRANKS = {"angle": (0.2, 0.5), "turn": (0.03, 0.1), "list": (0.2, 0.5), "extreme": (0.03, 0.1)}
 
 
-def chain(chance: Random) -> str:
+def chain(chance: Random, starts: Sequence[str] = tuple(CRANKS)) -> str:
     """Draw a scene."""
-    pose, phi, how = Pose(), round(chance.uniform(-180, 180), 2), chance.choice(tuple(CRANKS))
+    pose, phi, how = Pose(), round(chance.uniform(-180, 180), 2), chance.choice(starts)
     frame, crank = pose.link(0.0), pose.link(0.0)
     pose.point(0j, frame, crank)
     pose.point(cmath.rect(chance.uniform(*CRANKS[how]), radians(phi)), crank)

@@ -39,11 +39,11 @@ def crank_rocker(chance: Random) -> str:
         if CRANK + max(b, c, d) < b + c + d - max(b, c, d) - 1e-9:  # the lengths are whole millimetres
             break
     end = cmath.rect(CRANK, chance.uniform(-cmath.pi, cmath.pi))
-    sketch = _meeting(end, b, complex(d), c, chance.choice((1, -1))) + ROUGH * CRANK * _within(chance)
+    sketch = meeting(end, b, complex(d), c, chance.choice((1, -1))) + ROUGH * CRANK * _within(chance)
     return SCENE.format(a=CRANK, b=b, c=c, d=d, sketch=sketch, speed=chance.choice((10, -10)))
 
 
-def _meeting(a: complex, b: float, c: complex, r: float, side: int) -> complex:
+def meeting(a: complex, b: float, c: complex, r: float, side: int) -> complex:
     """Meet the circle of radius b about a and that of radius r about c, on one side of the line from a to c."""
     apart = abs(c - a)
     along = (apart + (b - r) * (b + r) / apart) / 2

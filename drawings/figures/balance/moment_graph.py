@@ -35,7 +35,8 @@ def curve(
         swung = swing(bare)
         return swung._replace(values=np.full(len(swung.values), np.nan))
     angles = np.degrees(sense * (own.around.phi - own.around.phi[0]))
-    whole = bare._replace(angles=angles, values=_course(own, least))
+    gaps = any(np.isnan(one.around.moment).any() for one in (first, own))  # beside one a curve is cut off
+    whole = bare._replace(angles=angles, values=_course(own, least), states="" if gaps else "last")
     return whole if own is first else whole._replace(before=_course(first, least))
 
 

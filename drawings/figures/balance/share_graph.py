@@ -14,9 +14,11 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.balance_letters import FORCE
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Phrase, Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import LEAN, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading
@@ -76,7 +78,8 @@ class ShareFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole graph, its curves and least places lettered."""
         ranked = sorted(self.letters, key=lambda one: -one.size)
-        found = tuple(labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        found = tuple(telling(NAME, letter) for letter in placed)
         return (Group((*self.lines, Group(found)), NAME),)
 
 
@@ -100,7 +103,7 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("share graph"), scales, hand),
-        *axes.lines((0.0, 1.0), (0.0, shown.high), hand),
+        *axes.lines((0.0, 1.0), (0.0, shown.high), hand, NAME),
         *(
             Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
             for k in range(1, DIVISIONS + 1)
@@ -122,7 +125,8 @@ def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafti
     """Draw a curve and the ordinate of its least place, which can be measured."""
     hand, best = drafting.hand, shown.best[name]
     spots = tuple(axes.on(*one) for one in shown.rows[name])
-    yield Group((Polyline(spots, False, hand.result if name == FORCES else hand.relative),), f"{NAME}-{name}")
+    course = Polyline(spots, False, hand.result if name == FORCES else hand.relative)
+    yield Group((course,), f"{NAME}-{name}", states=Statement(Kind.CURVE, NAME, name))
     least = value_of(best, name)
     foot, tip = axes.on(best.share), axes.on(best.share, least)
     data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
@@ -161,10 +165,11 @@ def levels(high: float, up: Scale) -> list[float]:
     return [k * step for k in range(1, int(high / step) + 1)]
 
 
-def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> str:
+def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> Phrase:
     """Write a least value by its letter, and the share that it is had with."""
-    value = drafting.number(value_of(best, name))
-    return f"{letter} = {value} {drafting.word(UNIT)};  {SHARE} = {drafting.number(best.share)}"
+    value = drafting.slot(Slot(f"least {name}", value_of(best, name)))
+    share = drafting.slot(Slot(f"share {name}", best.share))
+    return joined("", (f"{letter} = ", value, f" {drafting.word(UNIT)};  {SHARE} = ", share))
 
 
 def curve_letters(reaction: str) -> dict[str, str]:

@@ -18,6 +18,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.symbols.symbols import pole
@@ -89,8 +90,8 @@ def draw(shown: ShownOrder, room: Picture, spot: Spot, drafting: Drafting) -> Ba
     title = heading(spot.box, title_of(shown, drafting), _under(shown, spot.scale, drafting), hand)
     subject = Subject(plan_of(shown.kind, shown.signed), shown.kind, None)
     zero = point(subject, "0", 0j, place, pole(place.on(0j)), "pole")
-    order = sorted(shown.vectors, key=lambda one: (one.kind != RESULT, -abs(one.value)))
-    seen = [one for one in order if place.length(abs(one.value)) >= SEEN]
+    order = sorted(shown.vectors, key=lambda one: (one.kind != RESULT, -tied(place.length(abs(one.value)))))
+    seen = [one for one in order if tied(place.length(abs(one.value))) >= SEEN]
     arrows = lay(seen, place, spot.box, ROOM, hand)
     short = (LaidVector(one, ends(one, place)) for one in order if one not in seen)
     thin = carriers(arrows, place, hand)

@@ -18,7 +18,9 @@ from drawings.lettering.bank_letters import lowered
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading, point
@@ -131,7 +133,9 @@ def _mass(shown: Layout, one: Weight, place: Place, hand: Hand) -> Group:
     known = shown.known and one.geared
     ends = place.on(one.shaft), place.on(one.shaft + one.arm)
     dashed = fit(hand.result._replace(dash=hand.dashed), abs(ends[1] - ends[0]))
-    arm = Line(*ends, hand.result if known else dashed)
+    way = Kind.VECTOR, shown.name, one.name, None, place.scale.mu
+    line = Line(*ends, hand.result if known else dashed)
+    arm: Stroke = stating(Statement(*way), line) if known else line
     circle, subject = Circle(ends[1], BODY * hand.symbol, INK), Subject(shown.name, QUANTITY, None)
     if not known:
         return Group((arm, Group((circle,), "", {}, one.name)))

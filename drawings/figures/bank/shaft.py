@@ -18,8 +18,10 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
@@ -156,10 +158,15 @@ def _dimensioned(shown: BankView) -> dict[float, str]:
     return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= MOST else {}
 
 
-def _texts(shown: BankView, drafting: Drafting) -> dict[float, str]:
+def _texts(shown: BankView, drafting: Drafting) -> dict[float, Phrase]:
     """Write the dimensions of the places, the nearest to the plane of place 0 first."""
-    found = _dimensioned(shown).items()
-    return {where: f"h_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found}
+    sizes = {where: drafting.slot(Slot(_quantity(where), 1000 * where)) for where in _dimensioned(shown)}
+    return {where: joined("", (f"h_{{{names}}} = ", sizes[where])) for where, names in _dimensioned(shown).items()}
+
+
+def _quantity(where: float) -> str:
+    """Name the place of a mechanism by its millimetres."""
+    return f"h at {1000 * where:g}"
 
 
 def _roomy(shown: BankView, drafting: Drafting) -> float:
@@ -186,7 +193,8 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
     for number, (where, text) in enumerate(told.items()):
         level = bottom - number * step(hand)
         across = place.on(complex(where)).real
-        yield dimension(base.real, across, level, math.copysign(1.0, where), text, hand)
+        states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
+        yield dimension(base.real, across, level, math.copysign(1.0, where), text, hand, states)
         yield extension(across, base.imag, level, hand)
     if told:
         yield extension(base.real, base.imag, level, hand)

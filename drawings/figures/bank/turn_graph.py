@@ -17,7 +17,9 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
@@ -83,7 +85,7 @@ class TurnGraphFigure:
     def _stations(self, labels: Labels) -> Iterator[Stroke]:
         first = self.shown.curves[0]
         for k in stations(first):
-            side = -BELOW if first.values[k] < 0 else BELOW
+            side = -BELOW if self.axes.below(float(first.values[k])) else BELOW
             foot = self.axes.on(angle(first, k))
             yield labels.beside(foot, number(first, k), self.drafting.hand.number, TICK + 0.6, side)
 
@@ -126,9 +128,10 @@ def draw(shown: TurnGraph, room: Picture, spot: Spot, drafting: Drafting) -> Tur
     scale = fitting(high - low, room.high / spot.scale.mu, symbol, shown.unit, drafting.standard)
     axes = _placed(shown, room, spot, scale)
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(scale)}"
-    lines = [heading(spot.box, shown.title, scales, hand), *axes.lines((0.0, TURN), shown.span, hand)]
+    lines = [heading(spot.box, shown.title, scales, hand), *axes.lines((0.0, TURN), shown.span, hand, shown.name)]
     for one in shown.curves:
-        lines += [*_ordinates(one, axes, hand), *_line(one, axes, hand)]
+        course = stating(Statement(Kind.CURVE, shown.name, one.plan), *_line(one, axes, hand))
+        lines += [*_ordinates(one, axes, hand), course]
     return TurnGraphFigure(shown, axes, tuple(lines), drafting)
 
 

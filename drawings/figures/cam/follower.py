@@ -15,6 +15,7 @@ from drawings.figures.cam.rings import CLEAR, GUIDE
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Fill, Group, Line, Stroke
+from drawings.paper.ties import tied
 from drawings.symbols.figure import Subject, point
 from drawings.symbols.symbols import HINGE, fixed_hinge, ground, hinge, tick
 from plans.model.cam import POINTED
@@ -122,7 +123,7 @@ def divisions(view: ProfileView, place: Place, hand: Hand) -> tuple[Division, ..
     start = place.on(complex(view.curve.tip[0]))
     for one in _divisions(view, place):
         near = [start, *(other.spot for other in kept if other.towards == one.towards)]
-        if all(abs(one.spot - other) >= APART * hand.number for other in near):
+        if all(tied(abs(one.spot - other) - APART * hand.number) >= 0 for other in near):
             kept.append(one)
     return tuple(kept)
 

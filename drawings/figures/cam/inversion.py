@@ -11,6 +11,7 @@ from drawings.figures.cam.rings import Rings
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.paper.ties import tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, point
 from drawings.symbols.symbols import HATCH, HINGE, STAND
@@ -150,7 +151,7 @@ def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     first = last
     for k, _ in view.positions[1:]:
         spot = place.on(complex(view.contour.pitch[k]))
-        if min(abs(spot - last), abs(spot - first)) >= FEW * radius:
+        if tied(min(abs(spot - last), abs(spot - first)) - FEW * radius) >= 0:
             yield Circle(spot, radius, hand.other)
             last = spot
 
@@ -161,7 +162,7 @@ def marked(view: ProfileView, place: Place, hand: Hand) -> Iterator[int]:
     yield 0
     for k, _ in view.positions[1:]:
         spot = place.on(complex(view.contour.pitch[k]))
-        if min(abs(spot - last), abs(spot - first)) >= APART * hand.number:
+        if tied(min(abs(spot - last), abs(spot - first)) - APART * hand.number) >= 0:
             yield k
             last = spot
 

@@ -16,6 +16,7 @@ from drawings.figures.graphs.part import Letter, Part
 from drawings.lettering.thinning import every
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.paper.ties import apart, tied
 from drawings.paper.walk import stating
 from drawings.report.cam_letters import letters
 from drawings.symbols.figure import Subject
@@ -56,7 +57,7 @@ def numbered_edges(strips: Strips, length: float, size: float) -> tuple[int, ...
     rest = [k for k, name in enumerate(names) if name.isdigit() and int(name) % step == 0]
     kept: list[int] = []
     for k in (0, len(places) - 1, *ends, *strips.jumps, *rest, *range(len(places))):
-        if all(abs(places[k] - places[other]) >= APART * size for other in kept):
+        if all(tied(abs(places[k] - places[other]) - APART * size) >= 0 for other in kept):
             kept.append(k)
     return tuple(sorted(kept))
 
@@ -70,7 +71,7 @@ def _edges(row: LawRow, plate: LawPlate, axes: Axes, numbered: Collection[int]) 
         yield Line(foot - tick, foot + tick, hand.drafted)
         if k in numbered and abs(tips[0] - foot) > LEAST:
             yield _ordinate(row, plate, axes, k)
-        yield from (Circle(tip, DOT * hand.symbol, INK) for tip in dict.fromkeys(tips))
+        yield from (Circle(tip, DOT * hand.symbol, INK) for tip in apart(tips))
 
 
 def _ordinate(row: LawRow, plate: LawPlate, axes: Axes, k: int) -> Group:
@@ -101,7 +102,7 @@ def _given(row: LawRow, plate: LawPlate, axes: Axes) -> Iterator[Circle]:
 
 def _polyline(curve: Curve, axes: Axes, style: LineStyle) -> Polyline:
     points = zip(curve.x.tolist(), curve.y.tolist(), strict=True)
-    return Polyline(tuple(dict.fromkeys(axes.on(x, y) for x, y in points)), False, style)
+    return Polyline(tuple(apart(axes.on(x, y) for x, y in points)), False, style)
 
 
 def _impulses(row: LawRow, plate: LawPlate, axes: Axes) -> Iterator[Stroke]:
@@ -134,6 +135,6 @@ def _numbers(row: LawRow, plate: LawPlate, axes: Axes, numbered: Collection[int]
     """Number the edges at the axis, each on the side away from its ordinate."""
     strips, impulses = plate.shown.strips, dict(row.impulses)
     for k in numbered:
-        low = min(row.after[k] + row.before[k], 0.0) < 0 or impulses.get(k, 1) < 0
+        low = axes.below(float(row.after[k] + row.before[k])) or impulses.get(k, 1) < 0
         side = cmath.phase(axes.rise if low else -axes.rise)
         yield Letter(axes.on(float(strips.edges[k])), strips.names[k], plate.hand.number, side, TICK + 0.6)

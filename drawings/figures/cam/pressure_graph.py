@@ -19,6 +19,7 @@ from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.paper.walk import stating
 from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dashes import fit
@@ -225,7 +226,7 @@ def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Lette
 def _numbers(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate, those that have room."""
     for k in _roomy(view, axes, hand):
-        side = math.pi / 2 if view.ordinates[k] < 0 else -math.pi / 2
+        side = math.pi / 2 if axes.below(float(view.ordinates[k])) else -math.pi / 2
         yield Letter(axes.on(float(view.stations[k])), str(k), hand.number, side, TICK + 0.6)
 
 
@@ -234,7 +235,7 @@ def _roomy(view: PressureView, axes: Axes, hand: Hand) -> tuple[int, ...]:
     last, kept = -np.inf, list[int]()
     for k, turned in enumerate(view.stations.tolist()):
         foot = axes.on(turned)
-        if foot.real - last >= APART * hand.number:
+        if tied(foot.real - last - APART * hand.number) >= 0:
             last = foot.real
             kept.append(k)
     return tuple(kept)

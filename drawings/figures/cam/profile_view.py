@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
+from drawings.paper.ties import tied
 from plans.cam.course import Course
 from plans.cam.path import ProfilePath, path
 from plans.cam.profile.profile import profile
@@ -17,7 +18,6 @@ from plans.model.cam_motion import CamFound, Contour, Points, Sizes
 from plans.model.motion import Complexes, Floats
 
 MANY = 1441  # turns at which the contour is known: every quarter of a degree
-SAME = 1e-12  # of the turn: a joint so near to one of these is one of them
 WORKING, PITCH, OUTER = "profile", "pitch", "outer"  # the curves by their names in the data
 BODY = 0.8  # of the lift: how far below its lowest profile the body of a cam that translates goes
 BEYOND = 0.12  # of the range of contact: how far a face is drawn past it
@@ -147,7 +147,7 @@ class ProfileView(NamedTuple):
     @property
     def step(self) -> tuple[float, float]:
         """The longest step from one numbered position to the next: the turns of both, rad."""
-        return max(pairwise([*self.contour.turned.tolist(), self.cam.turn]), key=lambda pair: pair[1] - pair[0])
+        return max(pairwise([*self.contour.turned.tolist(), self.cam.turn]), key=lambda pair: tied(pair[1] - pair[0]))
 
     @property
     def quiet(self) -> float:
@@ -158,16 +158,9 @@ class ProfileView(NamedTuple):
 def profile_view(found: CamFound) -> ProfileView:
     """Give what a figure shows of a cam that the construction found."""
     course = Course(found.cam)
-    turns = _with_joints(np.linspace(0.0, found.cam.turn, MANY), course.joints)
+    turns = course.with_joints(np.linspace(0.0, found.cam.turn, MANY))
     contour = profile(course, found.sizes, found.roller, turns).contour
     return ProfileView(found, contour, tuple(_curves(found)))
-
-
-def _with_joints(turns: Floats, joints: Sequence[float]) -> Floats:
-    """Add the joints of the law, where the curve may have corners: no chord cuts one off."""
-    own = np.array(joints)
-    far = np.abs(turns[:, None] - own).min(axis=0) > SAME * turns[-1]
-    return np.sort(np.concatenate([turns, own[far]]))
 
 
 def _curves(found: CamFound) -> Iterator[ShownCurve]:

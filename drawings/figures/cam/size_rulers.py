@@ -15,6 +15,7 @@ from drawings.lettering.phrase import Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, Polyline, Stroke
+from drawings.paper.ties import tied_spot
 from drawings.symbols.dashes import fit
 from drawings.symbols.hatching import hatching
 from plans.cam.centre.bounds import PressureBound
@@ -105,7 +106,7 @@ def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 def region(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Hatch the region that is left to O, and draw its edge where it does not go on beyond what is shown."""
-    corners = view.region
+    corners = [*{tied_spot(place.on(one)): one for one in view.region}.values()]  # a sliver has no edge
     if len(corners) < 3:
         return
     yield from hatching([place.on(one) for one in corners], hand)

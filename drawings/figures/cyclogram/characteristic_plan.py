@@ -21,6 +21,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.formats import Field
 from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
 from drawings.symbols.trimming import trim
@@ -134,7 +135,7 @@ def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> I
     for role, extreme in ((ENTRY, BEGIN), (EXIT, END)):
         if found.of(role):
             ends = [pairs.place.on(complex(places[found.number(one)])) for one in (extreme, role)]
-            first, last = sorted(ends, key=lambda pin: (round(pin.real, 6), pin.imag))
+            first, last = sorted(ends, key=lambda pin: (tied(pin.real), pin.imag))
             one, other = found.of(role)[0], found.of(extreme)[0]
             text = length(abs(one.place - other.place), drafting.language)
             strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)

@@ -16,6 +16,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK, turning_arrow
 from plans.model.cyclogram import Row, Span
@@ -164,7 +165,7 @@ def _ring(row: Row, radius: float, sense: int, place: Place, drafting: Drafting)
 
 def _along(text: str, turn: float, radius: float, centre: complex, hand: Hand) -> Text:
     """Write along a ring, upright as it is read."""
-    up = math.sin(turn) >= 0
+    up = tied(math.sin(turn)) >= 0
     way = turn - math.pi / 2 if up else turn + math.pi / 2
     spot = centre + cmath.rect(radius, turn) - cmath.rect(0.35 * hand.number, way + math.pi / 2)
     return Text(spot, text, hand.number, "middle", True, math.degrees(way))

@@ -13,7 +13,10 @@ from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part
 from drawings.lettering.lettering import text_width
 from drawings.lettering.thinning import every
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.ties import tied
+from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
 
@@ -27,10 +30,10 @@ def graph_part(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Coll
     """Draw a row on its axes, each ordinate that is numbered measurable."""
     hand = plate.hand
     lines = (
-        *axes.lines((0.0, plate.length), row.span, hand),
+        *axes.lines((0.0, plate.length), row.span, hand, plate.named(row.key)),
         *_edges(row, plate, axes, numbered),
-        *(stroke for curve in row.thin for stroke in _line(curve, axes, hand.other)),
-        *(stroke for curve in row.results for stroke in _line(curve, axes, hand.result)),
+        *_course(row, plate, "exact", [stroke for curve in row.thin for stroke in _line(curve, axes, hand.other)]),
+        *_course(row, plate, "result", [stroke for curve in row.results for stroke in _line(curve, axes, hand.result)]),
         *_points(row, plate, axes, numbered),
     )
     return Part(plate.named(row.key), lines, (*_letters(row, plate, axes), *_numbers(row, plate, axes, numbered)))
@@ -44,7 +47,7 @@ def numbered_positions(plate: DiagramsPlate, length: float) -> tuple[int, ...]:
     count = len(places) - plate.axis.closed
     step = every(size * count / length, count)
     for k in (*range(0, len(places), step), *range(len(places))):
-        if all(abs(places[k] - places[other]) >= size for other in kept):
+        if all(tied(abs(places[k] - places[other]) - size) >= 0 for other in kept):
             kept.append(k)
     return tuple(sorted(set(kept)))
 
@@ -75,6 +78,12 @@ def _line(curve: Curve, axes: Axes, style: LineStyle) -> Iterator[Stroke]:
         yield Polyline(points, False, style)
 
 
+def _course(row: DiagramRow, plate: DiagramsPlate, name: str, lines: list[Stroke]) -> Iterator[Stroke]:
+    """Give the lines of a curve as what they state."""
+    if lines:
+        yield stating(Statement(Kind.CURVE, plate.named(row.key), name), *lines)
+
+
 def _points(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Iterator[Stroke]:
     """Draw a ring at each value by the plans, a dot at each by chords; of S, that both rest on, a dot."""
     if row.flat:
@@ -101,6 +110,6 @@ def _letters(row: DiagramRow, plate: DiagramsPlate, axes: Axes) -> Iterator[Lett
 def _numbers(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate."""
     for k in numbered:
-        side = cmath.phase(axes.rise if not row.flat and row.at[k] < 0 else -axes.rise)
+        side = cmath.phase(axes.rise if not row.flat and axes.below(float(row.at[k])) else -axes.rise)
         foot = axes.on(float(plate.axis.turned[k]))
         yield Letter(foot, str(plate.axis.numbers[k]), plate.hand.number, side, TICK + 0.6)

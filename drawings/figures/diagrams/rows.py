@@ -9,6 +9,7 @@ import numpy as np
 
 from drawings.figures.graphs.axes import Curve
 from drawings.figures.graphs.smooth import smooth
+from drawings.paper.ties import PLACES
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
 from plans.model.motion import Floats
@@ -97,9 +98,14 @@ def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Curve]:
         if axis.closed:
             x, y = _around(x, y)
         if len(x) > 1:
-            inside = nodes[(nodes >= x[0]) & (nodes <= x[-1])]
-            at = np.sort(np.concatenate([inside, x[(x >= nodes[0]) & (x <= nodes[-1])]]))
+            at = np.sort(np.concatenate([_within(nodes, x), _within(x, nodes)]))
             yield Curve(at, smooth(x, y, at))
+
+
+def _within(places: Floats, ends: Floats) -> Floats:
+    """Give the places between the first and the last of others."""
+    counted, (first, last) = places.round(PLACES), ends[[0, -1]].round(PLACES)
+    return np.asarray(places[(first <= counted) & (counted <= last)])
 
 
 def _around(x: Floats, y: Floats) -> tuple[Floats, Floats]:

@@ -28,4 +28,6 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve 
     omega = quantities.omega(cycle, shown, before)
     stations, ordinates = np.degrees(cycle.turned[own]), before.omega[own]
     title = drafting.word("speed without flywheel")
-    return GraphCurve("ω_0", "rad/s", np.degrees(shown.turned), omega, stations, ordinates, title, task.divisions)
+    return GraphCurve(
+        "ω_0", "rad/s", np.degrees(shown.turned), omega, stations, ordinates, title, task.divisions, states="ω_0"
+    )

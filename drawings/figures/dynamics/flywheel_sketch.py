@@ -14,6 +14,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
@@ -98,11 +99,9 @@ class SketchFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole sketch, its sizes lettered along their lines."""
-        letters = (
-            labels.along(*one.lines[0], one.letter, self.hand.number, ABOVE, math.pi / 2 if one.off.imag else math.pi)
-            for one in self.sizes
-        )
-        return (Group((*self.lines, Group(tuple(letters))), NAME),)
+        sides = ((one, math.pi / 2 if one.off.imag else math.pi) for one in self.sizes)
+        letters = (labels.along(*one.lines[0], one.letter, self.hand.number, ABOVE, side) for one, side in sides)
+        return (Group((*self.lines, Group(tuple(telling(NAME, one) for one in letters))), NAME),)
 
 
 def measure(rim: Wheel, drafting: Drafting) -> Picture:
@@ -121,7 +120,7 @@ def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> SketchFig
     place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
     title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand)
     under = complex(spot.box.centre.real, spot.box.top - 1.6 * hand.title - 2.6 * hand.text)
-    told = Text(under, said(rim, drafting), hand.text, "middle", True)
+    told = telling(NAME, Text(under, said(rim, drafting), hand.text, "middle", True))
     sizes = tuple(_sizes(wheel, place, drafting))
     marks = (
         _marked(one, letter, value, spot.scale, hand) for one, (letter, value) in zip(sizes, true(rim), strict=True)
@@ -137,13 +136,12 @@ def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:
 
 def said(rim: Wheel, drafting: Drafting) -> str:
     """Say the mass of the rim and its moment of inertia on its own shaft."""
-    mass, inertia = drafting.number(rim.mass, DIGITS), drafting.number(rim.inertia, DIGITS)
-    return drafting.word("rim mass", mass=mass, inertia=inertia)
+    return drafting.phrase("rim mass", mass=Slot("m", rim.mass, DIGITS), inertia=Slot("J", rim.inertia, DIGITS))
 
 
 def size(letter: str, metres: float, drafting: Drafting) -> str:
     """Letter a size in millimetres of the machine."""
-    return f"{letter} = {drafting.number(1000 * metres, DIGITS)}"
+    return joined("", (f"{letter} = ", drafting.slot(Slot(letter, 1000 * metres, DIGITS))))
 
 
 def _sizes(wheel: Outlines, place: Place, drafting: Drafting) -> Iterator[Dimension]:

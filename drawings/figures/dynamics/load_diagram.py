@@ -17,12 +17,15 @@ from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined, telling
 from drawings.lettering.thinning import numbered
 from drawings.lettering.words import letter as lettered
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK, arrowhead
@@ -82,7 +85,10 @@ class LoadFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure: axes, corners and dimensions lettered."""
         hand = self.hand
-        letters = [labels.along(*one.lines[0], one.letter, hand.number, ABOVE, math.pi / 2) for one in self.sizes]
+        letters = [
+            telling(self.name, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, math.pi / 2))
+            for one in self.sizes
+        ]
         letters += [labels.beside(end, text, hand.letter, 1.2, side) for text, end, side in self.axes]
         letters += [labels.beside(at, text, hand.number, DOT + 0.6, side) for text, at, side in self.corners]
         return (Group((*self.lines, Group(tuple(letters))), self.name),)
@@ -118,12 +124,12 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     axes, (low, high) = _axes(course, room, spot, scale), course.span
     said = f"{drafting.scale(spot.scale)};  {drafting.scale(scale)}"
     lines: list[Stroke] = [heading(spot.box, _title(course, drafting), said, hand)]
-    lines += axes.lines((0.0, course.length), (low, high), hand)
+    lines += axes.lines((0.0, course.length), (low, high), hand, room.name)
     sizes = tuple(_sizes(course, axes, drafting))
     lines += [_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)]
     shown = marks(course, axes, hand)
     lines += [stroke for one in shown for stroke in _ordinate(one, course, axes, hand)]
-    lines += [stroke for branch in _branches(course) for stroke in _branch(branch, axes, hand)]
+    lines += _branches(course, axes, hand)
     corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in shown)
     numbers, dots = _positions(course, axes, hand)
     corners += numbers
@@ -200,11 +206,15 @@ def _positions(
     return tuple((str(k), spots[k], sides[k]) for k in told), [Circle(spots[k], DOT * hand.symbol, INK) for k in dots]
 
 
-def _branches(course: LoadCourse) -> Iterator[Branch]:
-    """Give both branches, and what joins them at the ends of the stroke where the load changes there at once."""
-    yield from filter(None, (course.out, course.back))
+def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw both branches, and what joins them at the ends of the stroke where the load changes there at once."""
+    for way, branch in (("out", course.out), ("back", course.back)):
+        for line in (drawn := tuple(_branch(branch, axes, hand)))[:1]:
+            yield stating(Statement(Kind.CURVE, name_of(course), way), line)
+        yield from drawn[1:]
     if course.out and course.back:
-        yield from ((one, other) for one, other in zip(_tips(course.out), _tips(course.back)[::-1], strict=True))
+        for ends in zip(_tips(course.out), _tips(course.back)[::-1], strict=True):
+            yield from _branch(ends, axes, hand)
 
 
 def _tips(branch: Branch) -> tuple[complex, complex]:
@@ -229,12 +239,13 @@ def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimen
     _, unit, whole = _way(course)
     low = 1j * (axes.on(0.0, course.span[0]).imag - axes.zero.imag)
     near, far = (low - 1j * level * drafting.hand.symbol for level in LEVELS)
-    told = drafting.number(course.length if course.turning else 1000 * course.length, DIGITS)
-    yield Dimension(f"{whole} = {told}{unit if course.turning else ''}", axes.on(0.0), axes.on(course.length), far)
+    told = drafting.slot(Slot(whole, course.length if course.turning else 1000 * course.length, DIGITS))
+    text = joined("", (f"{whole} = ", told, unit if course.turning else ""))
+    yield Dimension(text, axes.on(0.0), axes.on(course.length), far)
     first, last = course.overrun
     for share, start, end in ((first, 0.0, first), (last, 1 - last, 1.0)):
         if share:
-            text = f"{drafting.number(share)}{whole}"
+            text = joined("", (drafting.slot(Slot(f"overrun_{1 if start == 0.0 else 2}", share)), whole))
             yield Dimension(text, axes.on(start * course.length), axes.on(end * course.length), near)
 
 

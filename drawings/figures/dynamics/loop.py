@@ -11,12 +11,14 @@ import numpy as np
 
 from drawings.figures.dynamics.curves import Dense
 from drawings.figures.dynamics.strips import Strips
-from drawings.figures.dynamics.tangent import DOT, LOOP, PAPER, Tangent
+from drawings.figures.dynamics.tangent import ANGLES, DOT, LOOP, PAPER, Tangent
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.figures.graphs.part import OVER, Letter, Part
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import pole
 from plans.model.dynamics import TURN, Cycle, Flywheel
@@ -57,9 +59,13 @@ class Loop:
     @property
     def touches(self) -> tuple[int, ...]:
         """The edges that the tangents touch, where they touch one."""
-        return tuple(k for one in self._touched for k in one)
+        return tuple(k for one in self.touched for k in one)
 
     @property
+    def touched(self) -> tuple[Sequence[int], ...]:
+        """The edge that each tangent touches, where it touches one."""
+        return tuple(self._touched())
+
     def _touched(self) -> Iterator[Sequence[int]]:
         for touch in self.flywheel.touches if self.flywheel else ():
             # The last edge is the first again: rounding alone decides which of the two is touched.
@@ -71,7 +77,8 @@ def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
     """Draw the loop on its axes; both tangents are broken off on their way to the origin of the whole diagram."""
     hand = drafting.hand
     numbered = _numbered(loop, axes, hand)
-    lines = [*axes.lines(loop.across, loop.up, hand), *_curve(loop, axes, hand), *_points(loop, numbered, axes, hand)]
+    lines = [*axes.lines(loop.across, loop.up, hand, LOOP), *_curve(loop, axes, hand)]
+    lines += _points(loop, numbered, axes, hand)
     letters = [*_axis_letters(loop, axes, drafting), *_numbers(loop, numbered, axes, hand)]
     if loop.flywheel is not None:
         for k in (0, 1):
@@ -82,7 +89,8 @@ def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
 
 
 def _curve(loop: Loop, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    yield Polyline(tuple(axes.on(float(x), float(y)) for x, y in zip(*loop.curve, strict=True)), True, hand.result)
+    places = tuple(axes.on(float(x), float(y)) for x, y in zip(*loop.curve, strict=True))
+    yield stating(Statement(Kind.CURVE, LOOP, "ΔT(ΔJ)"), Polyline(places, True, hand.result))
 
 
 def _places(loop: Loop, axes: Axes) -> list[complex]:
@@ -113,7 +121,14 @@ def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iter
             complex(loop.cycle.varying[k] / axes.across.mu, loop.cycle.surplus[k] / axes.up.mu),
         )
         data = subject._replace(position=k).data("point", name, value, PAPER)
-        yield Group((dot,), "", data, name) if k in numbered else dot
+        yield _touching(loop, k, Group((dot,), "", data, name) if k in numbered else dot)
+
+
+def _touching(loop: Loop, k: int, mark: Stroke) -> Stroke:
+    """Give the mark of a point as what it states: by its name, that a tangent touches there."""
+    for touched, angle in zip(loop.touched, ANGLES, strict=False):
+        mark = stating(Statement(Kind.POINT, LOOP, angle), mark) if k in touched else mark
+    return mark
 
 
 def _axis_letters(loop: Loop, axes: Axes, drafting: Drafting) -> Iterator[Letter]:

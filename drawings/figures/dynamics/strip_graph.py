@@ -14,7 +14,10 @@ from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.figures.graphs.part import Letter, Part
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.paper.ties import apart
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
@@ -70,7 +73,7 @@ def graph_part(graph: StripGraph, strips: Strips, axes: Axes, drafting: Drafting
     length = abs(axes.on(TURN) - axes.on(0.0))
     numbered = strips.spaced(length, APART * hand.number)
     lines = (
-        *axes.lines((0.0, TURN), graph.span, hand),
+        *axes.lines((0.0, TURN), graph.span, hand, graph.name),
         *_edges(graph, strips, numbered, axes, hand),
         *(stroke for trace in graph.traces for stroke in _curve(graph, trace, axes, hand)),
     )
@@ -86,7 +89,7 @@ def _edges(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: A
         yield Line(foot - tick, foot + tick, hand.drafted)
         if k in numbered:
             yield from _ordinate(graph, strips.names[k], k, (foot, axes.on(angle, value)), value, axes, hand)
-        for tip in {axes.on(angle, value), axes.on(angle, other)}:
+        for tip in apart((axes.on(angle, value), axes.on(angle, other))):
             yield Circle(tip, DOT * hand.symbol, INK)
 
 
@@ -101,7 +104,8 @@ def _ordinate(
 def _curve(graph: StripGraph, trace: Trace, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     points = tuple(axes.on(x, y) for x, y in zip(trace.x.tolist(), (trace.y - graph.base).tolist(), strict=True))
     style: LineStyle = getattr(hand, trace.style)
-    yield from fit_dashes([Polyline(points, False, style)])
+    lines = fit_dashes([Polyline(points, False, style)])
+    yield stating(Statement(Kind.CURVE, graph.name, trace.letter or graph.letter), *lines)
 
 
 def _letters(graph: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
@@ -120,5 +124,5 @@ def _letters(graph: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
 def _numbers(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the edges at the axis, each on the side away from its ordinate."""
     for k in numbered:
-        away = axes.rise if graph.values[k] < graph.base else -axes.rise
+        away = axes.rise if axes.below(float(graph.values[k]) - graph.base) else -axes.rise
         yield Letter(axes.on(strips.turned[k]), strips.names[k], hand.number, cmath.phase(away), TICK + 0.6)

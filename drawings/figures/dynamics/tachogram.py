@@ -12,10 +12,13 @@ from drawings.figures.graphs.part import OVER, UNDER, Letter, Part
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import fitting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
 from plans.model.run import Run
@@ -73,8 +76,8 @@ def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFi
     lines = (
         heading(spot.box, drafting.word("tachogram"), scales, hand),
         _written(run, spot, drafting),
-        *axes.lines((0.0, float(run.t[-1])), (0.0, most), hand),
-        Polyline(tuple(_curve(run, axes)), False, hand.result),
+        *axes.lines((0.0, float(run.t[-1])), (0.0, most), hand, NAME),
+        stating(Statement(Kind.CURVE, NAME, "ω"), Polyline(tuple(_curve(run, axes)), False, hand.result)),
         *(stroke for k, row in enumerate(ends(run)) for stroke in _end(run, k, row, axes, hand)),
         *_mean(run, axes, hand),
     )
@@ -88,12 +91,15 @@ def ends(run: Run) -> tuple[int, ...]:
 
 def told(run: Run, drafting: Drafting) -> tuple[str, ...]:
     """Tell the instants at which the stages end, s, and the steady speed that is reached, rad/s."""
-    times = (f"t_{k + 1} = {drafting.number(float(run.t[row]))}" for k, row in enumerate(ends(run)))
-    instants = f"{';  '.join(times)} {drafting.word('s')}"
+    times = (
+        joined("", (f"t_{k} = ", drafting.slot(Slot(f"t_{k}", float(run.t[row])))))
+        for k, row in enumerate(ends(run), 1)
+    )
+    instants = joined(" ", (joined(";  ", times), drafting.word("s")))
     if run.steady is None:
         return (instants,)
-    numbers = {"mean": drafting.number(run.steady.mean), "delta": drafting.number(run.steady.delta)}
-    return instants, drafting.word("steady speed", **numbers)
+    numbers = {"mean": Slot(STEADY, run.steady.mean), "delta": Slot("δ", run.steady.delta)}
+    return instants, drafting.phrase("steady speed", **numbers)
 
 
 def _written(run: Run, spot: Spot, drafting: Drafting) -> Group:
@@ -101,7 +107,7 @@ def _written(run: Run, spot: Spot, drafting: Drafting) -> Group:
     hand, box = drafting.hand, spot.box
     at = complex(box.centre.real, box.top - 1.6 * hand.title - hand.text)
     texts = (
-        Text(at - 1j * APART * k * hand.text, line, hand.text, "middle", True)
+        telling(NAME, Text(at - 1j * APART * k * hand.text, line, hand.text, "middle", True))
         for k, line in enumerate(told(run, drafting), 1)
     )
     return Group((Group(tuple(texts)),), NUMBERS)
@@ -130,7 +136,8 @@ def _end(run: Run, k: int, row: int, axes: Axes, hand: Hand) -> Iterator[Stroke]
 def _mean(run: Run, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the mean of the steady motion across the whole of it."""
     if run.steady is not None:
-        yield Line(axes.on(0.0, run.steady.mean), axes.on(float(run.t[-1]), run.steady.mean), hand.axis)
+        line = Line(axes.on(0.0, run.steady.mean), axes.on(float(run.t[-1]), run.steady.mean), hand.axis)
+        yield stating(Statement(Kind.CURVE, NAME, STEADY), line)
 
 
 def _letters(run: Run, axes: Axes, most: float, drafting: Drafting) -> Iterator[Letter]:

@@ -11,7 +11,9 @@ from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.figures.graphs.part import LEFT, OVER, UNDER, Letter
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject
 from plans.model.dynamics import Flywheel
@@ -92,14 +94,15 @@ class Tangent:
         yield Line(self.cut, near, hand.relative)
         yield from self._angle()
         yield from self._segment()
-        yield Circle(self.cut, DOT * hand.symbol, INK)
+        yield stating(Statement(Kind.POINT, LOOP, CUTS[self.which]), Circle(self.cut, DOT * hand.symbol, INK))
 
     def _angle(self) -> Iterator[Stroke]:
         """Draw the angle to the axis of inertia at the right end."""
         hand = self.hand
         yield Line(self.end, self.end + self.arm * self.along, hand.relative)
         yield Line(self.end, self.end + self.arm, hand.drafted)
-        yield Arc(self.end, self.arm - BREAK, 0.0, cmath.phase(self.along), hand.other)
+        arc = Arc(self.end, self.arm - BREAK, 0.0, cmath.phase(self.along), hand.other)
+        yield stating(Statement(Kind.ANGLE, LOOP, ANGLES[self.which]), arc)
 
     @property
     def dimension(self) -> Dimension | None:

@@ -15,6 +15,7 @@ from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
+from drawings.paper.ties import tied, tied_spot
 from drawings.symbols.arms import LEAST, Arm, to_scale
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale
@@ -45,7 +46,7 @@ def forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, drafting: 
     """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
     greatest = max((abs(one.value) for one in pushes), default=1.0)
     arrows = []
-    for one in sorted(pushes, key=lambda one: -abs(one.value)):
+    for one in sorted(pushes, key=lambda one: -tied(abs(one.value) / greatest)):
         length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.value) / greatest) * drafting.hand.symbol
         arrow = _beside(letter_of(one.name, drafting), one.value, place.on(one.at), length, taken)
         taken.forces.append((arrow.start, arrow.tip))
@@ -69,12 +70,13 @@ def _beside(letter: str, force: complex, image: complex, length: float, taken: T
 
 
 def _within(spot: complex, box: Field) -> bool:
+    spot = tied_spot(spot)
     return box.left <= spot.real <= box.right and box.bottom <= spot.imag <= box.top
 
 
 def reach(pushes: Sequence[ShownVector]) -> float:
     """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
-    lines = [(one.at, (one.direction) ** 2) for one in pushes]
+    lines = [(tied_spot(one.at), one.direction**2) for one in pushes]
     most = max((sum(at == image and abs(way - own) < PARALLEL for image, way in lines) for at, own in lines), default=0)
     return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
 
@@ -83,7 +85,7 @@ def arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) ->
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject, lines = Subject(PLAN, SYMBOL, column), [*taken.rods, *taken.forces]
     kept = []
-    for one in sorted((one for one in terms if one.dimensioned), key=lambda one: one.length):
+    for one in sorted((one for one in terms if one.dimensioned), key=lambda one: tied(place.length(one.length))):
         arm = to_scale(one.arm, place.on(0j), place.on(one.at), one.direction, place.scale, subject)
         if arm.length < LEAST:
             continue

@@ -9,6 +9,7 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Line, Stroke
+from drawings.paper.ties import tied
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import arrowhead
 from plans.model.motion import Floats
@@ -35,6 +36,10 @@ class Axes(NamedTuple):
     def on(self, x: float, y: float = 0.0) -> complex:
         """Give the place on paper of true values, mm."""
         return self.zero + self.along * (x / self.across.mu) + self.rise * (y / self.up.mu)
+
+    def below(self, y: float) -> bool:
+        """Tell whether a true value lies below the axis of abscissas: none that is but rounding does."""
+        return tied(y / self.up.mu) < 0
 
     def lines(
         self, across: tuple[float, float], up: tuple[float, float], hand: Hand, figure: str = ""
@@ -66,6 +71,6 @@ def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:
     """
     kept: list[int] = []
     for k, value in enumerate(values):
-        if all(abs(value - values[other]) >= apart for other in kept):
+        if all(tied(abs(value - values[other]) - apart) >= 0 for other in kept):
             kept.append(k)
     return tuple(kept)

@@ -215,7 +215,7 @@ def _ordinates(
         foot, value = feet[k], float(curve.ordinates[k])
         number = curve.numbers[k] if curve.numbers else k
         if k in known:
-            stations.append((str(number), foot, -BELOW if value < 0 else BELOW))
+            stations.append((str(number), foot, -BELOW if frame.below(value) else BELOW))
         strokes.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue

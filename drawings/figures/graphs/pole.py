@@ -9,6 +9,7 @@ from drawings.figures.graphs.axes import Axes, chosen
 from drawings.figures.graphs.part import LEFT, OVER, Letter, Part
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
+from drawings.paper.ties import tied
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import pole
 from plans.model.motion import Floats
@@ -43,5 +44,5 @@ class Pole(NamedTuple):
         value = float(self.values[k])
         cut = axes.on(0.0, value)
         yield Line(at, cut, hand.drafted)
-        if cut != axes.zero:
+        if tied(abs(cut - axes.zero)):
             yield Line(cut, axes.on(float(self.places[k]), value), hand.drafted)

@@ -15,6 +15,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.place import Place
 from drawings.paper.limits import MANY
 from drawings.paper.strokes import Line, Stroke
+from drawings.paper.ties import PLACES, tied
 from drawings.symbols.symbols import TICK, tick
 from drawings.symbols.trimming import trim
 
@@ -27,7 +28,7 @@ def path_ticks(pairs: Pairs) -> Iterator[Line]:
     """Tick each trajectory at the positions, across it; a tick that a symbol would cut is left out."""
     for one in traced(pairs.bones):
         for k in _shown(one):
-            direction = _direction(one, k)
+            direction = _direction(one, k, pairs.place)
             if direction is not None:
                 line = tick(pairs.place.on(complex(one.numbered[k])), direction, pairs.hand)
                 yield from (line,) if list(trim([line], pairs.masks)) == [line] else ()
@@ -45,7 +46,7 @@ def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
 def _numbers(pairs: Pairs, one: Traced, labels: Labels) -> Iterator[Stroke]:
     every = max(math.ceil(len(one.numbered) / NUMBERED), 1)
     for k in _shown(one):
-        direction = _direction(one, k)
+        direction = _direction(one, k, pairs.place)
         if k % every == 0 and k != pairs.bones.shown and direction is not None:
             spot, gap = pairs.place.on(complex(one.numbered[k])), TICK * pairs.hand.symbol + GAP
             number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * direction))
@@ -58,15 +59,15 @@ def _shown(one: Traced) -> list[int]:
     return [k for k in range(0, len(one.numbered), every) if not math.isnan(one.numbered[k].real)]
 
 
-def _direction(one: Traced, k: int) -> complex | None:
+def _direction(one: Traced, k: int, place: Place) -> complex | None:
     """Give the unit direction of a path at a position: of the longer step beside it; none of a point that stands."""
     apart = np.abs(one.way - one.numbered[k])
     if np.isnan(apart).all():
         return None
-    nearest = int(np.nanargmin(apart))
+    nearest = int(np.nanargmin((apart / place.scale.mu).round(PLACES)))
     beside = one.way[max(nearest - 1, 0) : nearest + 2]
     steps = np.diff(beside[~np.isnan(beside)])
-    longest = max(steps.tolist(), key=abs, default=0j)
+    longest = max(steps.tolist(), key=lambda step: tied(place.length(abs(step))), default=0j)
     return longest / abs(longest) if longest else None
 
 

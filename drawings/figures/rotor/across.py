@@ -164,7 +164,7 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
         size = Slot(f"h_{own[0].name}", 1000 * abs(arm))
         told = joined(" = ", (names, drafting.slot(size)))
         said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
-        yield dimension(base.real, across, level, math.copysign(1.0, arm), told, said, hand)
+        yield dimension(base.real, across, level, math.copysign(1.0, arm), told, hand, said)
         yield extension(across, place.on(_side(own[0])).imag, level, hand)
     if arms:
         yield extension(base.real, base.imag - _half(shown, place, hand), level, hand)

@@ -16,7 +16,7 @@ TALL = 1.6  # sizes of a number with its index, and paper over it
 TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
 
 
-def dimension(base: float, last: float, level: float, sense: float, text: str, states: Statement, hand: Hand) -> Group:
+def dimension(base: float, last: float, level: float, sense: float, text: str, hand: Hand, states: Statement) -> Group:
     """Draw a level dimension from a base, mm, in a sense +1 or -1: where it is short its number is beyond the base."""
     wide = text_width(Text(0j, text, hand.number, "middle", True))
     start, end = complex(base, level), complex(last, level)

@@ -16,6 +16,7 @@ from drawings.lettering.rotor_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
+from drawings.paper.ties import tied
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.symbols.symbols import pole
@@ -118,8 +119,8 @@ def draw(shown: RotorPolygon, room: Picture, spot: Spot, drafting: Drafting) -> 
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, _title(shown, drafting), _under(shown, spot, drafting), hand)
     zero = point(shown.subject, "0", 0j, place, pole(place.on(0j)), "pole")
-    order = sorted(shown.vectors, key=lambda one: (one.kind != RESULT, -abs(one.value)))
-    seen = [one for one in order if place.length(abs(one.value)) >= SEEN]
+    order = sorted(shown.vectors, key=lambda one: (one.kind != RESULT, -tied(place.length(abs(one.value)))))
+    seen = [one for one in order if tied(place.length(abs(one.value))) >= SEEN]
     arrows = lay(seen, place, spot.box, ROOM, hand)
     short = (LaidVector(one, ends(one, place)) for one in order if one not in seen)
     thin = carriers(arrows, place, hand)

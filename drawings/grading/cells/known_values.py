@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from drawings.checks.diagrams.diagram_told import columns, headings
 from drawings.checks.forces.force_rows import row_names
 from drawings.checks.forces.scheme_forces import Floor
-from drawings.checks.linkage.laid import mass_centres
-from drawings.checks.linkage.value_rows import TABLE, named
+from drawings.due.diagrams import columns, headings
+from drawings.due.linkage import VALUES as TABLE
+from drawings.due.linkage import mass_centres, named
 from drawings.figures.diagrams.output_table import NAME
 from drawings.page.drafting import drafting_of
 from plans.checks.comparison import Finding

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.checks.bank.bank_expected import Body, Expected
+from drawings.due.shaken_bank import Bank, Body
 from drawings.figures.bank.compensator_layout import COMPENSATOR
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import BEARINGS, POINTS, PRICKED, FigureAsked, Item, Mistake, Values
@@ -21,7 +21,7 @@ from plans.words.words import because
 
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the arms of a bank's compensators (row of the table of records)."""
-    expected = Expected(study["bank"].task, study.comparison("bank"))
+    expected = Bank(study["bank"].task, study.comparison("bank"))
     for one in expected.analysis.compensators:
         layout = _Layout(own, f"{COMPENSATOR}-{one.asked.order}", expected, one)
         bodies = list(expected.bodies(one))
@@ -35,7 +35,7 @@ class _Layout:
 
     own: OwnSheet
     plan: str
-    expected: Expected
+    expected: Bank
     found: Compensator
 
     def arms(self, part: str, bodies: list[Body]) -> Iterator[FigureAsked]:

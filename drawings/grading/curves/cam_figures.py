@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from drawings.checks.cyclogram.due_rows import cam_rows
 from drawings.due.cam_values import CamValues, law_named
+from drawings.due.machine_rows import cam_rows
 from drawings.due.profile import PLAN as RADII
 from drawings.due.profile import tabled
 from drawings.figures.cam.pressure_graph import NAME as ANGLES

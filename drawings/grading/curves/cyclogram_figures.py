@@ -7,8 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from drawings.checks.cyclogram.cyclogram_charts import BARS, true_bars
-from drawings.checks.cyclogram.due_rows import rows as machine_rows
+from drawings.due.machine_rows import BARS, true_bars
+from drawings.due.machine_rows import rows as machine_rows
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import CHAIN, PRICKED, FigureAsked, Item, Mistake, Values
 from drawings.grading.curves.own_sheet import OwnSheet

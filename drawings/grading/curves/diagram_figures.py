@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.checks.diagrams.diagram_rows import named
-from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_rows
+from drawings.due.diagrams import KEYS, ExpectedRow, expected_rows, named
 from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Sizes, Values
 from drawings.grading.curves.own_sheet import OwnSheet
 from plans.checks.diagrams_comparison import DiagramsComparison

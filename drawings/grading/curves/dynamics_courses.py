@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.dynamics.dynamics_expected import INERTIA, MOMENTS, SURPLUS, WORKS, Expected
-from drawings.checks.dynamics.dynamics_loop import LOOP
+from drawings.due.dynamics import LOOP
+from drawings.due.turn import INERTIA, MOMENTS, SURPLUS, WORKS, Turn
 from drawings.grading.curves.asked_figure import Sizes, Values
 from drawings.grading.curves.strip_means import moved_means
 from plans.model.dynamics import TURN, Flywheel
@@ -19,7 +19,7 @@ BEARING, CUT = "bearings of the loop", "cuts of the loop"
 class Turned(NamedTuple):
     """A turn in strips, and how the figures of its motion follow from one another."""
 
-    expected: Expected
+    expected: Turn
     scales: tuple[float, float] = (1.0, 1.0)  # of the loop: kg*m2 and J a mm
 
     @property

@@ -10,8 +10,8 @@ from typing import Final
 
 import numpy as np
 
-from drawings.checks.dynamics.dynamics_expected import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
-from drawings.checks.dynamics.dynamics_loop import LOOP, SEGMENTS, TANGENTS
+from drawings.due.dynamics import LOOP, SEGMENTS, TANGENTS
+from drawings.due.turn import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Turn
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import (
     BEARINGS,
@@ -42,7 +42,7 @@ def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     yield from load_diagrams(own, study["dynamics"].statics, comparison.motion.road.extremes)
     if comparison.analysis.cycle is None:
         return
-    sheet = _Sheet(own, Expected(task, comparison.analysis), Expected(task, comparison.exact))
+    sheet = _Sheet(own, Turn(task, comparison.analysis), Turn(task, comparison.exact))
     yield from sheet.graphs()
     yield from sheet.loop()
     yield from bare_speeds(own, sheet.expected, sheet.exact)
@@ -54,8 +54,8 @@ class _Sheet:
     """A sheet with what the analysis says of it: by the chords of the construction, and exactly."""
 
     own: OwnSheet
-    expected: Expected
-    exact: Expected
+    expected: Turn
+    exact: Turn
 
     def graphs(self) -> Iterator[FigureAsked]:
         """Give the graphs over the turn in the order in which they are drawn."""

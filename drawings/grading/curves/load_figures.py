@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.dynamics.load_law import branches
+from drawings.due.loads import branches
 from drawings.figures.dynamics.load_diagram import NAME as LOAD
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Values

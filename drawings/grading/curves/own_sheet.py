@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.graphs.scale_line import written_scales
+from drawings.checks.written import written_scales
 from drawings.grading.curves.asked_figure import Item, Paper, Sizes, Values
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector

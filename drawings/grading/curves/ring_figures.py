@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from drawings.checks.cyclogram.cyclogram_rings import CIRCLE
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import BEARINGS, PRICKED, FigureAsked, Item, Mistake, Values
 from drawings.grading.curves.own_sheet import OwnSheet
@@ -14,6 +13,8 @@ from drawings.paper.strokes import Circle
 from drawings.paper.walk import flat, group_named
 from plans.model.cyclogram import Row
 from plans.words.words import because
+
+CIRCLE = "circle"  # the name of the chart
 
 
 def rings(own: OwnSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAsked]:

@@ -10,9 +10,8 @@ from typing import Final
 
 import numpy as np
 
-from drawings.checks.dynamics.bare_strokes import BEFORE
-from drawings.checks.dynamics.dynamics_expected import INERTIA, KNOWN, SURPLUS, Expected
-from drawings.checks.dynamics.tachogram_strokes import TACHOGRAM
+from drawings.due.dynamics import BEFORE, TACHOGRAM
+from drawings.due.turn import INERTIA, KNOWN, SURPLUS, Turn
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.own_sheet import OwnSheet
@@ -80,7 +79,7 @@ def _straight(run: Run, names: list[str], t: Sizes) -> Iterator[Mistake]:
     yield Mistake(verdict.STRAIGHT, np.asarray(1j * np.interp(t, ends, np.interp(ends, *_rising(run)))))
 
 
-def bare_speeds(own: OwnSheet, expected: Expected, exact: Expected) -> Iterator[FigureAsked]:
+def bare_speeds(own: OwnSheet, expected: Turn, exact: Turn) -> Iterator[FigureAsked]:
     """Give the graph of the speeds without the flywheel."""
     marks, before = own.vectors(BEFORE), expected.account.before
     if not marks or before is None:
@@ -117,7 +116,7 @@ class Bare:
         return np.asarray(1j * omega)
 
 
-def _flywheeled(expected: Expected) -> Iterator[Mistake]:
+def _flywheeled(expected: Turn) -> Iterator[Mistake]:
     """Give the speeds with the flywheel, drawn where those without it are asked for."""
     if expected.omega is not None:
         yield Mistake(verdict.FLYWHEEL, np.asarray(1j * expected.omega))

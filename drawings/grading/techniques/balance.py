@@ -5,14 +5,13 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Sequence
 
-from drawings.checks.balance.balance_expected import Expected, Side
+from drawings.due.balanced import Balanced, Side
 from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME
 from drawings.figures.balance.shaking_hodograph import NAME as SHAKING
 from drawings.figures.balance.static_polygon import NAME as MOMENTS
 from drawings.grading import verdict
 from drawings.grading.records import Found, Letters, Record, Slip
 from drawings.lettering.balance_letters import CENTRE, FORCE, RESULT
-from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from drawings.report.balance.balance_report import drafting_for
@@ -26,7 +25,7 @@ NAMES = {BEFORE: FORCE, AFTER: f"{FORCE}'"}  # of the main vector of the inertia
 def record_of(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a sheet of balancing."""
     own, k = study["balance"], int(leaf.metadata["position"])
-    expected = Expected(own, study.comparison("balance"), drafting_for(own), k, Measured((), ()))
+    expected = Balanced(own, study.comparison("balance"), drafting_for(own), k)
     plans = {SCHEME + state: list(_scheme(expected, state)) for state in expected.states}
     plans |= {MOMENTS: list(_moments(expected)), SHAKING: list(_shaking(expected))}
     found: dict[Letters, Found] = {(plan, k, "", one.name): one for plan, all_ in plans.items() for one in all_}
@@ -34,7 +33,7 @@ def record_of(study: Study, leaf: Leaf) -> Record:
     return Record(found, {name: {k: scales[name]} for name in plans if name in scales})
 
 
-def _moments(expected: Expected) -> Iterator[Found]:
+def _moments(expected: Balanced) -> Iterator[Found]:
     """Give the static moments of the links laid end to end, and their sum from the datum."""
     masses = {one.link: one.mass for one in expected.solid(BEFORE)}
     slips = {
@@ -51,7 +50,7 @@ def _moments(expected: Expected) -> Iterator[Found]:
         yield Found(RESULT, laid[-1].start + laid[-1].value, whole, whole, diagonal=True)
 
 
-def _scheme(expected: Expected, state: str) -> Iterator[Found]:
+def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
     """Give the vectors of main points to the common mass centre, the points of the links, and the counterweights."""
     laid = list(expected.chain(state))
     sides, corners = _laid(SCHEME + state, laid)
@@ -82,7 +81,7 @@ def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
     return sides, corners
 
 
-def _lacking(expected: Expected, state: str, one: Side) -> Iterator[Slip]:
+def _lacking(expected: Balanced, state: str, one: Side) -> Iterator[Slip]:
     """Give what the vector of a link is without the masses of one that follows it."""
     tree, solid = expected.own.tree, expected.solid(state)
     whole = sum(body.mass for body in solid)
@@ -97,7 +96,7 @@ def _lacking(expected: Expected, state: str, one: Side) -> Iterator[Slip]:
         yield Slip(verdict.FORGOTTEN, one.value - arm * mass / whole, f"m_{'+'.join(map(str, sorted(behind)))}")
 
 
-def _shaking(expected: Expected) -> Iterator[Found]:
+def _shaking(expected: Balanced) -> Iterator[Found]:
     """Give the main vectors of the inertia forces in the shown position, before and after."""
     board = Board(SHAKING)
     pole = board.given("0", 0j)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from drawings.checks.bank.bank_expected import Expected, Polygon
+from drawings.due.shaken_bank import Bank, Polygon
 from drawings.figures.bank.bank_polygon import plan_of
 from drawings.figures.bank.bank_view import fanned
 from drawings.grading import verdict
@@ -23,7 +23,7 @@ Forces = Mapping[str, Mark]  # of the mechanisms, by their letters
 
 def record_of(study: Study, leaf: Leaf) -> Record:
     """Give the record of the polygons of a bank's sheet."""
-    expected = Expected(study["bank"].task, study.comparison("bank"))
+    expected = Bank(study["bank"].task, study.comparison("bank"))
     found: dict[Letters, Found] = {}
     plans: dict[str, Mapping[int | None, float]] = {}
     scales, forces = leaf.metadata["scales"], dict[str, Mark]()
@@ -36,7 +36,7 @@ def record_of(study: Study, leaf: Leaf) -> Record:
     return Record(found, plans)
 
 
-def _polygon(expected: Expected, polygon: Polygon, plan: str, forces: dict[str, Mark]) -> Iterator[Found]:
+def _polygon(expected: Bank, polygon: Polygon, plan: str, forces: dict[str, Mark]) -> Iterator[Found]:
     """Give the vectors of the mechanisms laid end to end, and their sum; a moment is a force by its place."""
     board = Board(plan)
     pole = end = board.given("0", 0j)
@@ -61,7 +61,7 @@ def _vector(board: Board, polygon: Polygon, member: Member, forces: dict[str, Ma
     return vector
 
 
-def _slips(expected: Expected, polygon: Polygon, member: Member) -> Iterator[Slip]:
+def _slips(expected: Bank, polygon: Polygon, member: Member) -> Iterator[Slip]:
     """Give what the vector of a mechanism is by another order, or by another mechanism's place."""
     for order, single in expected.analysis.single.items():
         if order != abs(polygon.signed):
@@ -75,7 +75,7 @@ def _slips(expected: Expected, polygon: Polygon, member: Member) -> Iterator[Sli
                 yield Slip(kind, polygon.sides[name] * times, "" if kind == verdict.BEYOND else f"z_{other.name}")
 
 
-def _by(expected: Expected, polygon: Polygon, member: Member, other: Harmonic) -> Iterator[complex]:
+def _by(expected: Bank, polygon: Polygon, member: Member, other: Harmonic) -> Iterator[complex]:
     """Give a vector turned by the angle of another order, of its size, or both."""
     own, sign = expected.analysis.single[abs(polygon.signed)], 1 if polygon.signed > 0 else -1
     sizes = (own.ahead, other.ahead) if sign > 0 else (own.back, other.back)

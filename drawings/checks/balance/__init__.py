@@ -1,1 +1,0 @@
-"""The self-check of the sheets of a balanced mechanism (проверка листов уравновешивания)."""

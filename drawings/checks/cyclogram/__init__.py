@@ -1,1 +1,0 @@
-"""The self-check of a cyclogram: charts, tables, notes, report (проверка циклограммы)."""

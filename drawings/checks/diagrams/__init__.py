@@ -1,1 +1,0 @@
-"""The self-check of kinematic diagrams: rows, poles, table and notes against the analysis (проверка диаграмм)."""
