@@ -37,8 +37,10 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
     for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
-    for one in measured.profiles:
-        found.setdefault((Kind.CURVE, one.plan, one.name, None), []).append(Read(one.places, one.scale))
+    for curve in measured.profiles:
+        found.setdefault((Kind.CURVE, curve.plan, curve.name, None), []).append(
+            Read(np.array(curve.places), curve.scale)
+        )
     places = frames(leaf)
     for one in stated(leaf.groups):
         said = one.states

@@ -42,7 +42,9 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     if name == EVERY:
         yield from chart(cam_rows([one.cam for one in study.comparison("cam").analysis.cams]))
     else:
-        scales = next((one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {})
+        scales: Mapping[str, float] = next(
+            (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
+        )
         drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
         own = _Cam(numbers_of(study, name), scales, drawn, drafting_of(study.scene))
         yield from chain(own.laws(), own.phases(), own.pressure(), own.profile(), own.sizes(), own.table())

@@ -11,10 +11,10 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
+from drawings.due.coordinates import enclosures, faults, turns
 from drawings.figures.cam.coordinate_table import read, written
 from drawings.files.enclosure import Enclosure
 from drawings.paper.strokes import SheetError
-from drawings.sheets.cam_coordinates import enclosures, faults, turns
 from drawings.sheets.table import SHEETS
 from geometry.errors import LimitError
 from plans.cam.course import Course
