@@ -14,7 +14,7 @@ import numpy as np
 from drawings.checks.expected import Expected, by_hand, subject
 from drawings.due.cam_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.due.cam_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
-from drawings.due.machine_rows import ANGLE, BARS, cam_rows, true_bars
+from drawings.due.machine_rows import cam_rows, chart
 from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
 from drawings.page.drafting import Drafting, drafting_of
@@ -40,8 +40,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam, or of the shaft of several (row of the table of sheets)."""
     name = subject(leaves[0])
     if name == EVERY:
-        rows = cam_rows([one.cam for one in study.comparison("cam").analysis.cams])
-        yield from (Expected(Kind.VECTOR, BARS, bar, value, ANGLE) for bar, value in true_bars(rows, 0.0))
+        yield from chart(cam_rows([one.cam for one in study.comparison("cam").analysis.cams]))
     else:
         scales: Mapping[str, float] = next(
             (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
