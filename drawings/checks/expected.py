@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import NamedTuple, TypeAlias
 
 from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Leaf
 from plans.model.motion import Complexes, Floats
 
 # A value of a vector, a number, a direction; a text; a graph as a function of its argument; a path by dense points.
@@ -40,6 +41,11 @@ class Expected(NamedTuple):
     def key(self) -> Key:
         """What is stated of whom."""
         return self.kind, self.figure, self.name, self.position
+
+
+def subject(leaf: Leaf) -> str:
+    """Tell what a sheet is of among those of its kind; what must stand on sheets is asked of each subject apart."""
+    return str(leaf.metadata.get("cam", ""))
 
 
 def by_hand(table: str, name: str, error: float, most: float, position: int | None = None) -> Expected:

@@ -18,11 +18,16 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, stated
-from plans.model.motion import Complexes
+from plans.model.motion import Complexes, Floats
 
 Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
-MARKS = {"vector": Kind.VECTOR, "point": Kind.POINT}  # what measuring reads, by the kind of its data
+LOOKED = 360  # places of a path that are looked at
+MARKS = {
+    "vector": Kind.VECTOR,
+    "point": Kind.POINT,
+    "profile": Kind.CURVE,
+}  # what measuring reads, by the kind of its data
 
 
 def seen(measured: Measured, leaf: Leaf) -> Seen:
@@ -31,6 +36,8 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
     for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
+    for one in measured.profiles:
+        found.setdefault((Kind.CURVE, one.plan, one.name, None), []).append(Read(one.places, one.scale))
     places = frames(leaf)
     for one in stated(leaf.groups):
         said = one.states
@@ -99,6 +106,8 @@ def holds(found: Read, due: Expected) -> bool:
         case np.ndarray() as path if isinstance(value, np.ndarray):
             one, other = even(value, found), even(path, found)
             return bool(apart(one, other) <= slack and apart(other, one) <= slack)
+        case np.ndarray() as path if not isinstance(value, str):
+            return bool(apart(np.array([value]), path) <= slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
             return bool(np.abs(even(np.array([value - true]), found)).max() <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
@@ -129,12 +138,22 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
     return bool(inside.all())
 
 
+def bows(path: Complexes) -> Floats:
+    """Give how far a curve may lie from the lines between places on it, as far as one that turns at once."""
+    run = np.diff(path)
+    off = np.abs(np.angle(run[1:] * run[:-1].conj())) * np.maximum(np.abs(run[1:]), np.abs(run[:-1])) / 4
+    return np.asarray(np.maximum(np.append(0.0, off), np.append(off, 0.0)))
+
+
 def apart(drawn: Complexes, path: Complexes) -> float:
-    """Give how far the places of one path are at most from the lines between those of another."""
-    start, run = path[:-1], np.diff(path)
+    """Give how far places of one path, evenly of many, are at most from the lines between those of another.
+
+    Where that bends a place may lie as far from its lines as an arc does from its chords.
+    """
+    start, run, bow = path[:-1], np.diff(path), bows(path)
     size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
     farthest = 0.0
-    for spot in drawn:
+    for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
         share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
-        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot))))
+        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot) - bow)))
     return math.inf if math.isnan(farthest) else farthest

@@ -14,7 +14,7 @@ from drawings.lettering.indices import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
-from drawings.paper.walk import groups, texts, walk
+from drawings.paper.walk import groups, stated, texts, walk
 from drawings.symbols.symbols import BLOCK
 from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message
@@ -38,6 +38,7 @@ class Label(NamedTuple):
 
 def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Message]:
     """Name each mark of a sheet that no letter of its own stands beside: the one that is due, else what it says."""
+    yield from strayed(leaf)
     labels, known = labels_of(leaf.groups), due or {}
     for key, letter, spots in _marks(leaf.groups):
         _, plan, name, _ = key
@@ -45,6 +46,34 @@ def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Mes
         plain = Text(0j, own if "{" in own else with_index(own)).plain
         if not distance(labels.get(plain, ()), spots) <= WITHIN.get(plan, NEAREST):
             yield on("letter", plan, name=name)
+
+
+def strayed(leaf: Leaf) -> Iterator[Message]:
+    """Name each letter of a vector plan that stands beside another mark than its own: an image's, a vector's."""
+    for figure in leaf.groups:
+        vectors = [(one, line) for one in groups((figure,)) for line in one.strokes[:1] if _is_vector(one, line)]
+        images: dict[str, list[complex]] = {}
+        for one, line in vectors:
+            assert isinstance(line, Line)
+            for name, spot in zip(one.data["name"].split(" "), (line.start, line.end), strict=True):
+                images.setdefault(Text(0j, with_index(name)).plain, []).append(spot)
+        plan = vectors[0][0].data["plan"] if vectors else ""
+        for letter, labels in labels_of(figure.strokes).items() if vectors else ():
+            spots = images.get(letter, ())
+            if spots and any(not distance((one,), spots) <= WITHIN.get(plan, NEAREST) for one in labels):
+                yield on("letter", plan, name=letter)
+        lines = {one.data["name"]: line for one, line in vectors if isinstance(line, Line)}
+        for one in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
+            assert one.states is not None
+            vector, _, name = one.states.name.rpartition(" ")
+            own = lines.get(vector)
+            if own is not None and not distance(_labels(one.strokes), along(own.start, own.end)) <= NEAREST:
+                yield on("letter", plan, name=name)
+
+
+def _is_vector(one: Group, line: Stroke) -> bool:
+    """Tell whether a group is a vector that is named by the letters of both its ends."""
+    return isinstance(line, Line) and one.data.get("kind") == "vector" and " " in one.data["name"]
 
 
 def labels_of(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, NamedTuple, TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -109,12 +109,20 @@ def _curve(group: Group, frame: Frame | None) -> Complexes:
 
 def _length(group: Group, frame: Frame | None) -> float:
     """Read a dimension between the tips of its two arrows, or the length of a line without any."""
-    tips = [_head(one.points)[0] for one in flat((group,)) if isinstance(one, Fill) and len(one.points) == 3]
+    tips = [_head(one.points)[0] for one in flat((group,)) if _is_head(one)]
     return abs(tips[1] - tips[0]) * _scale(group) if len(tips) == 2 else abs(_vector(group, frame))
 
 
 def _angle(group: Group, frame: Frame | None) -> float:
-    return sum(stroke.sweep for stroke in flat((group,)) if isinstance(stroke, Arc))
+    """Read how far arcs about a centre go, to the tips of their arrows."""
+    strokes = [*flat((group,))]
+    arcs = [one for one in strokes if isinstance(one, Arc)]
+    swept, heads = sum(one.sweep for one in arcs), [_head(one.points) for one in strokes if _is_head(one)]
+    if len(heads) != 2:
+        about = arcs[0].centre
+        return swept + sum(abs(cmath.phase((tip - about) / (back - about))) for tip, back in heads)
+    turned = abs(cmath.phase((heads[1][0] - arcs[0].centre) / (heads[0][0] - arcs[0].centre)))
+    return min((turned, math.tau - turned), key=lambda angle: abs(angle - swept))
 
 
 def _direction(group: Group, frame: Frame | None) -> complex:
@@ -125,6 +133,10 @@ def _direction(group: Group, frame: Frame | None) -> complex:
     if arc is None:
         return _way(tip - back)
     return complex(math.copysign(1.0, ((back - arc.centre).conjugate() * (tip - arc.centre)).imag))
+
+
+def _is_head(one: Stroke) -> TypeGuard[Fill]:
+    return isinstance(one, Fill) and len(one.points) == 3
 
 
 def _head(points: tuple[complex, ...]) -> tuple[complex, complex]:

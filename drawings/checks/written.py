@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from itertools import chain
 
 from drawings.lettering.words import number
 from drawings.paper.statement import Kind
@@ -13,6 +14,8 @@ from drawings.paper.walk import groups, texts
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+PAPER = "mm"  # the unit of what is drawn in millimetres of paper, to no scale
+_MARKED = ("vector", "point")  # the kinds of marks that are drawn to scale
 _SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")  # of a plan, after its letter: mu_v, K_v
 
 
@@ -54,21 +57,28 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Name the figures none of whose written scales, or of their heading's, a mark or an axis of theirs is drawn to."""
+    """Name the figures whose marks or axes are drawn to no scale that is written: of their letter there, else anywhere."""
+    everywhere = _told(leaf.groups)
     for figure in leaf.groups:
-        own = [*groups((figure,))]
-        drawn = {float(one.data["scale"]) for one in own if one.data.get("kind") in ("vector", "point")}
-        drawn |= {one.states.scale for one in own if one.states is not None and one.states.kind is Kind.AXIS}
-        heads = [one for one in leaf.groups if figure.name in (one.name, *_below(one.name, figure.name))]
-        told = [found for text in texts(heads) for found in _SCALE.findall(text.plain)]
-        for mu in drawn if told else ():
-            if not any(size.replace(",", ".") == number(1 / mu if symbol == "K" else mu) for symbol, _, size in told):
+        own, told = [*groups((figure,))], _told((figure,))
+        marks = (one.data for one in own if one.data.get("kind") in _MARKED and one.data["unit"] != PAPER)
+        drawn = {(data["quantity"], float(data["scale"])) for data in marks}
+        drawn |= {("", one.states.scale) for one in own if one.states is not None and one.states.kind is Kind.AXIS}
+        for letter, mu in drawn if everywhere else ():
+            if not _written(mu, told.get(letter) or {*chain(*everywhere.values())}):
                 yield message("wrong.scale", text=figure.name)
 
 
-def _below(head: str, name: str) -> tuple[str, ...]:
-    """Give the name of a figure that stands under a heading: "diagrams-travel" under "diagrams"."""
-    return (name,) if head and name.startswith(f"{head}-") else ()
+def _told(figures: Iterable[Group]) -> dict[str, set[tuple[str, str]]]:
+    """Read the scales that figures state: by their letters the symbol, mu or K, and the number."""
+    told: dict[str, set[tuple[str, str]]] = {}
+    for symbol, letter, size in (found for text in texts(figures) for found in _SCALE.findall(text.plain)):
+        told.setdefault(letter, set()).add((symbol, size.replace(",", ".")))
+    return told
+
+
+def _written(mu: float, told: Iterable[tuple[str, str]]) -> bool:
+    return any(size == number(1 / mu if symbol == "K" else mu) for symbol, size in told)
 
 
 def written_scales(group: Group) -> dict[str, float]:

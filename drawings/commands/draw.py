@@ -169,13 +169,16 @@ def _held(
 ) -> tuple[dict[Path, SeenSheet], dict[Path, list[Wrong]], dict[Key, Expected]]:
     """See the written sheets, and list what is wrong with each; give what had to stand on them."""
     from drawings.checks import verify
+    from drawings.checks.expected import subject
     from drawings.paper.limits import SheetRefused
 
     seen = {path: verify.written(beside[path], leaf) for path, (_, leaf) in sheets.items()}
     wrong: dict[Path, list[Wrong]] = {}
     rows: dict[Key, Expected] = {}
-    for kind in study.scene.sheets:
-        own = {path: one for path, one in seen.items() if sheets[path][0] == kind}
+    groups: dict[tuple[str, str], dict[Path, verify.Written]] = {}
+    for path, one in seen.items():
+        groups.setdefault((sheets[path][0], subject(one.leaf)), {})[path] = one
+    for (kind, _), own in groups.items():
         due = {row.key: row for row in named(SHEETS[kind].due)(study, [one.leaf for one in own.values()])}
         wrong |= zip(own, verify.wrongs([*own.values()], due, study.scene.sheet), strict=True)
         rows |= due

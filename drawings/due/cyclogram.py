@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.checks.expected import Expected
 from drawings.due import machine_rows
-from drawings.due.linkage import mass_centres
+from drawings.due.linkage import mass_centres, measures
 from drawings.layout.table import cell_name
 from drawings.page.drafting import drafting_of
 from drawings.paper.statement import Kind
@@ -35,6 +35,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from _table(study, found)
     for leaf in leaves[:1]:
         yield from _plan(study, found, leaf.metadata["characteristic"])
+        for one in measures(study["linkage"], study.comparison("linkage"), drafting_of(study.scene)):
+            yield one._replace(may_lack=True)
 
 
 def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:

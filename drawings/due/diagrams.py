@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -54,8 +55,9 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         for k, value in zip(row.axis.numbers, row.at.tolist(), strict=True):
             yield Expected(Kind.VECTOR, figure, str(k), 1j * value, slack, k, may_lack=True)
         for name, course in (("result", row.result), ("exact", row.exact)):
-            ends = float(row.runs[0][0]), float(row.runs[-1][1])
-            yield Expected(Kind.CURVE, figure, name, course, slack, may_lack=name == "exact" or row.flat, ends=ends)
+            ends, gaps = (float(row.runs[0][0]), float(row.runs[-1][1])), len(row.runs) > 1 or not row.axis.closed
+            loose = math.inf if gaps and name == "exact" else slack  # beside a gap it is cut off where it goes too far
+            yield Expected(Kind.CURVE, figure, name, course, loose, may_lack=name == "exact" or row.flat, ends=ends)
     axis, omega = comparison.analysis.axis, abs(study["linkage"].mechanism.drive.omega)
     for column, (values, allowed) in enumerate(columns(comparison, omega)):
         slack = allowed + KNOWN * float(np.nanmax(np.abs(values), initial=0.0)) * (omega if column else 0.0)

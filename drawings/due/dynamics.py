@@ -24,7 +24,7 @@ from plans.analytic.dynamics.flywheel import flywheel_of_points
 from plans.analytic.dynamics.rim import wheel
 from plans.checks.dynamics_comparison import DynamicsComparison
 from plans.model.account import Account
-from plans.model.dynamics import TURN, Cycle, Flywheel, Speeds, settled
+from plans.model.dynamics import TURN, Cycle, Flywheel, Speeds, Task, settled
 from plans.model.edge_names import edge_names
 from plans.model.flywheel_rim import THICKEST, Wheel
 from plans.model.motion import Floats
@@ -47,6 +47,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     strokes = statics.over(study.comparison("linkage").road.extremes)
     yield from diagrams(statics.machine.loads, strokes)
     if comparison.analysis.cycle is None:
+        rates = _rates(study["dynamics"].task)
+        yield from (Expected(Kind.PHRASE, NOTES, name, rate, may_lack=True, digits=DIGITS) for name, rate, _ in rates)
         yield from _reduction(comparison.analysis)
         return
     turn = Turn(study["dynamics"].task, comparison.analysis)
@@ -54,6 +56,11 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     yield from chain(_graphs(turn), own.loop(leaves), own.rim(), own.positions(), own.results(), own.notes())
     if comparison.construction.run is not None:
         yield from _run(comparison.construction.run)
+
+
+def _rates(task: Task) -> Iterator[tuple[str, float, float]]:
+    """Give the speed that is asked for, turns a minute and rad/s."""
+    yield from (("n", task.speed * 30 / math.pi, 0.0), ("ω_m", task.speed, 0.0))
 
 
 def _graphs(turn: Turn) -> Iterator[Expected]:
@@ -326,7 +333,7 @@ class _Machine:
     def _task(self) -> Iterator[tuple[str, float, float]]:
         task, cycle = self.turn.task, self.turn.cycle
         work = KNOWN * float(np.abs(cycle.work).max())
-        yield from (("n", task.speed * 30 / math.pi, 0.0), ("ω_m", task.speed, 0.0))
+        yield from _rates(task)
         yield from (("A_us(2π)", abs(cycle.net), work), ("M_dr", abs(cycle.driving), work))
         if task.delta is not None:
             yield from ((f"1/{of}", 1 / (times * task.delta), 0.0) for of, times in (("δ", 1.0), *TIMES))

@@ -1,14 +1,200 @@
-"""What must stand on these sheets (to be written)."""
+"""What must stand on force sheets, by the analysis alone: polygons, schemes, equations, tables (силовой лист)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import chain
 
-from drawings.checks.expected import Expected
-from drawings.paper.strokes import Leaf
+import numpy as np
+
+from drawings.checks.expected import NOTHING as DASH
+from drawings.checks.expected import Expected, by_hand
+from drawings.checks.hold import stated_keys
+from drawings.due.acting import Acting, DueArm, forces_of, moments_of, named, unbraced
+from drawings.due.force_curves import curves
+from drawings.due.force_notes import notes
+from drawings.due.lever import lever
+from drawings.due.loads import diagrams
+from drawings.layout.table import cell_name
+from drawings.lettering.words import word
+from drawings.paper.limits import SEEN
+from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Leaf, Text
+from plans.checks.force_bill import ActingForce, Bearing, ForceBill
+from plans.checks.hand.forces import forces_by_hand
 from plans.study import Study
+
+TABLE, MM, DIGITS = "values", 1000.0, 5
+LEAST = 0.5  # mm: a shorter arm, or distance along a guide, is a point on paper
+TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
-    """Give what must stand on the sheets."""
-    yield from ()
+    """Give what must stand on the force sheets of a scene (row of the table of sheets)."""
+    comparison, statics = study.comparison("forces"), study["forces"]
+    shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))
+    for k in shown:
+        own = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]
+        scales, keys = own[0].metadata["scales"], [stated_keys(leaf) for leaf in own]
+        sheet = _Sheet(Acting(statics, comparison, k), scales, frozenset(chain(*keys)))
+        yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
+        yield from lever(sheet.acting, scales, keys)
+    yield from curves(statics, comparison, shown)
+    yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
+    yield from notes(statics, comparison, shown)
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """The sheets of one position: the scales of their figures, and the keys of all that sheets state."""
+
+    acting: Acting
+    scales: Mapping[str, float]
+    keys: frozenset[Key]
+
+    @property
+    def k(self) -> int:
+        return self.acting.k
+
+    @cached_property
+    def floor(self) -> float:
+        """The force below which there may be none, N."""
+        return self.acting.none[0]
+
+    def polygons(self) -> Iterator[Expected]:
+        """Give the vectors of the force plans and of their details; parts may stand for a whole reaction."""
+        expected, groups = self.acting.expected, self.acting.statics.study.groups
+        for label, bill in self.acting.bills.items():
+            parts, plan = expected.parts(bill.group), f"forces-{label}"
+            details = {key[1] for key in self.keys if key[1].startswith(f"detail-{label}-")}
+            for name, value in {**parts, **expected.polygon(groups, bill.group)}.items():
+                faint = abs(value) <= SEEN * self.scales.get(plan, 0.0) + self.floor
+                row = Expected(Kind.VECTOR, plan, name, value, self.acting.slack, self.k, name in parts or faint)
+                row = row._replace(letter=self.acting.letter(name))
+                yield row
+                yield from (row._replace(figure=one, may_lack=True) for one in details)
+
+    def schemes(self) -> Iterator[Expected]:
+        """Give the forces, moments and arms on the loading schemes."""
+        for label, bill in self.acting.bills.items():
+            plan = f"scheme {label}"
+            driving = [] if bill.driving is None else [bill.driving]
+            yield from (self._arrow(plan, one) for one in (*bill.known, *driving))
+            yield from (self._sense(plan, one.name, one.moment) for one in bill.couples)
+            for one in bill.bearings:
+                yield from self._bearing(plan, one)
+            mu = self.scales.get(f"scheme-{label}", 0.0)
+            yield from (self._arm(plan, one, mu) for one in self.acting.arms[label] if one.letter.startswith("h"))
+
+    def _arrow(self, plan: str, one: ActingForce, lost: bool = False) -> Expected:
+        """Give the direction of a force; of one that is none rounding decides."""
+        size = abs(one.value)
+        row = Expected(Kind.DIRECTION, plan, self.acting.name(one.name), 0j, math.inf, self.k, may_lack=True)
+        if size <= self.floor:
+            return row
+        return row._replace(value=one.value / size, allowed=TURNED + self.acting.slack / size, may_lack=lost)
+
+    def _sense(self, plan: str, name: str, moment: float, lost: bool = False) -> Expected:
+        none = abs(moment) <= self.acting.none[1]
+        allowed = math.inf if none else 0.0
+        sense = math.copysign(1.0, moment)
+        return Expected(Kind.DIRECTION, plan, self.acting.name(name), sense, allowed, self.k, may_lack=lost or none)
+
+    def _bearing(self, plan: str, one: Bearing) -> Iterator[Expected]:
+        """Give a reaction, whole or in parts, and of a guide how far it acts, or its moment."""
+        split = any(self._stands(plan, part.name) for part in one.parts)
+        yield self._arrow(plan, one.whole, split)
+        yield from (self._arrow(plan, part, True) for part in one.parts)
+        if one.along is not None:
+            far, shift = one.along * one.arm, self.acting.name(one.name.replace("R", "x", 1))
+            off = self.acting.none[1] / max(abs((one.along.conjugate() * one.value).imag), self.floor)
+            lost = not LEAST * self.scales.get(plan.replace(" ", "-"), 0.0) + off < abs(one.arm) < math.inf
+            apart = self._stands(plan, one.couple)
+            off = math.inf if not math.isfinite(abs(one.arm)) else off * (1 + abs(one.arm))
+            yield Expected(Kind.VECTOR, plan, shift, far, off, self.k, may_lack=lost or apart)
+            yield self._sense(plan, one.couple, one.moment, True)
+
+    def _stands(self, plan: str, name: str) -> bool:
+        return (Kind.DIRECTION, plan, self.acting.name(name), self.k) in self.keys
+
+    def _arm(self, plan: str, arm: DueArm, mu: float) -> Expected:
+        """Give an arm as it is drawn, from the point of moments to the foot on the line of action."""
+        value, off = arm.foot - arm.pivot, self._off(arm)
+        lost = self.acting.doubtful or arm.length <= LEAST * mu + off
+        allowed = math.inf if self.acting.doubtful else off
+        return Expected(
+            Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter
+        )
+
+    def _off(self, arm: DueArm) -> float:
+        """Give how far off an arm may be, m: by its places and by the direction of its force."""
+        return self.acting.off + abs(arm.force.at - arm.pivot) * self.acting.slack / abs(arm.force.value)
+
+    def equations(self) -> Iterator[Expected]:
+        """Give the numbers of the equations beside the cuts."""
+        for label, bill in self.acting.bills.items():
+            row = Expected(Kind.PHRASE, f"equations-{label}-{self.k}", "", 0.0, position=None, digits=DIGITS)
+            must = self._must(bill)
+            for name, force in forces_of(bill).items():
+                size, lost = abs(force.value), name not in must or abs(force.value) <= self.floor
+                yield row._replace(name=name, value=size, allowed=self.floor, may_lack=lost)
+            for name, moment in moments_of(bill).items():
+                lost = name not in must or abs(moment) <= self.acting.none[1]
+                yield row._replace(name=name, value=moment, allowed=self.acting.none[1], may_lack=lost)
+            for arm in self.acting.arms[label]:
+                off = math.inf if self.acting.doubtful else MM * self._off(arm)
+                own = row._replace(value=MM * arm.length, allowed=off, may_lack=self.acting.doubtful)
+                yield own._replace(name=arm.letter)
+
+    def terms(self) -> Iterator[Expected]:
+        """Give the terms of the equations of moments: sign, force and arm; what the equation gives stands first."""
+        drive = self.acting.statics.study.mechanism.drive
+        for cut in self.acting.statics.drafts().plans.plan.cuts:
+            bill, figure = self.acting.bills[cut.label], f"equations-{cut.label}-{self.k}"
+            for one in cut.equations:
+                about, found = one.about.name, one.found.name
+                own = {load.name for load in one.loads} | {found}
+                arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
+                terms = {arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms}
+                moments = moments_of(bill)
+                couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
+                terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
+                first = [] if cut.group is None and drive.ram is not None else [found]
+                terms = {name: terms.get(name, (1.0, self.acting.letter(name))) for name in (*first, *terms)}
+                for name, (moment, product) in terms.items():
+                    sign = "+ " if moment > 0 else "− "
+                    sign = "" if sign == "+ " and name == next(iter(terms)) else sign
+                    none = name in couples and abs(moment) <= self.acting.none[1]
+                    allowed = math.inf if self.acting.doubtful or none else 0.0
+                    text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
+                    lost = none or self.acting.doubtful or len(terms) == 1
+                    yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost)
+
+    def _must(self, bill: ForceBill) -> set[str]:
+        """Name what the equations of a cut must tell: what is given, and the reactions from outside."""
+        own = [one.name for one in bill.known if one.name[0] != "R"]
+        own += [one.name for one in bill.couples if one.name[1:2] == "^"]
+        return {*own, *(one.name for one in bill.bearings)}
+
+    def table(self) -> Iterator[Expected]:
+        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may have no row."""
+        comparison, language = self.acting.comparison, self.acting.statics.study.language
+        nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
+        slips = forces_by_hand(self.acting.statics, self.k, self.scales)
+        for letters, one in named(self.acting.statics, comparison):
+            head = f"{letters}, {word(language, one.unit)}"
+            told = np.abs(comparison.analysis.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed
+            found, slack = one.analysis[self.k], float(one.allowed[self.k])
+            value = float(abs(found) if np.iscomplexobj(found) else found)
+            rows = [
+                Expected(Kind.NUMBER, TABLE, cell_name(head, column), value, slack, self.k)
+                if math.isfinite(value)
+                else Expected(Kind.NUMBER, TABLE, cell_name(head, column), DASH, position=self.k)
+                for column in range(2)
+            ]
+            error = slips.get((one.name, self.k), math.nan) if math.isfinite(value) else math.nan
+            rows.append(by_hand(TABLE, cell_name(head, 2), error, one.largest, self.k))
+            yield from (row._replace(may_lack=not np.any(told)) for row in rows)

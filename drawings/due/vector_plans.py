@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, permutations
@@ -21,6 +21,7 @@ from plans.checks.parts import findings, spans
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
 from plans.linkage.letters import POLES
+from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -54,7 +55,9 @@ class VectorPlans:
     def _values(self, plan: str, k: int) -> dict[str, complex]:
         """Give the vectors of the equations of a plan, by the names of their ends."""
         true = self._analysed(k)
-        found = {f"{start} {end}": one for (own, start, end), one in true.arrows(self.study.groups).items() if own == plan}
+        found = {
+            f"{start} {end}": one for (own, start, end), one in true.arrows(self.study.groups).items() if own == plan
+        }
         order = next(one.number for one in ORDERS if one.plan == plan)
         for name, mass in self.masses.items():
             found[f"{POLES[plan]} {true.letters.small(name)}"] = true.centre(*mass, order)
@@ -66,9 +69,28 @@ class VectorPlans:
     def _across(self, plan: str, k: int) -> dict[str, complex]:
         """Give the vectors to all images of a link, and between any two of them or of the places under a pin."""
         found = dict[str, complex]()
-        for images in (*(own := self._images(plan, k)), *self._under(own)):
+        for images in (*(own := self._images(plan, k)), *self._under(plan, own)):
             found |= {f"{POLES[plan]} {end}": value for end, value in images.items()}
             found |= {f"{start} {end}": images[end] - images[start] for start, end in permutations(images, 2)}
+        return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
+
+    def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
+        """Give the Coriolis part of what slides over a link that turns, and the part along the guide after it."""
+        written, found = self.study.drafts().velocities.written, dict[str, complex]()
+        speeds, known = (
+            dict(chain(*(one.items() for one in all_))) for all_ in (self._images(VELOCITIES.plan, k), images)
+        )
+        for pair, (pin, host) in written.pins.items():
+            if host == FRAME:
+                continue
+            name, under = written.coriolis(pin, host, pair), written.under(pin, host)
+            (other,) = (link for link in pair if link != host)
+            own = (
+                self._image(pin, plan) if pin in self.study.mechanism.links[other].points else written.under(pin, other)
+            )
+            for start, end in ((under, own), (own, under)):
+                part = 2j * self._analysed(k).omega(host) * (speeds.get(end, 0j) - speeds.get(start, 0j))
+                found |= {f"{start} {name}": part, f"{name} {end}": known.get(end, 0j) - known.get(start, 0j) - part}
         return found
 
     def _images(self, plan: str, k: int) -> list[dict[str, complex]]:
@@ -83,19 +105,22 @@ class VectorPlans:
                 turned = np.exp(-1j * self.comparison.analysis.links[number].angle[k])
                 own |= {written.under(pin, number): first + (true.r(pin) - true.r(name)) * turned for pin in self._pins}
                 own[written.own("n", number)] = self.study.drafts().positions.images[number].at
-            found.append({one: 0j if number == FRAME else true.centre(number, place, order) for one, place in own.items()})
+            found.append(
+                {one: 0j if number == FRAME else true.centre(number, place, order) for one, place in own.items()}
+            )
         return found
 
     @property
     def _pins(self) -> set[str]:
-        return {slide.point for slide in self.study.mechanism.slides}
+        return {slide.point for slide in self.study.mechanism.slides} | self.study.mechanism.hinges.keys()
 
-    def _under(self, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
+    def _under(self, plan: str, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
         """Give the images of all that lies at a pin: its own, and of each link the place under it."""
-        written = self.study.drafts().velocities.written
+        made = self._made(plan)
         known = dict(chain(*(own.items() for own in images)))
         for pin in self._pins:
-            names = (written.small(pin), *(written.under(pin, link) for link in self.study.mechanism.links))
+            unders = (name for link in made.images for name in (_below(made, pin, link), made.written.under(pin, link)))
+            names = dict.fromkeys((made.written.small(pin), *unders))
             yield {name: known[name] for name in names if name in known}
 
     def _analysed(self, k: int) -> Analysed:
@@ -113,7 +138,7 @@ class VectorPlans:
         found = spans(self.study, self.study.drafts(), self.comparison.analysis, self.masses)
         return {name: f"{one.start.name} {one.end.name}" for name, one in found.items()}
 
-    def _drawn(self, plan: str, long: Collection[str]) -> set[str]:
+    def _drawn(self, plan: str, long: Set[str]) -> set[str]:
         """Give of the vectors that are long enough those that no plan is without: of points, then on from their ends.
 
         Points of one image have one letter there.
@@ -146,26 +171,39 @@ class VectorPlans:
             if start != POLES[VELOCITIES.plan]
         )
 
-    def _lettered(self, vector: Vector, plan: str) -> Iterator[tuple[str, str, str]]:
+    def _lettered(self, vector: Vector, name: str) -> Iterator[tuple[str, str, str]]:
         """Letter the vectors of an equation, each by the point that it ends at and the one that it begins at."""
-        written = self.study.drafts().plan(1 if plan == VELOCITIES.plan else 2).written
+        plan = self._made(name)
+        written = plan.written
         match vector:
             case Turning(_, start, tip):
                 about = "" if self._still(start) else start
-                ends = self._image(start, plan), written.normal(tip, about), written.small(tip)
-                yield from _turned(plan, ends, tip + about)
+                ends = plan.point(start).name, written.normal(tip, about), plan.point(tip).name
+                yield from _turned(name, ends, tip + about)
             case Slotted(link, pivot, pin):
                 under, about = written.under(pin, link), "" if self._still(pivot) else pivot
-                ends = self._image(pivot, plan), written.normal(under.upper()), under
-                yield from _turned(plan, ends, _capital(under) + about)
+                ends = plan.point(pivot).name, written.normal(under.upper()), under
+                yield from _turned(name, ends, _capital(under) + about)
             case Sliding(pair, host, pin, held):
-                under, own = written.under(pin, host), self._image(pin, plan)
-                (start, end), index = ((own, under), _capital(under) + pin) if held else ((under, own), pin + _capital(under))
-                if plan == VELOCITIES.plan:
+                under = written.under(pin, host)
+                below = under if held else _below(plan, pin, host)
+                start, end, first, last = below, plan.point(pin).name, pin, _capital(under)
+                if held:
+                    start, end, first, last = end, start, last, first
+                index = first + last
+                if name == VELOCITIES.plan:
                     yield start, end, f"v_{index}"
                 else:
                     laid = written.coriolis(pin, host, pair)
-                    yield from ((start, laid, f"a^k_{index}"), (laid, end, f"a^r_{index}"), (start, end, f"a^r_{index}"))
+                    yield from (
+                        (start, laid, f"a^k_{index}"),
+                        (laid, end, f"a^r_{index}"),
+                        (start, end, f"a^r_{index}"),
+                    )
+
+    def _made(self, plan: str) -> Plan:
+        """Give a plan as it was constructed: which images share a letter."""
+        return self.study.drafts().plan(next(one.number for one in ORDERS if one.plan == plan))
 
     def _image(self, point: str, plan: str) -> str:
         written = self.study.drafts().velocities.written
@@ -182,6 +220,12 @@ def _turned(plan: str, ends: tuple[str, str, str], index: str) -> Iterator[tuple
         yield start, end, f"v_{index}"
     else:
         yield from ((start, normal, f"a^n_{index}"), (normal, end, f"a^t_{index}"))
+
+
+def _below(plan: Plan, pin: str, link: int) -> str:
+    """Name the image of a link's place under a pin: of a link that does not turn all places have one."""
+    image = plan.images[link]
+    return plan.written.under(pin, link) if image.arm is not None else image.origin.name
 
 
 def _capital(under: str) -> str:

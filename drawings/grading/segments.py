@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from drawings.checks.line_kinds import FORCE
 from drawings.grading.seeing.onlooker import BEGIN, END
 from drawings.paper.strokes import Fill, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups
 
+FORCE = "force"  # the kind of marks that are not to scale
 TIP = 1.0  # mm: how far the tip of an arrowhead may be from the end of its line
 HEAD = 12.0  # mm: a larger filled figure is no arrowhead
 JOINED = 2.0  # mm: ends of arrows that are nearer to each other are at one place

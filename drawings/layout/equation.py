@@ -7,9 +7,12 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.layout.block import TextBlock
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import joined, telling
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.walk import stating
 
 BAR = "\N{COMBINING MACRON}"
 UNKNOWN, DIRECTION, FULL = 0, 1, 2  # lines under a term: nothing known, its direction only, or all of it
@@ -46,6 +49,7 @@ class Piece(NamedTuple):
     sign: str
     text: str
     under: int
+    states: Statement | None = None
 
 
 class WrittenEquation(NamedTuple):
@@ -65,15 +69,18 @@ def forces(terms: Sequence[Term], right: str = "0") -> WrittenEquation:
     return WrittenEquation((*pieces, Piece("=", right, UNKNOWN)))
 
 
-def moments(about: str, terms: Sequence[tuple[str, str]], right: str = "0") -> WrittenEquation:
-    """Write the moments about a point by sign and product: ΣM_D: R^t_34·BD + G_4·h_1 − ... = 0.
+def moments(
+    about: str, terms: Sequence[tuple[str, str]], right: str = "0", states: Sequence[Statement] = ()
+) -> WrittenEquation:
+    """Write the moments about a point by sign and product: ΣM_D: R^t_34·BD + G_4·h_1 − ... = 0; each states its own.
 
     >>> [piece.text for piece in moments("D", [("+", "G_4·h_1"), ("−", "Φ_4·h_2")]).pieces]
     ['ΣM_{D}:', 'G_4·h_1', 'Φ_4·h_2', '0']
     """
     pieces = [Piece("", f"ΣM_{{{about}}}:", UNKNOWN)]
     for k, (sign, product) in enumerate(terms):
-        pieces.append(Piece("" if k == 0 and sign == "+" else sign, product, UNKNOWN))
+        said = states[k] if states else None
+        pieces.append(Piece("" if k == 0 and sign == "+" else sign, product, UNKNOWN, said))
     return WrittenEquation((*pieces, Piece("=", right, UNKNOWN)))
 
 
@@ -82,13 +89,19 @@ def plain(*parts: str) -> WrittenEquation:
     return WrittenEquation(tuple(Piece("", part, UNKNOWN) for part in parts))
 
 
+def listed(*parts: str) -> WrittenEquation:
+    """Write statements after one another, a comma after each but the last."""
+    return plain(*(joined("", (one, ",")) for one in parts[:-1]), *parts[-1:])
+
+
 class Passage(NamedTuple):
-    """Equations under each other, in letters of one size."""
+    """Equations under each other, in letters of one size; `figure` is what their numbers are stated of."""
 
     name: str
     equations: tuple[WrittenEquation, ...]
     size: float
     narrowest: float = NARROWEST  # sizes
+    figure: str = ""
 
     def rows(self, width: float) -> list[Row]:
         """Break the equations at a width, mm, before their signs."""
@@ -114,7 +127,7 @@ class Passage(NamedTuple):
         strokes: list[Stroke] = []
         for k, row in enumerate(self.rows(box.width + self.size / 100)):
             start = complex(box.left, box.top - self.size * (ASCENT + STEP * k))
-            strokes += _written(row, start, self.size, hand)
+            strokes += _written(self, row, start, hand)
         return Group(tuple(strokes), self.name)
 
 
@@ -150,14 +163,16 @@ def _sign(piece: Piece, size: float, within: bool) -> float:
     return text_width(Text(0j, piece.sign, size)) + (2 * gap if within else gap)
 
 
-def _written(row: Row, start: complex, size: float, hand: Hand) -> Iterator[Stroke]:
+def _written(passage: Passage, row: Row, start: complex, hand: Hand) -> Iterator[Stroke]:
     """Write one line from its start, each term over its lines."""
-    along = 0.0
+    along, size = 0.0, passage.size
     for piece in row:
+        own = list[Stroke]()
         if piece.sign:
-            yield Text(start + along + (LAPSE * size if along else 0.0), piece.sign, size, "start", True)
+            own.append(Text(start + along + (LAPSE * size if along else 0.0), piece.sign, size, "start", True))
         along += _sign(piece, size, bool(along))
-        yield Text(start + along, piece.text, size, "start", True)
+        own.append(telling(passage.figure, Text(start + along, piece.text, size, "start", True)))
+        yield from own if piece.states is None else (stating(piece.states, *own),)
         width = text_width(Text(0j, piece.text, size))
         for k in range(piece.under):
             low = start + along - 1j * (UNDER * size + APART * k)

@@ -60,6 +60,15 @@ def numbered(language: str, slot: Slot) -> Phrase:
     return Phrase(str(_text(slot, language)), str(_template(slot)))
 
 
+def slotted(before: str, quantity: str, number: str, after: str = "") -> Phrase:
+    """Write the number of a quantity that is rounded in its own way.
+
+    >>> slotted("K = ", "K", "1.500").template
+    'K = ⟨K⟩'
+    """
+    return Phrase(f"{before}{number}{after}", f"{before}⟨{quantity}⟩{after}")
+
+
 def joined(between: str, parts: Iterable[str]) -> Phrase:
     """Join phrases and words to one phrase."""
     own = [*parts]
@@ -71,10 +80,14 @@ def template_of(text: str) -> str:
     return text.template if isinstance(text, Phrase) else text
 
 
-def telling(figure: str, label: Stroke) -> Stroke:
-    """Give lettering of a figure, with its leader, as what it states, where its content is a phrase with slots."""
-    template = "".join(template_of(text.content) for text in texts((label,)))
-    return stating(Statement(Kind.PHRASE, figure, template), label) if SLOT.search(template) else label
+def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
+    """Give lettering of a figure as what it states, where its content is a phrase with slots.
+
+    A letter that a leader leads to is a group: its content is given.
+    """
+    own = (content,) if content else (one.content for one in texts((stroke,)) if isinstance(one.content, str))
+    template = "".join(map(template_of, own))
+    return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 
 def _text(part: object, language: str) -> object:

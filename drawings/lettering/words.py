@@ -20,13 +20,13 @@ _INDEX = re.compile(
 
 
 def word(language: str, key: str, **values: object) -> str:
-    """Give a phrase, a unit or a reason in the sheet's language.
+    """Give a phrase, a unit or a reason in the sheet's language; words of other groups by their full keys.
 
     >>> word("ru", "velocities", position=2), word("ru", "rad/s")
     ('План скоростей, положение 2', 'рад/с')
     """
     own = words.words(language)
-    found = next(name for group in GROUPS if (name := f"{group}.{key}") in own)
+    found = next(name for name in (*(f"{group}.{key}" for group in GROUPS), key) if name in own)
     return words.word(language, found, **values)
 
 

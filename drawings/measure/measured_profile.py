@@ -7,12 +7,17 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numpy as np
+
 from drawings.measure.curvedata import pieces
 from drawings.measure.marks import SheetMark
 from drawings.measure.measured import MeasuredMark
 from drawings.measure.pathdata import number
 from drawings.paper.limits import SheetRefused
 from geometry.curve import Piece, gaps
+from plans.model.motion import Complexes
+
+PARTS = 8  # of a piece, at which it is looked at
 
 
 @dataclass(frozen=True)
@@ -33,6 +38,12 @@ class MeasuredProfile(MeasuredMark):
     def reach(self) -> float:
         """How far from the sheet's corner it begins (mm), which its rounding is a share of."""
         return abs(self.at)
+
+    @property
+    def places(self) -> Complexes:
+        """Places along its pieces, m."""
+        inner = [piece.at(k / PARTS) for piece in self.pieces for k in range(PARTS)]
+        return np.array([*inner, self.pieces[-1].end])
 
     @property
     def gap(self) -> float:

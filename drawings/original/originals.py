@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from drawings.checks import verify
 from drawings.checks.agreement import agree
+from drawings.checks.expected import subject
 from drawings.checks.hold import stated_keys
 from drawings.checks.seen.plain import plain
 from drawings.checks.wrong import Wrong
@@ -88,7 +89,7 @@ class Originals:
 
         What is there as it must be is taken with all its digits, as it was laid out before it was rounded.
         """
-        own = [one.leaf for one in self.sheets if one.kind == sheet.kind]
+        own = [one.leaf for one in self.sheets if one.kind == sheet.kind and subject(one.leaf) == subject(sheet.leaf)]
         due = {row.key: row for row in named(SHEETS[sheet.kind].due)(self.study, own)}
         only = stated_keys(sheet.leaf)
         return [*verify.measured_wrongs(seen.measured, self._left(sheet, seen), due, only)]

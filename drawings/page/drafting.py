@@ -38,8 +38,9 @@ class Drafting(NamedTuple):
         return number(value, self.language, digits)
 
     def letter(self, markup: str) -> str:
-        """Write a letter as courses of the sheet's language do."""
-        return letter(self.language, markup)
+        """Write a letter as courses of the sheet's language do; a phrase stays one."""
+        own = letter(self.language, markup)
+        return Phrase(own, letter(self.language, markup.template)) if isinstance(markup, Phrase) else own
 
     def scale(self, scale: Scale) -> str:
         """Write a scale as the sheet does."""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
@@ -50,16 +51,16 @@ class CamNotes(NamedTuple):
 
     def asked(self) -> Iterator[str]:
         """Say what kind of cam it is."""
-        cam, word = self.cam, self.drafting.word
+        cam, word, phrase = self.cam, self.drafting.word, self.drafting.phrase
         kind = word(f"cam {cam.follower.motion} {cam.follower.end}")
-        parts = {"lift": self.way(cam.lift), "letter": "Ψ" if cam.rocks else "H"}
+        parts = {"lift": self.way("lift", cam.lift), "letter": "Ψ" if cam.rocks else "H"}
         key = "cam asked" if cam.follower.reach is None else "cam asked reach"
-        yield word(key, follower=kind, closure=word(f"cam closed by {cam.closure}"), **parts, **self._reach())
+        yield phrase(key, follower=kind, closure=word(f"cam closed by {cam.closure}"), **parts, **self._reach())
         if cam.speed is not None:
             sense = word("counter-clockwise" if cam.sense > 0 else "clockwise")
             key = "cam speed of travel" if cam.translates else "cam speed"
-            numbers = {"n": self._number(cam.speed * RPM), "omega": self._number(cam.speed)}
-            yield word(key, sense=sense, **numbers)
+            numbers = {"n": self._slot("n", cam.speed * RPM), "omega": self._slot("ω", cam.speed)}
+            yield phrase(key, sense=sense, **numbers)
 
     def phases(self) -> Iterator[str]:
         """Tell the phases in their order, with their laws."""
@@ -72,64 +73,67 @@ class CamNotes(NamedTuple):
 
     def smoothed(self) -> Iterator[str]:
         """Say of each table that may be smoothed how far its curve is from its points, and where at most."""
-        for phase in self.cam.moving():
+        for k, phase in enumerate(self.cam.moving()):
             if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
                 off, at = smoothing(phase.law)
-                far, most = (self.way(share * abs(phase.change)) for share in (off, phase.law.tolerance))
-                on, phi = self.drafting.word(f"cam on {phase.kind}"), self.place(phase.start + at * phase.angle)
-                yield self.drafting.word("cam smoothed", phase=on, phi=phi, off=far, allowed=most)
+                shares = (("off", off), ("allowed", phase.law.tolerance))
+                parts = {name: self.way(f"{name} {k}", share * abs(phase.change)) for name, share in shares}
+                parts |= {"phi": self.place(f"off {k}", phase.start + at * phase.angle)}
+                yield self.drafting.phrase("cam smoothed", phase=self.drafting.word(f"cam on {phase.kind}"), **parts)
 
     def sizes(self) -> Iterator[str]:
         """Say which main sizes were found."""
         cam, sizes = self.cam, self.found.sizes
         if cam.translates:
             return
-        parts = [f"R_0 = {self._mm(sizes.base)}"]
+        parts = [self._mm("R_0", sizes.base)]
         if cam.rocks:
-            angle = f"{self._number(math.degrees(sizes.initial))}°"
-            parts += [f"L = {self._mm(sizes.centre)}", f"ψ_0 = {angle}"]
+            parts += [self._mm("L", sizes.centre), self._angle("ψ_0", sizes.initial)]
         elif not cam.flat:
-            parts += [f"e = {self._mm(sizes.offset)}", f"S_0 = {self._mm(math.sqrt(sizes.base**2 - sizes.offset**2))}"]
-        yield self.drafting.word("cam sizes", sizes=",  ".join(parts))
+            parts += [self._mm("e", sizes.offset), self._mm("S_0", math.sqrt(sizes.base**2 - sizes.offset**2))]
+        names = ("R_0", *(("L", "ψ_0") if cam.rocks else ("e", "S_0")))
+        told = (joined(" = ", pair) for pair in zip(names, parts, strict=False))
+        yield self.drafting.phrase("cam sizes", sizes=joined(",  ", told))
         yield from self.face()
 
     def face(self) -> Iterator[str]:
         """Say how far contact goes on a flat face, and how far that reaches if the scene says it."""
         if self.cam.flat and not self.cam.translates:
-            sides = (self._mm(one if self.cam.rocks else abs(one)) for one in self.found.face)
+            ends = zip(("back", "front"), self.found.face, strict=True)
+            sides = {side: self._mm(side, one if self.cam.rocks else abs(one)) for side, one in ends}
             key = ("cam face rocking" if self.cam.rocks else "cam face") + (" reach" if self._reach() else "")
-            yield self.drafting.word(key, **dict(zip(("back", "front"), sides, strict=True)), **self._reach())
+            yield self.drafting.phrase(key, **sides, **self._reach())
 
     def _reach(self) -> dict[str, str]:
         reach = self.cam.follower.reach
-        return {} if reach is None else {"reach": self._mm(reach)}
+        return {} if reach is None else {"reach": self._mm("reach", reach)}
 
     def setting(self) -> Iterator[str]:
         """Say how the cam stands on the main shaft."""
         if self.cam.setting:
-            yield self.drafting.word("cam setting", angle=self._number(math.degrees(self.cam.setting)))
+            yield self.drafting.phrase("cam setting", angle=self._slot("setting", math.degrees(self.cam.setting)))
 
     def pressure(self) -> Iterator[str]:
         """Say how large the pressure angle grows on each kind of phase, and where."""
         pressed = self.cam.rocks or not self.cam.flat  # under a flat face that translates it is 0 throughout
         for kind, found in self.found.pressure.items() if pressed else ():
             permitted = interval_of(self.cam, kind)
-            parts = {"phase": self.drafting.word(f"cam on {kind}"), **self._place(found)}
-            told = {"angle": self._number(math.degrees(found.value)), **parts}
+            parts = {"phase": self.drafting.word(f"cam on {kind}"), "phi": self.place(f"α {kind}", found.turned)}
+            told = {"angle": self._slot(f"α {kind}", math.degrees(found.value)), **parts}
             if permitted is None:
-                yield self.drafting.word("cam pressure", **told)
+                yield self.drafting.phrase("cam pressure", **told)
             else:
-                low, high = (self._number(math.degrees(one)) for one in permitted)
-                yield self.drafting.word("cam pressure limit", low=low, high=high, **told)
+                low, high = (self.drafting.number(math.degrees(one), self.digits) for one in permitted)
+                yield self.drafting.phrase("cam pressure limit", low=low, high=high, **told)
 
     def roller(self) -> Iterator[str]:
         """Say how sharply the pitch curve is bent, and how large the roller is."""
-        found, word = self.found, self.drafting.word
+        found, phrase = self.found, self.drafting.phrase
         key = "cam profile sharpest" if self.cam.flat else "cam sharpest"
         if found.sharpest is not None:
-            yield word(key, radius=self._mm(found.sharpest.value), **self._place(found.sharpest))
+            yield phrase(key, **self._radius_at("ρ_min", found.sharpest, 1))
         if found.hollow is not None and not self.cam.flat:
-            yield word("cam hollow radius", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
+            yield phrase("cam hollow radius", **self._radius_at("ρ_hol", found.hollow, -1))
         yield from self._radius()
 
     def rolling(self) -> Iterator[str]:
@@ -143,13 +147,14 @@ class CamNotes(NamedTuple):
             groove = self.found.hollow is not None and self.cam.closure == GROOVE
             by_rule = "cam roller in a groove by" if groove else "cam roller by"
             key = f"{by_rule} {self.found.rule}" if self.cam.roller is None else "cam roller given"
-            yield self.drafting.word(key, roller=self._mm(self.found.roller))
+            yield self.drafting.phrase(key, roller=self._mm("r_rol", self.found.roller))
 
     def shocks(self) -> Iterator[str]:
         """Say where it knocks, and how hard."""
-        for one in self.found.shocks:
+        for k, one in enumerate(self.found.shocks):
             key = "cam hard shock" if one.order == HARD else "cam soft shock"
-            yield self.drafting.word(key, what=self._jumping(one), jump=self._jump(one), phi=self.place(one.turned))
+            at = self.place(f"jump {k}", one.turned)
+            yield self.drafting.phrase(key, what=self._jumping(one), jump=self._jump(f"jump {k}", one), phi=at)
 
     def _jumping(self, one: Shock) -> str:
         """Name what jumps: without a speed the derivative by the cam's turn."""
@@ -157,30 +162,32 @@ class CamNotes(NamedTuple):
             return letters(self.cam)[0] + "'" * one.order
         return self.drafting.word("cam velocity" if one.order == HARD else "cam acceleration")
 
-    def _jump(self, one: Shock) -> str:
+    def _jump(self, name: str, one: Shock) -> Phrase:
         cam = self.cam
         if cam.speed is None:
             unit = units(cam)[VELOCITY if one.order == HARD else ACCELERATION]
-            return self._number(one.jump) if unit == RATIO else self._of(one.jump, unit)
+            return self._of(name, one.jump, "" if unit == RATIO else unit)
         unit = ("rad" if cam.rocks else "m") + ("/s" if one.order == HARD else "/s2")
-        return self._of(one.jump * cam.speed**one.order, unit)
+        return self._of(name, one.jump * cam.speed**one.order, unit)
 
     def flaws(self) -> Iterator[str]:
         """Say what is wrong from where to where, and what would help."""
-        yield from map(self.flaw, self.found.flaws)
+        yield from (self.flaw(k, one) for k, one in enumerate(self.found.flaws))
         mending, kinds = self.found.mending, {one.kind for one in self.found.flaws}
         if mending is not None and "pressure" in kinds:
-            yield self.drafting.word("cam mending", base=self._mm(mending), offset=self._mm(self.found.sizes.offset))
+            parts = {"base": self._mm("mending", mending), "offset": self._mm("e", self.found.sizes.offset)}
+            yield self.drafting.phrase("cam mending", **parts)
         if mending is not None and kinds & {"concave", "sharp"}:
-            yield self.drafting.word("cam mending radius", base=self._mm(mending))
+            yield self.drafting.phrase("cam mending radius", base=self._mm("mending", mending))
         if self.found.advised is not None:
             yield self._advised(self.found.advised)
 
     def _advised(self, one: Sizes) -> str:
         """Say which main sizes would keep the pressure angle to its limits."""
+        base = self._mm("R_0 advised", one.base)
         if self.cam.rocks:
-            return self.drafting.word("cam advised rocking", base=self._mm(one.base), centre=self._mm(one.centre))
-        return self.drafting.word("cam advised translating", base=self._mm(one.base), offset=self._mm(one.offset))
+            return self.drafting.phrase("cam advised rocking", base=base, centre=self._mm("L advised", one.centre))
+        return self.drafting.phrase("cam advised translating", base=base, offset=self._mm("e advised", one.offset))
 
     def pressing(self) -> Iterator[str]:
         """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it.
@@ -190,58 +197,66 @@ class CamNotes(NamedTuple):
         found = self.found.pressing
         if found is None:
             return
-        ends = {"least": self._of(found.least.value, "N"), "most": self._of(found.most.value, "N")}
-        yield self.drafting.word("cam pressing", **ends, phi=self.place(found.most.turned))
+        ends = {"least": self._of("N_min", found.least.value, "N"), "most": self._of("N_max", found.most.value, "N")}
+        yield self.drafting.phrase("cam pressing", **ends, phi=self.place("N_max", found.most.turned))
         if self.cam.follower.end != ROLLER:
-            yield self.drafting.word(
-                "cam wear", wear=self._of(found.wear.value, "W"), phi=self.place(found.wear.turned)
-            )
+            wear, at = self._of("wear", found.wear.value, "W"), self.place("wear", found.wear.turned)
+            yield self.drafting.phrase("cam wear", wear=wear, phi=at)
         if found.least.value < 0:
-            preload = self._of(found.preload, "N*m" if self.cam.rocks else "N")
-            yield self.drafting.word("cam preload", preload=preload)
+            preload = self._of("preload", found.preload, "N*m" if self.cam.rocks else "N")
+            yield self.drafting.phrase("cam preload", preload=preload)
 
-    def flaw(self, one: Flaw) -> str:
+    def flaw(self, number: int, one: Flaw) -> str:
         """Say one flaw."""
-        ends = {"start": self.place(one.start), "end": self.turn(one.end), "phi": self.place(one.worst.turned)}
-        value = one.worst.value
+        name, value = f"flaw {number}", one.worst.value
+        ends: dict[str, object] = {
+            "start": self.place(f"{name} start", one.start),
+            "end": self.turn(f"φ {name} end", one.end),
+            "phi": self.place(name, one.worst.turned),
+        }
         if one.kind in CORNERED and abs(value) < SHARP:
-            return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])
+            return self.drafting.phrase(f"cam flaw {one.kind} corner", phi=ends["phi"])
         if one.kind == "crossing":
-            return self._crossing(value, ends)
-        told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
-        most = {"most": self._number(MM * abs(value))} if one.kind in CORNERED else {}
-        return self.drafting.word(f"cam flaw {one.kind}", worst=told, **most, **ends)
+            return self._crossing(name, value, ends)
+        unit = math.degrees(1) if one.kind == "pressure" else self._unit(one)
+        most = {"most": self._slot(f"{name} most", MM * abs(value))} if one.kind in CORNERED else {}
+        return self.drafting.phrase(f"cam flaw {one.kind}", worst=self._slot(name, unit * value), **most, **ends)
 
-    def _crossing(self, lost: float, ends: Mapping[str, str]) -> str:
+    def _crossing(self, name: str, lost: float, ends: Mapping[str, object]) -> str:
         """Say what a loop that is cut away costs, where the follower rests on what is left at all."""
         if math.isnan(lost):
-            return self.drafting.word("cam flaw crossing", **ends)
+            return self.drafting.phrase("cam flaw crossing", **ends)
         key = "cam flaw crossing and loss" if lost > 0 else "cam flaw crossing and no loss"
-        return self.drafting.word(key, worst=self.way(lost), **ends)
+        return self.drafting.phrase(key, worst=self.way(name, lost), **ends)
 
     def _unit(self, one: Flaw) -> float:
         return 1.0 if one.kind in ("lift-off", "outrun") else MM
 
-    def way(self, value: float) -> str:
+    def way(self, name: str, value: float) -> Phrase:
         """Write how far the follower goes: mm, or degrees of one that rocks."""
-        return f"{self._number(math.degrees(value))}°" if self.cam.rocks else self._mm(value)
+        return self._angle(name, value) if self.cam.rocks else self._mm(name, value)
 
-    def turn(self, value: float) -> str:
+    def turn(self, name: str, value: float) -> Phrase:
         """Write how far the cam goes: degrees, or mm of one that translates."""
-        return self._mm(value) if self.cam.translates else f"{self._number(math.degrees(value))}°"
+        return self._mm(name, value) if self.cam.translates else self._angle(name, value)
 
-    def place(self, value: float) -> str:
-        """Write where the cam is, with the letter of its turn or of its travel."""
-        return f"{letters(self.cam)[1]} = {self.turn(value)}"
+    def place(self, name: str, value: float) -> Phrase:
+        """Write where the cam is at a quantity, with the letter of its turn or of its travel."""
+        return joined(" = ", (letters(self.cam)[1], self.turn(f"φ {name}", value)))
 
-    def _place(self, found: Extreme) -> dict[str, str]:
-        return {"phi": self.place(found.turned)}
+    def _radius_at(self, name: str, found: Extreme, sign: int) -> dict[str, Phrase]:
+        return {"radius": self._mm(name, sign * found.value), "phi": self.place(name, found.turned)}
 
-    def _mm(self, value: float) -> str:
-        return self._of(MM * value, "mm")
+    def _angle(self, name: str, value: float) -> Phrase:
+        return joined("", (self.drafting.slot(self._slot(name, math.degrees(value))), "°"))
 
-    def _of(self, value: float, unit: str) -> str:
-        return f"{self._number(value)} {self.drafting.word(unit)}"
+    def _mm(self, name: str, value: float) -> Phrase:
+        return self._of(name, MM * value, "mm")
 
-    def _number(self, value: float) -> str:
-        return self.drafting.number(value, self.digits)
+    def _of(self, name: str, value: float, unit: str) -> Phrase:
+        size = self.drafting.slot(self._slot(name, value))
+        return joined(" ", (size, self.drafting.word(unit))) if unit else size
+
+    def _slot(self, name: str, value: float) -> Slot:
+        """Name a number by its quantity and its cam."""
+        return Slot(f"{name} {self.cam.name}", value, self.digits)

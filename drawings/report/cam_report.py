@@ -14,7 +14,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.cam_letters import letters, ways_told
 from drawings.report.cam_notes import MM, CamNotes
 from drawings.report.chapters import Chapters
-from drawings.report.listed import plain
+from drawings.report.listed import entry, plain
 from drawings.report.markdown import header, row
 from drawings.report.subject import Subject
 from plans.cam.study import LAWS, CamDrawing
@@ -72,7 +72,7 @@ def _all(study: Study, digits: int) -> Iterator[CamNotes]:
 def _task(notes: CamNotes) -> Iterator[str]:
     yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
     yield ""
-    yield from (f"- {plain(line)}" for line in (*notes.asked(), *notes.phases(), *notes.setting()))
+    yield from map(entry, (*notes.asked(), *notes.phases(), *notes.setting()))
     yield ""
 
 
@@ -127,7 +127,7 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     yield ""
     parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
     told = (line for part in parts for line in part())
-    yield from (f"- {plain(line)}" for line in told)
+    yield from map(entry, told)
     if laws:
         yield f"- {_chords(drawing, notes.drafting)}"
 

@@ -18,5 +18,10 @@ def plain(note: str) -> str:
 
 def listed(title: str, notes: Iterable[str]) -> list[str]:
     """Write a chapter as a list; one without notes is left out."""
-    told: list[str] = [Phrase(f"- {plain(note)}", f"- {plain(template_of(note))}") for note in notes]
+    told = [*map(entry, notes)]
     return [title, *told] if told else []
+
+
+def entry(note: str) -> Phrase:
+    """Give a note as a line of a list, its numbers still those of their quantities."""
+    return Phrase(f"- {plain(note)}", f"- {plain(template_of(note))}")

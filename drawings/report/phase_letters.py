@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from plans.model.cam import Cam, Phase
 
@@ -20,12 +21,12 @@ def phase_indices(cam: Cam) -> tuple[str, ...]:
     )
 
 
-def phase_letter(cam: Cam, number: int, drafting: Drafting) -> str:
+def phase_letter(cam: Cam, number: int, drafting: Drafting) -> Phrase:
     """Letter a phase with its angle in degrees, or with its travel in millimetres where the cam translates."""
     index, angle = phase_indices(cam)[number], cam.phases[number].angle
-    if cam.translates:
-        return drafting.letter(f"x_{{{index}}} = {drafting.number(1000 * angle, DIGITS)}")
-    return drafting.letter(f"φ_{{{index}}} = {drafting.number(math.degrees(angle), DIGITS)}°")
+    letter, size, unit = ("x", 1000 * angle, "") if cam.translates else ("φ", math.degrees(angle), "°")
+    told = drafting.letter(f"{letter}_{{{index}}} = "), drafting.slot(Slot(f"φ_{number}", size, DIGITS)), unit
+    return joined("", told)
 
 
 def _kind(cam: Cam, one: Phase) -> str:

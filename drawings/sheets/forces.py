@@ -160,7 +160,7 @@ class _ForceSheet:
         if told:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None
-            equation = LeverEquation(told, moment, self.drafting)
+            equation = LeverEquation(told, moment, self.drafting, self.position)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _workings(self) -> Iterator[Working]:
@@ -226,7 +226,8 @@ class _ForceSheet:
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in sizes)
         dense, (stations, along) = curve_graph.bounded(dense, ordinates), self._stations()
         letter = letter_of(told.name, self.drafting)
-        curve = curve_graph.GraphCurve(letter, told.unit, along, dense, stations, ordinates, shown=self.chosen)
+        turn = (along, dense, stations, ordinates)
+        curve = curve_graph.GraphCurve(letter, told.unit, *turn, shown=self.chosen, states=told.name)
         return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
 
     def _stations(self) -> tuple[Floats, Floats]:

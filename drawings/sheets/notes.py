@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from drawings.lettering.phrase import Slot, joined, phrase, slotted
 from drawings.lettering.words import fixed, number, runs, span, word
 from drawings.report.agreement import share
 from plans.checks.compare import MotionComparison
@@ -41,7 +42,8 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         found = interval(study.sweep, group, study.nodes)
         low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
         if low != high:
-            said.append(word(language, "pressure", group=group.label, low=low, high=high))
+            ends = {end: slotted("", f"{end} {group.label}", told) for end, told in (("low", low), ("high", high))}
+            said.append(phrase(language, "pressure", group=group.label, **ends))
     said += [*_gaps(comparison, language), *_why(study, comparison)]
     both = accord(comparison.findings, comparison.kappa, language)
     return [*said, *both, word(language, "hand note", slip=number(SLIP, language))] if both else said
@@ -109,10 +111,11 @@ def _travel(study: LinkageStudy, language: str) -> str:
     assert found is not None  # asked only where there are extremes
     extremes = found.extremes
     key, theta = "overlap faster" if extremes.faster else "overlap", float(np.degrees(extremes.overlap))
-    overlap = word(language, key, overlap=fixed(theta, language), ratio=fixed(extremes.ratio, language, 3))
+    ratio = slotted("", "K", fixed(extremes.ratio, language, 3))
+    overlap: str = phrase(language, key, overlap=slotted("", "θ", fixed(theta, language)), ratio=ratio)
     if len(found.rests) > 2:  # a stroke between two reversals of several has no time ratio
         overlap = word(language, "reversals", count=len(found.rests))
     if extremes.sliding:
-        return f"{word(language, 'stroke', stroke=number(1000 * extremes.stroke, language))};  {overlap}"
-    swing = fixed(float(np.degrees(extremes.stroke)), language)
-    return f"{word(language, 'swing', link=study.output.link, stroke=swing)};  {overlap}"
+        return joined(";  ", (phrase(language, "stroke", stroke=Slot("H", 1000 * extremes.stroke)), overlap))
+    swing = slotted("", "ψ", fixed(float(np.degrees(extremes.stroke)), language))
+    return joined(";  ", (phrase(language, "swing", link=study.output.link, stroke=swing), overlap))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Statement
 from drawings.paper.strokes import Line, Stroke
 from drawings.paper.ties import tied
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
 PAST = 1.5  # mm that an extension line goes past the dimension line
@@ -19,6 +21,7 @@ class Dimension(NamedTuple):
     start: complex
     end: complex
     off: complex
+    states: Statement | None = None
 
     @property
     def length(self) -> float:
@@ -41,7 +44,8 @@ class Dimension(NamedTuple):
         """Draw its lines, its arrows within or, where there is no room, outside."""
         line, *others = arrows(*self.lines[0], hand)
         extensions = (Line(*ends, hand.drafted) for ends in self.lines[1:])
-        return line, *extensions, *others
+        drawn = line, *extensions, *others
+        return drawn if self.states is None else (stating(self.states, *drawn),)
 
 
 def arrows(start: complex, end: complex, hand: Hand) -> tuple[Stroke, ...]:

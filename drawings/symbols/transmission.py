@@ -12,6 +12,7 @@ from drawings.symbols.dashes import fit_dashes
 
 CONTACT = 0.9  # radius of the pitch point
 TANGENT, ACTION = 22.0, 30.0  # mm: half of the pitch tangent drawn, and half of the line of action
+LEAST = 0.05  # mm: a shorter arc is a point
 ANGLE = 16.0  # radius of the arc of the pressure angle
 ARC = math.radians(32)  # half of the arc of the pitch circle drawn where the whole would not fit
 COILS, COIL = 5, 3.0  # zigzags of a spring, and half its width
@@ -41,6 +42,10 @@ class Gear(NamedTuple):
         across = 1j * cmath.rect(1.0, self.at)
         return across if (self.action * across.conjugate()).real >= 0 else -across
 
+    def slants(self, hand: Hand) -> bool:
+        """Tell whether there is a pressure angle to be seen."""
+        return abs(_turn(self)) * ANGLE * hand.symbol > LEAST
+
     def angle(self, hand: Hand) -> tuple[complex, float]:
         """Give the middle of the pressure angle's arc, and its direction from the pitch point: for the letter."""
         turn = cmath.phase(self.action) - _turn(self) / 2
@@ -56,7 +61,7 @@ class Gear(NamedTuple):
         first = cmath.phase(self.action) - max(turn, 0.0)
         arc = Arc(contact, ANGLE * factor, first, first + abs(turn), hand.drafted)
         lines = [Line(contact - half, contact + half, hand.drafted) for half in (tangent, action)]
-        return *fit_dashes([circle]), *lines, arc, Circle(contact, CONTACT * factor, INK)
+        return *fit_dashes([circle]), *lines, *([arc] if self.slants(hand) else []), Circle(contact, CONTACT * factor, INK)
 
 
 def _turn(gear: Gear) -> float:

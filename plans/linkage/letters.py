@@ -26,7 +26,7 @@ class Letters:
         for point in sorted(named, key=lambda name: (name != name.lower(), -len(name))):
             self._small[point] = apart(point.lower(), {*POLES.values(), *self._small.values()})
         self._taken = {*POLES.values(), *self._small.values()}
-        self._pins: dict[Sliding, tuple[str, int]] = {}
+        self.pins: dict[Sliding, tuple[str, int]] = {}  # that slide along a guide of a host, by their pairs
 
     def small(self, point: str) -> str:
         """Write a point's letter small: B as b."""
@@ -43,15 +43,15 @@ class Letters:
 
     def slides(self, pair: Sliding, pin: str, host: int) -> None:
         """Keep the pin whose velocity along its guide on a host a sliding pair gives."""
-        self._pins[pair] = pin, host
+        self.pins[pair] = pin, host
 
     def coriolis(self, pin: str, host: int, pair: Sliding | None = None) -> str:
         """Name the end of a pin's Coriolis part: k_A; k_A3 over link 3 where the pin has such parts over several.
 
         What slides there in a later pair, as a yoke's point under the pin does, has a prime: k_A3'.
         """
-        several = sum(one == pin and FRAME not in other for other, (one, _) in self._pins.items()) > 1
-        alike = [other for other, own in self._pins.items() if own == (pin, host)]
+        several = sum(one == pin and FRAME not in other for other, (one, _) in self.pins.items()) > 1
+        alike = [other for other, own in self.pins.items() if own == (pin, host)]
         primes = "'" * (alike.index(pair) if pair in alike else 0)
         return apart(f"k_{pin}{host}" if several else f"k_{pin}", self._taken) + primes
 

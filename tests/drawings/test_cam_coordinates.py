@@ -9,13 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.cam.coordinates import enclosures, faults, turns
-from drawings.checks.cam.rolling import apart
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.figures.cam.coordinate_table import read, written
 from drawings.files.enclosure import Enclosure
 from drawings.paper.strokes import SheetError
+from drawings.sheets.cam_coordinates import enclosures, faults, turns
 from drawings.sheets.table import SHEETS
 from geometry.errors import LimitError
 from plans.cam.course import Course
@@ -28,6 +27,7 @@ from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
 from tests.drawings.planting import DrawingFault, planted
+from tests.drawings.rolling import apart
 from tests.gallery import GALLERY
 from tests.parts import first
 from tests.plans import cam_cases as cases

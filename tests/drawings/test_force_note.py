@@ -11,8 +11,6 @@ from typing import cast
 import pytest
 
 import drawings
-from drawings.checks.note.arithmetic import miscounted
-from drawings.checks.note.force_note import faults
 from drawings.note.force_equations import drawn_scales, equations
 from drawings.paper.strokes import Group, Leaf
 from plans.scene.scene import parse_scene
@@ -70,48 +68,15 @@ def test_the_shaper_has_the_numbers_of_the_worked_example() -> None:
     assert r"| $\sum$ |  |  | $-142520$ |" in told  # the power of all forces is -2850.376673 W
 
 
-NAMES = (("shaper-loaded", 9), ("squeezer", 2), ("toggle-press", 3), ("slider-crank", 4))
-
-
-@pytest.mark.parametrize(("name", "position"), NAMES)
-def test_an_equation_holds_with_its_own_numbers(name: str, position: int) -> None:
-    """What is written is true by itself; with a sign turned, a factor or a term left out it is not."""
-    lines = [line for line in note(study(name), position).splitlines() if line.count(r"\cdot") and "text" in line]
-    assert len(lines) > 5
-    assert list(miscounted(lines)) == []
-    for line in lines:
-        result = re.search(r" = (-?)([\d.]+)\\text\{[^=]*$", line)
-        assert result is not None
-        if float(result[2]):
-            turned = line[: result.start(1)] + ("" if result[1] else "-") + line[result.start(2) :]
-            half = line[: result.start(2)] + f"{float(result[2]) * 1.01:.6g}" + line[result.end(2) :]
-            assert len(list(miscounted([turned]))) == len(list(miscounted([half]))) == 1, line
-
-
 @pytest.mark.parametrize(
     ("name", "position"), [("shaper-loaded", 2), ("squeezer", 1), ("toggle-press", 5), ("scotch-yoke", 2)]
 )
-def test_both_roads_write_the_same_and_markdown_leaves_it_alone(name: str, position: int) -> None:
+def test_markdown_leaves_the_equations_alone(name: str, position: int) -> None:
     made = study(name)
     told = note(made, position)
-    assert list(faults(told, made, leaves(made, position))) == []
     found = [one or other for one, other in MATH.findall(told)]
     assert len(found) > 15
     for formula in found:
         assert not re.search(r"[*|~<>#`]|\\[^A-Za-z]|(?<![A-Za-z0-9])_", formula), formula
         assert formula.count("{") == formula.count("}"), formula
         assert not re.search("[а-яё]", re.sub(r"\\text\{.*?\}", "", formula)), formula
-
-
-@pytest.mark.rest
-def test_no_number_of_the_equations_can_be_another() -> None:
-    made = study("shaper-loaded", BOOK)
-    right = note(made, 2)
-    numbers = [found for found in re.finditer(r"(?<![\d.{])\d+\.\d+(?![\d}])", right) if found[0].strip("0.")]
-    assert len(numbers) > 50
-    for found in numbers:
-        digit = next(k for k, sign in enumerate(found[0]) if sign not in "0.")
-        other = found[0][:digit] + str((int(found[0][digit]) + 1) % 10) + found[0][digit + 1 :]
-        wrong = right[: found.start()] + other + right[found.end() :]
-        assert list(faults(wrong, made, leaves(made, 2))), found[0]
-    assert list(faults(right, made, leaves(made, 2, 25.0)))  # the sheets are drawn to other scales

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from drawings.checks.force_marks import polygon_marks
+from drawings.paper.limits import SEEN
+from plans.checks.force_expected import missed
 from drawings.checks.letters import unlettered
 from drawings.figures.forces.force_kinds import WHOLE
 from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
@@ -77,26 +78,12 @@ def test_every_written_force_is_what_the_equilibrium_of_all_links_gives(name: st
         assert list(check(marks)) == []
         greatest = max(abs(one.force[k]) for one in expected.found.reactions.values())
         for group in (*case.study.groups, None):
-            assert list(polygon_marks(marks, expected, case.study.groups, group, ROUNDING * greatest)) == []
-
-
-def test_the_check_sees_a_force_that_is_turned_that_lacks_or_that_nobody_knows() -> None:
-    case, group = forced("four-bar"), forced("four-bar").study.groups[0]
-    marks, expected = measure(svg(sheet("four-bar", 0))), forced("four-bar").expected(0)
-
-    def wrong(*vectors: MeasuredVector) -> list[str]:
-        changed = Measured(vectors, marks.points, marks.metadata, marks.quantum)
-        return list(map(str, polygon_marks(changed, expected, case.study.groups, group, 1e-6)))
-
-    assert wrong(*marks.vectors) == []
-    for one in marks.vectors:
-        others = [other for other in marks.vectors if other is not one]
-        if one.plan == "forces-2-3":
-            assert wrong(*others, replace(one, value=one.value * 1.01)) != []
-            assert wrong(*others, replace(one, name="F_7")) != []
-            if "^" not in one.name:
-                assert wrong(*others) == [f"{one.name} is missing on forces-2-3 in position 0"]
-    assert wrong() == ["the force plan of 2-3 in position 0 is missing"]
+            links = (expected.mechanism.drive.link,) if group is None else group.links
+            own = [one for one in marks.vectors if one.plan == f"forces-{'-'.join(map(str, links))}"]
+            slack = ROUNDING * greatest + 2 * marks.quantum * own[0].scale
+            must, parts = expected.polygon(case.study.groups, group), expected.parts(group)
+            seen = {one.name: one.value for one in own}
+            assert list(missed(seen, must, parts, slack, SEEN * own[0].scale + slack)) == []
 
 
 @pytest.mark.part

@@ -27,7 +27,7 @@ from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
 from tests.drawings.memo import verify_loaded
-from tests.drawings.slips import Change, changed, dropped, in_part, marked, rewritten, stretched
+from tests.drawings.slips import Change, changed, dropped, in_part, rewritten, stretched
 from tests.parts import first
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
@@ -49,18 +49,6 @@ def checked() -> Checked:
     return study, comparison, statics, leaves[0]
 
 
-def reversed_arrow(name: str) -> Change:
-    is_it = marked(name, kind="force")
-
-    def change(stroke: Stroke) -> Stroke:
-        if isinstance(stroke, Group) and is_it(stroke) and isinstance(stroke.strokes[0], Line):
-            shaft = stroke.strokes[0]
-            return replace(stroke, strokes=(replace(shaft, start=shaft.end, end=shaft.start), *stroke.strokes[1:]))
-        return stroke
-
-    return change
-
-
 def altered(pattern: str, other: str) -> Change:
     """Write another thing in every text that has something of a pattern."""
 
@@ -80,12 +68,9 @@ FAULTS: dict[str, Change] = {
     "a tangential part is turned about": stretched("R^t_34", "forces-4-5", -1.0),
     "an inertia force is too long": stretched("Φ_3", "forces-2-3"),
     "the gear force is askew": stretched("P_bal", "forces-1", 1 + 0.01j),
-    "a weight on a scheme points up": reversed_arrow("G_4"),
-    "a reaction on the scheme of the crank points backwards": reversed_arrow("R_21"),
     "an ordinate of the balancing moment is too long": stretched("3", "balancing"),
     "an ordinate of the balancing moment is left out": dropped("2", "balancing"),
     "a load of the diagram is too great": stretched("a", "load_diagram-F_us"),
-    "a position on the load diagram is numbered otherwise": in_part("load_diagram-F_us", rewritten("3", "4")),
     "an arm of the lever is too long": stretched("h′_bal", "lever"),
     "an arm of the lever is left out": dropped("h′_bal", "lever"),
     "a number in the lever's equation is wrong": in_part("equations-lever", rewritten("61.07·34.7", "61.07·37.4")),
@@ -98,7 +83,6 @@ FAULTS: dict[str, Change] = {
     "a value of the table is wrong in its last digit": rewritten("1736.7", "1736.8"),
     "what a hand may be out in M_bal is wrong in its last digit": altered(r"±5(\.\d)?$", "±6.9"),
     "a scheme's scale is written otherwise than arms are measured by": altered(r"μl = 0\.00", "μ_l = 0.03"),
-    "the roads are said to be nearer than they are": altered("10−11", "10^{−12}"),
     "a force in the equations is wrong": rewritten("G4 = 29.43 N,", "G_4 = 29.34 N,"),
     "a reaction in the equations is wrong": rewritten("R05 = 211.58 N,", "R_{05} = 212.58 N,"),
     "a force plan's scale is written wrong": altered(r"μF = [\d.]+ N/mm", "μ_F = 7 N/mm"),

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
 from pathlib import Path
 
 import numpy as np
 
-from drawings.checks.linkage.by_hand import missing_rows
 from drawings.layout import value_table
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
 from drawings.lettering.lettering import text_width
-from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.strokes import Text
 from plans.checks.compare import compare
 from plans.checks.parts import alike
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
-from plans.words.words import message
 
 DEAD_CENTRE = Path(__file__).parent.parent / "catalogue" / "commands" / "f04_zero_vector.toml"
 GALLERY = Path(__file__).parent.parent.parent / "drawings" / "gallery"
@@ -58,23 +55,3 @@ def test_what_is_one_by_its_cause_has_one_row() -> None:
     names = [tuple(one.name for one in same) for same in alike(told, shaper.mechanism)]
     speeds = [("v_A",), ("v_B",), ("v_D",), ("ω_2", "ω_3"), ("ω_4",)]
     assert names == [*speeds, ("a_A",), ("a_B",), ("a_D",), ("ε_2", "ε_3"), ("ε_4",)]
-
-
-def test_a_row_of_several_names_stands_at_the_place_of_the_first_of_them() -> None:
-    """Sheets of a set that each have a run of the rows: S_4 stands beside E, and is asked of no later sheet."""
-    due = {"vA": set(), "vE": set(), "vH": set(), "vS1": set(), "vS4": {"vE"}, "vS5": set()}
-    assert not missing(["vA", "vE = vS4"], due)
-    assert not missing(["vH", "vS1", "vS5"], due)
-    assert missing(["vA", "vE = vS4", "vS1"], due) == ["vH"]
-    assert missing(["vH", "vS5"], due) == ["vS1"]
-    assert missing(["vE", "vH", "vS1", "vS5"], due) == ["vS4"]  # the sheet that has E has not S_4
-    assert missing(["vA", "vE = vS4", "vH"], due, 1) == ["vS1", "vS5"]
-
-
-def missing(heads: Sequence[str], due: Mapping[str, Set[str]], sheets: int = 2) -> list[str]:
-    """Give the rows that a sheet of a set is told to lack, by the first cells that it has."""
-    rows = Group(tuple(Text(-10j * k, f"{head}, m/s", 3.5) for k, head in enumerate(heads)), "values-0")
-    told = list(missing_rows(Leaf(297, 210, (rows,), metadata={"of": sheets}), due))
-    names = [name for name in due if message("wrong.row_missing", name=name) in told]
-    assert len(names) == len(told)
-    return names

@@ -32,7 +32,6 @@ SENTENCES: Final[Mapping[str, str]] = {
     "bank": "drawings.checks.balance_words.bank_report:headline",
     "rotor": "drawings.checks.rotor.reported:headline",
     "cyclogram": "drawings.checks.cyclogram.reported:headline",
-    "cam": "drawings.checks.cam.reported:headline",
 }
 OPEN: Final = ("dynamics", "rotor")  # whose sentence rounding or a gap may leave open; that of others is then not due
 # Of a study to the lines that are said as they stand.

@@ -156,9 +156,17 @@ def _same_curve(laid: Curve, there: Curve) -> bool:
     if laid.closed != there.closed or len(laid.pieces) != len(there.pieces):
         return False
     return all(
-        _together(_spots(own), _spots(other), CURVE_QUANTUM)
+        _together(_spots(own), _spots(other), _rounding(own))
         for own, other in zip(laid.pieces, there.pieces, strict=True)
     )
+
+
+def _rounding(piece: Piece) -> float:
+    """Give how far rounding moves a piece, mm; an arc is found by its ends and radius: near half a turn by the root."""
+    if isinstance(piece, CubicPiece):
+        return CURVE_QUANTUM
+    off = abs(piece.radius * math.cos(piece.sweep / 2))  # of the centre from the chord
+    return CURVE_QUANTUM + math.sqrt(off**2 + 4 * piece.radius * CURVE_QUANTUM) - off
 
 
 def _spots(piece: Piece) -> tuple[complex, ...]:

@@ -14,8 +14,10 @@ from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters
 from drawings.report.phase_letters import phase_letter
@@ -52,8 +54,11 @@ class LawFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give all the parts, lettered."""
         size = self.plate.hand.number
-        letters = (labels.along(*one.lines[0], one.letter, size, ABOVE, 1.5) for one in self.phases)
-        phases = Group((*self._sizes, *letters), self.plate.named("phases"))
+        name, letters = (
+            self.plate.named("phases"),
+            (labels.along(*one.lines[0], one.letter, size, ABOVE, 1.5) for one in self.phases),
+        )
+        phases = Group((*self._sizes, *(telling(name, one) for one in letters)), name)
         return self.joining, phases, *(part.group(labels) for part in self.parts)
 
 
@@ -97,7 +102,8 @@ class _Drawing:
         over = field._replace(top=field.top + plate.over)
         head = caption(_title(row, plate), ";  ".join(self._scales(row)), over, plate.hand)
         low = complex(over.centre.real, over.top - plate.hand.title - APART * plate.hand.text)
-        said = (Text(low, text, plate.hand.text, "middle", True) for text in _said(row, plate))
+        texts = (Text(low, text, plate.hand.text, "middle", True) for text in _said(row, plate))
+        said = (telling(plate.named(row.key), text) for text in texts)
         return part._replace(lines=(Group((head, *said)), *part.lines))
 
     def _scales(self, row: LawRow) -> Iterator[str]:
@@ -132,7 +138,8 @@ class _Drawing:
         for number, phase in enumerate(plate.cam.phases):
             if phase.angle > 0:
                 text = phase_letter(plate.cam, number, plate.drafting)
-                yield Dimension(text, axes.on(phase.start), axes.on(phase.end), level)
+                said = Statement(Kind.LENGTH, plate.named("phases"), f"φ_{number}", scale=axes.across.mu)
+                yield Dimension(text, axes.on(phase.start), axes.on(phase.end), level, said)
 
 
 def _wide(row: LawRow, plate: LawPlate) -> float:
@@ -151,7 +158,7 @@ def _title(row: LawRow, plate: LawPlate) -> str:
 def _said(row: LawRow, plate: LawPlate) -> Iterator[str]:
     """Tell under the title where there are shocks, or by how much the chords are off."""
     if row.key != ACCELERATION:
-        yield plate.drafting.word("chords off", off=plate.drafting.number(100 * _noted(row.error), PER_CENT))
+        yield plate.drafting.phrase("chords off", off=Slot("off", 100 * _noted(row.error), PER_CENT))
         return
     strips = plate.shown.strips
     soft = [k for k in strips.jumps if k not in strips.hard]

@@ -14,8 +14,10 @@ from drawings.figures.cam.law_rows import LawRow
 from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.part import Letter, Part
 from drawings.lettering.thinning import every
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
 from drawings.paper.ties import apart, tied
+from drawings.paper.walk import stating
 from drawings.report.cam_letters import letters
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK, arrowhead
@@ -33,11 +35,13 @@ INFINITE = "∞"
 def graph_part(row: LawRow, plate: LawPlate, axes: Axes, numbered: Collection[int]) -> Part:
     """Draw a row on its axes, each ordinate that is numbered measurable."""
     lines = (
-        *axes.lines((0.0, plate.cam.turn), row.span, plate.hand),
+        *axes.lines((0.0, plate.cam.turn), row.span, plate.hand, plate.named(row.key)),
         *_edges(row, plate, axes, numbered),
         *_chords(row, plate, axes),
         *_exact(row, plate, axes),
-        _polyline(row.result, axes, plate.hand.result),
+        stating(
+            Statement(Kind.CURVE, plate.named(row.key), row.letter), _polyline(row.result, axes, plate.hand.result)
+        ),
         *_given(row, plate, axes),
         *_impulses(row, plate, axes),
     )
@@ -105,10 +109,9 @@ def _impulses(row: LawRow, plate: LawPlate, axes: Axes) -> Iterator[Stroke]:
     """Draw an arrow up or down to infinity for each impulse."""
     for k, sense in row.impulses:
         start, tip = _impulse(row, plate, axes, k, sense)
-        head = arrowhead(start, tip, plate.hand.symbol)
-        yield Line(start, tip, plate.hand.result)
-        if head is not None:
-            yield head
+        head, line = arrowhead(start, tip, plate.hand.symbol), Line(start, tip, plate.hand.result)
+        said = Statement(Kind.DIRECTION, plate.named(row.key), plate.shown.strips.names[k], k)
+        yield line if head is None else stating(said, line, head)
 
 
 def _impulse(row: LawRow, plate: LawPlate, axes: Axes, k: int, sense: int) -> tuple[complex, complex]:

@@ -20,7 +20,9 @@ from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import pole, turning_arrow
@@ -156,12 +158,13 @@ def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, co
 def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the arrow of rotation, or that of a cam that translates in its body."""
     if shown.view.cam.translates:
-        yield from pushed(_straight(shown, place, hand), hand)
+        yield pushed(PLAN, _straight(shown, place, hand), hand)
     else:
         spot, turn = _arrow(shown, place, hand)
         radius = abs(spot - place.on(0j))
         sweep = shown.view.cam.sense * SWEEP * hand.symbol / radius
-        yield from turning_arrow(place.on(0j), radius, turn - sweep / 2, sweep, hand)
+        arrow = turning_arrow(place.on(0j), radius, turn - sweep / 2, sweep, hand)
+        yield stating(Statement(Kind.DIRECTION, PLAN, "ω"), *arrow)
 
 
 def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Group]:

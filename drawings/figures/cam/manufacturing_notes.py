@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from drawings.figures.cam.manufacturing import TabledProfile
 from drawings.figures.cam.outlines import SHOWN
+from drawings.lettering.phrase import Slot, joined
 from drawings.page.drafting import Drafting
 
 MM = 1000.0  # of a metre
@@ -37,18 +38,19 @@ def _moves(shown: TabledProfile) -> str:
 
 
 def _roller(shown: TabledProfile, drafting: Drafting) -> str:
-    radius = drafting.number(MM * shown.found.roller, DIGITS)
+    radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
     if not shown.grooved:
-        return drafting.word("roller of cam", radius=radius)
-    breadth = drafting.number(2 * MM * shown.found.roller, DIGITS)
-    return drafting.word("groove of cam", radius=radius, breadth=breadth)
+        return drafting.phrase("roller of cam", radius=radius)
+    breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.found.roller, DIGITS)
+    return drafting.phrase("groove of cam", radius=radius, breadth=breadth)
 
 
 def _dwells(shown: TabledProfile, drafting: Drafting) -> Iterator[str]:
     """Tell the radii of the arcs, and between which turns they are."""
     told = []
-    for one, radius in shown.dwells():
-        ends = (drafting.number(math.degrees(turn), DIGITS) for turn in (one.start, one.end))
-        told.append(f"r = {drafting.number(MM * radius, DIGITS)}, φ {' … '.join(ends)}°")
+    for k, (one, radius) in enumerate(shown.dwells()):
+        turns = (("r", MM * radius), ("start", math.degrees(one.start)), ("end", math.degrees(one.end)))
+        size, *ends = (drafting.slot(Slot(f"{name} {k} {shown.cam.name}", value, DIGITS)) for name, value in turns)
+        told.append(joined("", ("r = ", size, ", φ ", joined(" … ", ends), "°")))
     if told:
-        yield drafting.word("dwells of cam", radii=";  ".join(told))
+        yield drafting.phrase("dwells of cam", radii=joined(";  ", told))

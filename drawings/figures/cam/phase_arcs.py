@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
+from functools import partial
 from typing import NamedTuple
 
 from drawings.figures.cam.inversion import highest
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.profile_view import NAME, ProfileView
 from drawings.figures.cam.rings import Rings, beyond
 from drawings.layout.labels import Labels
+from drawings.lettering.phrase import telling
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import TURN, Line, Stroke
+from drawings.paper.walk import stating
 from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import turning_arrow
@@ -25,6 +29,7 @@ BESIDE = 1.2  # mm from an arc to its letter
 class AngleArc(NamedTuple):
     """The arc of an angle on paper: where it begins, rad, and how far it goes, below 0 clockwise."""
 
+    name: str
     letter: str
     centre: complex
     radius: float
@@ -38,13 +43,14 @@ class AngleArc(NamedTuple):
 
     def draw(self, hand: Hand) -> Iterator[Stroke]:
         """Draw it, an arrow at either end."""
-        for way in (1, -1):
-            yield from turning_arrow(self.centre, self.radius, self.middle, way * self.sweep / 2, hand, hand.drafted)
+        ways = (way * self.sweep / 2 for way in (1, -1))
+        arrows = (turning_arrow(self.centre, self.radius, self.middle, way, hand, hand.drafted) for way in ways)
+        yield stating(Statement(Kind.ANGLE, NAME, self.name), *(stroke for arrow in arrows for stroke in arrow))
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond its middle."""
         spot = self.centre + cmath.rect(self.radius, self.middle)
-        return labels.beside(spot, self.letter, hand.number, BESIDE, self.middle)
+        return telling(NAME, labels.beside(spot, self.letter, hand.number, BESIDE, self.middle))
 
 
 def phase_arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[AngleArc, ...]:
@@ -57,8 +63,8 @@ def phase_arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Ang
 def _arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[AngleArc]:
     for number, phase in enumerate(view.cam.phases):
         start = cmath.phase(rings.crossing(phase.start, rings.phases))
-        text = phase_letter(view.cam, number, drafting)
-        yield AngleArc(text, rings.place.on(0j), rings.phases, start, -view.cam.sense * min(phase.angle, TURN))
+        text, sweep = phase_letter(view.cam, number, drafting), -view.cam.sense * min(phase.angle, TURN)
+        yield AngleArc(f"φ_{number}", text, rings.place.on(0j), rings.phases, start, sweep)
 
 
 def bounds(view: ProfileView, rings: Rings, hand: Hand) -> Iterator[Stroke]:
@@ -76,8 +82,9 @@ def travels(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Dimens
         return ()
     hand = drafting.hand
     off = 1j * (beyond(hand) + 2 * hand.number)
+    said = partial(Statement, Kind.LENGTH, NAME, scale=rings.place.scale.mu)
     return tuple(
-        Dimension(phase_letter(view.cam, number, drafting), *_over(view, rings, one), off)
+        Dimension(phase_letter(view.cam, number, drafting), *_over(view, rings, one), off, said(f"φ_{number}"))
         for number, one in enumerate(view.cam.phases)
     )
 

@@ -13,11 +13,14 @@ from drawings.figures.graphs.part import Letter
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Phrase, Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.paper.ties import tied
+from drawings.paper.walk import stating
 from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading
@@ -93,7 +96,8 @@ class PressureFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole graph, its limits, extremes, phases and positions lettered."""
         ranked = sorted(self.letters, key=lambda one: -one.size)
-        letters = tuple(labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        letters = tuple(telling(NAME, one) for one in placed)
         return (Group((*self.lines, Group(letters)), NAME),)
 
 
@@ -118,11 +122,14 @@ def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> P
     scales = f"{drafting.scale(up)};  {drafting.scale(spot.scale)}"
     lines = (
         heading(spot.box, drafting.word("cam pressure graph"), scales, hand),
-        *axes.lines((0.0, view.cam.turn), (low, high), hand),
+        *axes.lines((0.0, view.cam.turn), (low, high), hand, NAME),
         *_phases(view, axes, hand),
         *_levels(view, axes, hand),
         *_stations(view, axes, hand),
-        Polyline(tuple(axes.on(*one) for one in _curve(view)), False, hand.result),
+        stating(
+            Statement(Kind.CURVE, NAME, LETTER),
+            Polyline(tuple(axes.on(*one) for one in _curve(view)), False, hand.result),
+        ),
         *_marks(view, axes, drafting),
     )
     letters = (*_letters(view, axes, drafting), *_named(view, axes, drafting), *_numbers(view, axes, hand))
@@ -173,8 +180,8 @@ def _stations(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
         yield Circle(tip, DOT * hand.symbol, INK)
 
 
-def _degrees(one: Extreme, drafting: Drafting) -> str:
-    return f"{drafting.number(math.degrees(one.value))}°"
+def _degrees(kind: str, one: Extreme, drafting: Drafting) -> Phrase:
+    return joined("", (drafting.slot(Slot(kind, math.degrees(one.value))), "°"))
 
 
 def _marks(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Stroke]:
@@ -184,7 +191,7 @@ def _marks(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Strok
         foot = axes.on(one.turned)
         tip = axes.on(one.turned, math.degrees(one.value))
         data = Subject(NAME, LETTER, None).data("vector", kind, 1j * math.degrees(one.value), axes.up)
-        yield Group((Line(foot, tip, hand.other),), "", data, _degrees(one, drafting))
+        yield Group((Line(foot, tip, hand.other),), "", data, _degrees(kind, one, drafting))
         yield Circle(tip, 1.5 * DOT * hand.symbol, hand.body)
 
 
@@ -193,14 +200,15 @@ def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Let
     hand = drafting.hand
     yield Letter(axes.on(0.0, view.span[1]) + BEYOND * 1j, f"{LETTER}, {UNIT}", hand.letter, 0.0)
     yield Letter(axes.on(view.cam.turn) + BEYOND, "x" if view.cam.translates else "φ", hand.letter, math.pi / 2)
-    for _, one in view.marked:
+    for kind, one in view.marked:
         at = axes.on(one.turned, math.degrees(one.value))
         side = math.copysign(math.pi / 2, one.value)
-        yield Letter(at, _degrees(one, drafting), hand.number, side, 1.6)
+        yield Letter(at, _degrees(kind, one, drafting), hand.number, side, 1.6)
     for kind, level in view.named:
         own = next((one for one in view.cam.phases if one.kind == kind), None)
         if own is not None:
-            text = drafting.letter(f"[α_{{{kind}}}] = {drafting.number(abs(level))}°")
+            size = drafting.slot(Slot(f"[α_{kind}]", abs(level)))
+            text = joined("", (drafting.letter(f"[α_{{{kind}}}] = "), size, "°"))
             side = math.pi / 2 if kind == RISE else -math.pi / 2
             yield Letter(axes.on(own.start + 0.8 * own.angle, level), text, hand.number, side)
 

@@ -14,6 +14,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import telling
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
@@ -73,12 +74,12 @@ class ProfileFigure:
         for angle in size_marks.rocking(self.view, self.place, self.drafting):
             yield angle.letter_beside(labels, hand)
         for one in phase_arcs.travels(self.view, self.rings, self.drafting):
-            yield labels.along(*one.lines[0], one.letter, hand.number, BESIDE, math.pi / 2)
+            yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, math.pi / 2))
 
     def _sizes(self, labels: Labels) -> Iterator[Stroke]:
         hand = self.drafting.hand
         for one in size_marks.size_marks(self.view, self.place, self.drafting):
-            yield labels.along(one.start, one.end, one.letter, hand.number, BESIDE, math.pi / 2)
+            yield telling(NAME, labels.along(one.start, one.end, one.letter, hand.number, BESIDE, math.pi / 2))
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         """Number the positions at the ends of their axes, and at the points of the curve."""
@@ -156,7 +157,7 @@ def _around(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[Str
     for sense in senses.senses(view, rings):
         yield from sense.draw(hand)
     for ends in senses.straight(view, rings):
-        yield from senses.pushed(ends, hand)
+        yield senses.pushed(NAME, ends, hand)
 
 
 def _shaft(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:

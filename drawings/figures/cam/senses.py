@@ -7,11 +7,13 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.profile_view import NAME, ProfileView
 from drawings.figures.cam.rings import Rings
 from drawings.layout.labels import Labels
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line, Stroke
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Group, Line, Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import arrowhead, turning_arrow
 
 WITHIN = (0.3, 0.68)  # of what is free from the cam to the ends of the axes: radii of both arrows
@@ -32,7 +34,8 @@ class Sense(NamedTuple):
 
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw it."""
-        return turning_arrow(self.centre, self.radius, self.middle - self.sweep / 2, self.sweep, hand)
+        arrow = turning_arrow(self.centre, self.radius, self.middle - self.sweep / 2, self.sweep, hand)
+        return (stating(Statement(Kind.DIRECTION, NAME, self.letter), *arrow),)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond its middle."""
@@ -60,8 +63,8 @@ def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex
         yield middle + half, middle - half
 
 
-def pushed(ends: tuple[complex, complex], hand: Hand) -> Iterator[Stroke]:
-    """Draw a straight arrow."""
-    yield Line(*ends, hand.other)
+def pushed(figure: str, ends: tuple[complex, complex], hand: Hand) -> Group:
+    """Draw the straight arrow of a cam that translates, in a figure."""
     head = arrowhead(*ends, hand.symbol)
-    yield from () if head is None else (head,)
+    heads = () if head is None else (head,)
+    return stating(Statement(Kind.DIRECTION, figure, "v"), Line(*ends, hand.other), *heads)

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -18,9 +19,12 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Phrase, Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading, point
@@ -58,7 +62,7 @@ class SizeFigure:
         ]
         ranked = sorted(self.letters, key=lambda one: -one.size)
         letters = [labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked]
-        return (Group((*self.lines, Group((*sizes, *letters))), NAME),)
+        return (Group((*self.lines, Group(tuple(telling(NAME, one) for one in (*sizes, *letters)))), NAME),)
 
 
 def measure(view: SizeView, drafting: Drafting) -> Picture:
@@ -143,8 +147,8 @@ def _construction(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 
 def _curves(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    for curve in view.curves:
-        yield Polyline(tuple(place.on(one) for one in curve.tolist()), False, hand.result)
+    curves = (Polyline(tuple(place.on(one) for one in curve.tolist()), False, hand.result) for curve in view.curves)
+    yield from (stating(Statement(Kind.CURVE, NAME, "D"), *curves),) if view.curves else ()
 
 
 def _points(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -179,9 +183,9 @@ def _reaches(view: SizeView, drafting: Drafting) -> Iterator[tuple[str, complex,
     own = view.sizing.sizes
     if not view.bent:
         end = view.face[2] if view.faced else view.start
-        yield "R_0", end, f"R_0 = {drafting.number(1000 * own.base)}"
+        yield "R_0", end, _told("R_0", own.base, drafting)
     if view.cam.rocks:
-        yield "L", 0j, f"L = {drafting.number(1000 * own.centre)}"
+        yield "L", 0j, _told("L", own.centre, drafting)
 
 
 def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimension]:
@@ -192,28 +196,34 @@ def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimensi
     foot = complex(zero.real, centre.imag)
     left = -view.cam.sense
     if view.bent:
-        yield from _long("R_0", view.sizing.sizes.base, zero, centre, off + 0j, drafting)
+        yield from _long("R_0", view.sizing.sizes.base, (zero, centre), off + 0j, place, drafting)
         cut = complex(view.sizing.board["B"].point)
-        yield from _long("ρ_{min}", (cut - view.centre).imag, place.on(cut), centre, -off + 0j, drafting)
+        yield from _long("ρ_{min}", (cut - view.centre).imag, (place.on(cut), centre), -off + 0j, place, drafting)
         return
     level = abs(view.centre.imag)
     side = left * (1 if view.sizing.sizes.offset < 0 else -1)
-    yield from _long("S_0", level, foot, zero, side * off + 0j, drafting)
+    yield from _long("S_0", level, (foot, zero), side * off + 0j, place, drafting)
     below = OFF_BELOW * drafting.hand.letter + place.length(view.centre.imag - view.box[0].imag)
     own = view.sizing.sizes
     if offset_seen(own):
-        yield _dimension("e", own.offset, centre, foot, -1j * below, drafting)
+        yield _dimension("e", own.offset, (centre, foot), -1j * below, place, drafting)
 
 
-def _long(
-    letter: str, size: float, start: complex, end: complex, off: complex, drafting: Drafting
-) -> Iterator[Dimension]:
-    if abs(end - start) >= LEAST:
-        yield _dimension(letter, size, start, end, off, drafting)
+Ends: TypeAlias = tuple[complex, complex]
 
 
-def _dimension(letter: str, size: float, start: complex, end: complex, off: complex, drafting: Drafting) -> Dimension:
-    return Dimension(f"{letter} = {drafting.number(1000 * size)}", start, end, off)
+def _long(letter: str, size: float, ends: Ends, off: complex, place: Place, drafting: Drafting) -> Iterator[Dimension]:
+    if abs(ends[1] - ends[0]) >= LEAST:
+        yield _dimension(letter, size, ends, off, place, drafting)
+
+
+def _dimension(letter: str, size: float, ends: Ends, off: complex, place: Place, drafting: Drafting) -> Dimension:
+    said = Statement(Kind.LENGTH, NAME, letter, scale=place.scale.mu)
+    return Dimension(_told(letter, size, drafting), *ends, off, said)
+
+
+def _told(letter: str, size: float, drafting: Drafting) -> Phrase:
+    return joined(" = ", (letter, drafting.slot(Slot(letter, 1000 * size))))
 
 
 def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
@@ -243,7 +253,7 @@ def _named(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]
 def _arm(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
     """Letter the start of the rocker's arc, and its arm."""
     if len(view.tips):
-        hand, text = drafting.hand, f"l = {drafting.number(1000 * abs(view.start))}"
+        hand, text = drafting.hand, _told("l", abs(view.start), drafting)
         yield Letter(place.on(view.start), "A", hand.letter, math.pi / 2 * (1 - view.cam.rising), BESIDE)
         yield Letter((place.on(0j) + place.on(_top(view))) / 2, text, hand.number, math.pi / 2)
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from drawings.figures.cam.phase_arcs import AngleArc
 from drawings.figures.cam.profile_view import NAME, QUANTITY, ProfileView
 from drawings.layout.place import Place
+from drawings.lettering.phrase import Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Stroke
@@ -98,7 +99,7 @@ def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
 
 
 def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:
-    text = f"{name.replace('_min', '_{min}')} = {drafting.number(1000 * size, DIGITS)}"
+    text = joined(" = ", (name.replace("_min", "_{min}"), drafting.slot(Slot(name, 1000 * size, DIGITS))))
     return SizeMark(name, text, place.on(start), place.on(end), end - start)
 
 
@@ -130,5 +131,5 @@ def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[Ang
         pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))
-        text = f"ψ_0 = {drafting.number(math.degrees(abs(off)), DIGITS)}°"
-        yield AngleArc(text, pivot, INITIAL * abs(tip - pivot), start, off)
+        text = joined("", ("ψ_0 = ", drafting.slot(Slot("ψ_0", math.degrees(abs(off)), DIGITS)), "°"))
+        yield AngleArc("ψ_0", text, pivot, INITIAL * abs(tip - pivot), start, off)

@@ -11,6 +11,7 @@ from drawings.figures.cam.size_view import SizeView, leaning, lower
 from drawings.figures.graphs.part import Letter
 from drawings.layout.labels import NEAR
 from drawings.layout.place import Place
+from drawings.lettering.phrase import Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, Polyline, Stroke
@@ -85,8 +86,9 @@ def _angle(view: SizeView, one: Tangent, past: complex, hand: Hand, taken: Seque
 def _told(one: Tangent, drafting: Drafting) -> str:
     """Write a limit of the pressure angle."""
     assert isinstance(one.bound, PressureBound)
-    sign, text = -1 if lower(one) else 1, drafting.letter(f"α_{{{one.bound.kind}}}")
-    return f"{'−' if sign < 0 else ''}{text} = {drafting.number(sign * math.degrees(one.bound.angle))}°"
+    sign, minus = (-1, "−") if lower(one) else (1, "")
+    size = drafting.slot(Slot(f"{minus}α_{one.bound.kind}", sign * math.degrees(one.bound.angle)))
+    return joined("", (minus, drafting.letter(f"α_{{{one.bound.kind}}}"), " = ", size, "°"))
 
 
 def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:

@@ -6,8 +6,10 @@ from collections.abc import Iterator
 
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.leverage import Leverage, leverages
-from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Passage, Term, WrittenEquation, forces, moments, plain
+from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Passage, Term, WrittenEquation, forces, listed, moments, plain
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
+from drawings.paper.statement import Kind, Statement
 from geometry.board import Mark, at
 from plans.forces.cut import CLOSING, REACTION, Couple, Cut, Equation
 from plans.forces.force import ForcePlan
@@ -29,15 +31,16 @@ class Equations:
         """Write arms, equations of moments with what they give, and the equation of forces."""
         lines = [*self._given(), *self._slotted(), *(line for one in self.cut.equations for line in self._moments(one))]
         lines += [*self._forces(), *self._found()]
-        return Passage(name, tuple(lines), self.drafting.hand.text)
+        return Passage(name, tuple(lines), self.drafting.hand.text, figure=f"{name}-{self.column}")
 
     def letter(self, name: str) -> str:
         """Write a force's name as the sheet does."""
         return letter_of(name, self.drafting)
 
-    def statement(self, name: str, value: float, unit: str) -> str:
+    def statement(self, name: str, value: float, unit: str) -> Phrase:
         """Write what a quantity is: R_34 = 1644.1 N."""
-        return f"{self.letter(name)} = {self.drafting.number(value, DIGITS)} {self.drafting.word(unit)}"
+        number = self.drafting.slot(Slot(name, value, DIGITS))
+        return joined("", (f"{self.letter(name)} = ", number, f" {self.drafting.word(unit)}"))
 
     def _size(self, mark: Mark) -> float:
         return abs(self._value(mark))
@@ -55,12 +58,12 @@ class Equations:
         couples = [self._couple(one) for one in turning]
         given = [*loads, *couples]
         if given:
-            yield plain(*(f"{one}," if k < len(given) - 1 else one for k, one in enumerate(given)))
+            yield listed(*given)
         arms = {arm.letter: arm.length for arm in self.arms}
         if arms:
-            mm = self.drafting.word("mm")
-            parts = [f"{letter} = {self.drafting.number(1000 * arm, DIGITS)}" for letter, arm in arms.items()]
-            yield plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {mm}")
+            slots = {letter: self.drafting.slot(Slot(letter, 1000 * arm, DIGITS)) for letter, arm in arms.items()}
+            *parts, last = (joined(" = ", pair) for pair in slots.items())
+            yield listed(*parts, joined(" ", (last, self.drafting.word("mm"))))
 
     def _slotted(self) -> Iterator[WrittenEquation]:
         """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
@@ -71,7 +74,7 @@ class Equations:
                 self.statement(part.name, self._size(part), "N"),
             )
 
-    def _couple(self, one: Couple) -> str:
+    def _couple(self, one: Couple) -> Phrase:
         return self.statement(one.name, self._value(one.moment).real, "N*m")
 
     def _moments(self, one: Equation) -> Iterator[WrittenEquation]:
@@ -79,8 +82,8 @@ class Equations:
         unknown = one.found.name
         named = {load.name for load in one.loads} | {unknown}
         armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
-        terms = [self._term(arm) for arm in armed if arm.name != unknown]
-        terms += [self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0]
+        terms = {arm.name: self._term(arm) for arm in armed if arm.name != unknown}
+        terms |= {couple.name: self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0}
         force = next((arm for arm in armed if arm.name == unknown), None)
         if one.line is None:
             value, unit, own = self._value(one.found).real, "N*m", ("+", self.letter(unknown))
@@ -89,8 +92,14 @@ class Equations:
             own = ("+", self.letter(unknown)) if force is None else self._term(force)
         given = self.cut.group is None and self.plan.mechanism.drive.ram is not None  # it drives: no moment is left
         if terms:
-            yield moments(self._about(one), terms if given else [own, *terms])
+            every = terms if given else {unknown: own, **terms}
+            yield moments(self._about(one), [*every.values()], states=[self._said(one, name) for name in every])
         yield from () if given else (plain(self.statement(unknown, value, unit)),)
+
+    def _said(self, one: Equation, name: str) -> Statement:
+        """Say whose a term is: by its force or moment, the point, and what the equation gives."""
+        figure = f"equations-{self.cut.label}-{self.column}"
+        return Statement(Kind.LETTER, figure, f"{name} about {one.about.name} for {one.found.name}")
 
     def _about(self, one: Equation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
@@ -130,4 +139,4 @@ class Equations:
         statements = [self.statement(one.name, self._size(one), "N") for one in found]
         moments = [one.moment for one in self.cut.reactions if one.moment is not None]
         statements += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
-        yield plain(*(f"{one}," for one in statements[:-1]), statements[-1])
+        yield listed(*statements)

@@ -10,10 +10,12 @@ from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_layout import UNIT
 from drawings.figures.forces.lever_terms import POLE, LeverTerm, statements
 from drawings.layout.block import TextBlock
-from drawings.layout.equation import Passage, WrittenEquation, moments, plain
+from drawings.layout.equation import Passage, WrittenEquation, listed, moments
 from drawings.layout.picture import Spot
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group
 from plans.forces.primary import BALANCING, DRIVING
 
@@ -29,6 +31,7 @@ class LeverEquation(NamedTuple):
     told: tuple[LeverTerm, ...]
     moment: float | None
     drafting: Drafting
+    column: int = 0
 
     def block(self) -> TextBlock:
         """Measure it with the widest numbers, for the scale of the lever is not known yet."""
@@ -43,28 +46,35 @@ class LeverEquation(NamedTuple):
         )
 
     def _passage(self, mu: float | None, unit: str = "mm") -> Passage:
-        arms = {letter: self._arm(length, mu) for letter, length in statements(self.told)}
-        lines = (self._arms(arms, unit), moments(POLE, [one.written for one in self.told]), self._numbers(arms))
-        return Passage(NAME, (*lines, *self._found()), self.drafting.hand.text)
+        arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}
+        figure = f"{NAME}-{self.column}"
+        said = [Statement(Kind.LETTER, figure, one.letter) for one in self.told]
+        letters = moments(POLE, [one.written for one in self.told], states=said)
+        lines = (self._arms(arms, unit), letters, self._numbers(arms), *self._found())
+        return Passage(NAME, lines, self.drafting.hand.text, figure=figure)
 
-    def _arm(self, length: float, mu: float | None) -> str:
-        return WIDEST if mu is None else self.drafting.number(length / mu, ARM)
+    def _arm(self, letter: str, length: float, mu: float | None) -> str:
+        return WIDEST if mu is None else self.drafting.slot(Slot(letter, length / mu, ARM))
 
     def _arms(self, arms: dict[str, str], unit: str) -> WrittenEquation:
         """Tell all arms once."""
-        parts = [f"{letter} = {arm}" for letter, arm in arms.items()]
-        return plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {self.drafting.word(unit)}")
+        *parts, last = (joined(" = ", pair) for pair in arms.items())
+        return listed(*parts, joined(" ", (last, self.drafting.word(unit))))
 
     def _numbers(self, arms: dict[str, str]) -> WrittenEquation:
         """Write the equation with its numbers: newtons by arms."""
-        products = [(one.written[0], f"{self.drafting.number(one.size, DIGITS)}·{arms[one.arm]}") for one in self.told]
-        return moments(POLE, products)
+        sizes = [self.drafting.slot(Slot(one.letter, one.size, DIGITS)) for one in self.told]
+        products = (joined("·", (size, arms[one.arm])) for one, size in zip(self.told, sizes, strict=True))
+        return moments(POLE, [(one.written[0], product) for one, product in zip(self.told, products, strict=True)])
 
     def _found(self) -> Iterator[WrittenEquation]:
         """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
         drafting, driving = self.drafting, [one for one in self.told if one.force == DRIVING]
-        parts = [f"{one.letter} = {drafting.number(one.size, DIGITS)} {drafting.word('N')}" for one in driving]
+        parts = [self._statement(one.letter, one.size, "N") for one in driving]
         if self.moment is not None:
-            size = drafting.number(self.moment, DIGITS)
-            parts.append(f"{letter_of(BALANCING, drafting)} = {size} {drafting.word('N*m')}")
-        yield plain(*(f"{one}," for one in parts[:-1]), *parts[-1:])
+            parts.append(self._statement(letter_of(BALANCING, drafting), self.moment, "N*m"))
+        yield listed(*parts)
+
+    def _statement(self, letter: str, value: float, unit: str) -> Phrase:
+        number = self.drafting.slot(Slot(letter, value, DIGITS))
+        return joined("", (f"{letter} = ", number, f" {self.drafting.word(unit)}"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -31,10 +31,12 @@ from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols.arms import Arm
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.force_arrow import ForceArrow
+from drawings.symbols.force_arrow import ForceArrow, plain_name
 from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
 from geometry.board import Mark, at
@@ -185,10 +187,20 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lever
     lines = (
         heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),
         *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
-        Group((*rods, *stand)), *(force.draw(hand) for force in arrows), *dots,
+        Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
     return LeverFigure(shown, place, lines, tuple(arrows), kept, told, hand)
+
+
+def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:
+    """Draw the forces, each as what it states; the second of a couple is the first turned round."""
+    seen = set[str]()
+    for one in arrows:
+        name = plain_name(one.letter)
+        said = f"−{name}" if name in seen else name
+        seen.add(name)
+        yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), one.draw(hand))
 
 
 def _style(thin: bool, hand: Hand) -> LineStyle:

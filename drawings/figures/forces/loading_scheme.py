@@ -101,7 +101,7 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
         yield arrow.letter_beside(labels, hand)
     for couple in laid.couples:
         yield couple.letter_beside(labels, hand)
-    if laid.gear is not None:
+    if laid.gear is not None and laid.gear.slants(laid.hand):
         middle, turn = laid.gear.angle(laid.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
     yield from link_numbers(laid.joints, laid.shown.links.links, labels, hand)

@@ -20,13 +20,15 @@ from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject
-from drawings.symbols.force_arrow import ForceArrow, not_to_scale
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import BLOCK, MASS, POINT, mass_centre
 from drawings.symbols.transmission import Gear
@@ -102,10 +104,14 @@ class Layout:
             return None
         return Gear(self.place.on(wheel.centre), self.place.length(wheel.radius), wheel.at, wheel.action)
 
+    @property
+    def _plan(self) -> str:
+        return f"scheme {self.shown.cut.label}"
+
     @cached_property
     def arms(self) -> list[Arm]:
         """The arms to scale, measurable."""
-        subject = Subject(f"scheme {self.shown.cut.label}", "h", self.shown.column)
+        subject = Subject(self._plan, "h", self.shown.column)
         on, scale = self.place.on, self.place.scale
         return [
             to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject)
@@ -221,19 +227,25 @@ class Layout:
         sizes = (abs(block.points[0] - block.points[2]) for _, block in self.joints.blocks)
         return any(max(reach) <= size for reach, size in zip(corners, sizes, strict=True))
 
+    def _stated(self, kind: Kind, mark: Dimension | ForceArrow | CoupleArc) -> Stroke:
+        """Draw what a force, a moment or a distance of the scheme is."""
+        said = Statement(kind, self._plan, plain_name(mark.letter), self.shown.column, self.place.scale.mu)
+        drawn = mark.draw(self.hand)
+        return stating(said, *(drawn if isinstance(drawn, tuple) else (drawn,)))
+
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
         over = [arm for arm in self.arms if any(self._hidden(end) for end in arm.ends)]
         arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms if arm not in over for stroke in arm.draw(hand))
-        arms += tuple(stroke for shift in self.shifts for stroke in shift.draw(hand))
+        arms += tuple(self._stated(Kind.VECTOR, shift) for shift in self.shifts)
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.draw(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.attached, *self.coupling, *self.marks))
         yield from [Group(tuple(stroke for arm in over for stroke in arm.draw(hand)))] if over else []
         leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
-        forces: tuple[Stroke, ...] = (*leads, *(arrow.draw(hand) for arrow in self.arrows))
+        forces: tuple[Stroke, ...] = (*leads, *(self._stated(Kind.DIRECTION, arrow) for arrow in self.arrows))
         yield from [Group(forces)] if forces else []
-        couples = tuple(couple.draw(hand) for couple in self.couples)
+        couples = tuple(self._stated(Kind.DIRECTION, couple) for couple in self.couples)
         yield from [Group(couples)] if couples else []

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import telling
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke, Text
@@ -35,7 +36,8 @@ class Part(NamedTuple):
     def group(self, labels: Labels) -> Group:
         """Give it whole, its letters placed among the lines of all figures."""
         ranked = sorted(self.letters, key=lambda one: -one.size)
-        letters = tuple(labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        letters = tuple(telling(self.name, one) for one in placed)
         return Group((*self.lines, Group(letters)), self.name)
 
 

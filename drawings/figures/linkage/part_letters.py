@@ -15,8 +15,10 @@ from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Statement
 from drawings.paper.strokes import Group, Text
 from drawings.paper.ties import tied
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH
 from plans.linkage.letters import POLES
 
@@ -30,6 +32,7 @@ class LaidPart(NamedTuple):
     start: complex
     end: complex
     text: str
+    states: Statement
 
     @property
     def length(self) -> float:
@@ -56,13 +59,16 @@ def least_length(text: str, hand: Hand) -> float:
     return text_width(Text(0j, text, hand.number, "start", True)) + ARROW_LENGTH * hand.symbol
 
 
+def _up(part: LaidPart) -> float:
+    return cmath.phase(part.end - part.start) + math.pi / 2
+
+
 def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: str) -> Group:
     """Letter vectors beside their middles, the longest first."""
     order = sorted(parts, key=lambda part: -tied(part.length))
     return Group(
         tuple(
-            labels.along(one.start, one.end, one.text, hand.number, GAP, cmath.phase(one.end - one.start) + math.pi / 2)
-            for one in order
+            stating(one.states, labels.along(one.start, one.end, one.text, hand.number, GAP, _up(one))) for one in order
         ),
         f"{plan}-{PARTS}",
     )

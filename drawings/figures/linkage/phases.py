@@ -12,11 +12,15 @@ from typing import NamedTuple
 
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.rotation import NUMBERS, OUTER
+from drawings.lettering.phrase import Phrase, slotted
 from drawings.lettering.words import fixed
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Line, Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import turning_arrow
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.study import LinkageStudy
+from plans.model.order import POSITIONS
 from plans.words.words import word
 
 INDICES = ("index.work", "index.idle")
@@ -34,7 +38,7 @@ class Phase(NamedTuple):
     start: float
     sweep: float
     crank: float  # radius of the crank circle
-    text: str  # the letter with the angle's size
+    text: Phrase  # the letter with the angle's size
 
     @property
     def middle(self) -> tuple[complex, float]:
@@ -44,7 +48,8 @@ class Phase(NamedTuple):
 
     def strokes(self, pairs: Pairs) -> Iterator[Stroke]:
         """Draw it with its arrow, and where it lies outside the crank circle the line that it begins at."""
-        yield from turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand, pairs.hand.drafted)
+        arc = turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand, pairs.hand.drafted)
+        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, self.letter), *arc)
         if self.radius > self.crank:
             ray = cmath.rect(1.0, self.start)
             reach = self.radius + PAST * pairs.hand.symbol
@@ -66,9 +71,9 @@ def phases(pairs: Pairs, language: str) -> tuple[Phase, ...]:
     )
 
 
-def sized(letter: str, angle: float, language: str) -> str:
+def sized(letter: str, angle: float, language: str) -> Phrase:
     """Write the letter of an angle rad with its size in degrees."""
-    return f"{letter} = {fixed(math.degrees(angle), language)}°"
+    return slotted(f"{letter} = ", letter, fixed(math.degrees(angle), language), "°")
 
 
 def _asked(study: LinkageStudy) -> bool:

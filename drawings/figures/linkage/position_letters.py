@@ -14,9 +14,11 @@ from drawings.figures.linkage.rotation import Turning
 from drawings.figures.linkage.swing import Swing, swings
 from drawings.layout.labels import Labels, free_side
 from drawings.lettering.indices import with_index
+from drawings.lettering.phrase import telling
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke
 from drawings.symbols.symbols import ARROW_LENGTH
+from plans.model.order import POSITIONS
 
 LINKS, NUMBERS = "links", "path-numbers"  # the groups of numbers of links, and of positions on trajectories
 
@@ -44,7 +46,7 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
 def _on_arc(arc: Turning | Push | Phase | Swing, text: str, labels: Labels, hand: Hand) -> Stroke:
     """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
     middle, away = arc.middle
-    return labels.beside(middle, text, hand.letter, 1.5, away)
+    return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away), text)
 
 
 def _free(pairs: Pairs, name: str) -> float:

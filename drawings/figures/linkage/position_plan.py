@@ -15,7 +15,8 @@ from drawings.figures.linkage.path_ticks import path_ticks
 from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.poses import Poses
 from drawings.figures.linkage.position_letters import letters
-from drawings.figures.linkage.pushing import arrows, stroke_line
+from drawings.figures.linkage.pushing import Push, arrows, stroke_line
+from drawings.figures.linkage.rotation import Turning
 from drawings.figures.linkage.skeleton import Skeletons
 from drawings.figures.linkage.stroke_dimension import strokes
 from drawings.figures.linkage.swing import swings
@@ -31,7 +32,9 @@ from drawings.page.drafting import Drafting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
 from drawings.symbols import symbols
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
@@ -116,11 +119,16 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
         Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
-        Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), ROTATION),
+        Group(tuple(_sense(arrow, pairs) for arrow in arrows(pairs)), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
         Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),
     ]
     return [group for group in groups if group.strokes]
+
+
+def _sense(arrow: Turning | Push, pairs: Pairs) -> Stroke:
+    """Draw the arrow of a rate of the primary link as what it states."""
+    return stating(Statement(Kind.DIRECTION, NAME, arrow.letter), *arrow.strokes(pairs))
 
 
 def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:

@@ -13,13 +13,17 @@ from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_reach, text_width
+from drawings.lettering.phrase import Phrase, slotted, telling
 from drawings.lettering.words import fixed
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Box, Group, Line, Stroke, Text
 from drawings.paper.ties import tied
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from plans.linkage.travel import frame_slide
+from plans.model.order import POSITIONS
 
 # mm from the stroke's line to its dimension: at least what leaves room for numbers and ground, then by steps.
 DISTANCES = (15.0, 18.0, 21.0, 24.0, 28.0, 32.0, 37.0, 42.0, 48.0, 55.0, 63.0)
@@ -42,7 +46,7 @@ def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink)
         ends = [place.on(one.spot) for one in track.places if one.extreme]
         if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
             text = _text(track.point, track.travel.extremes.stroke, language)
-            found += clearest(_ordered(ends), text, bones, place, hand, ink)
+            found += _told(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
     return found
 
 
@@ -54,7 +58,14 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, 
         return []
     point = out.point or slide.point
     ends = _ordered([place.on(complex(value)) for value in bones.extremes.points[point]])
-    return clearest(ends, _text(point if named else "", travel.extremes.stroke, language), bones, place, hand, ink)
+    text = _text(point if named else "", travel.extremes.stroke, language)
+    return _told(f"H_{point}" if named else "H", clearest(ends, text, bones, place, hand, ink), place)
+
+
+def _told(name: str, dimension: list[Stroke], place: Place) -> list[Stroke]:
+    """Give a dimension as the stroke that it states, by its arrows and by its number."""
+    own = (telling(POSITIONS.plan, one) if isinstance(one, Text) else one for one in dimension)
+    return [stating(Statement(Kind.LENGTH, POSITIONS.plan, name, scale=place.scale.mu), *own)]
 
 
 def _ordered(ends: list[complex]) -> tuple[complex, complex]:
@@ -62,10 +73,10 @@ def _ordered(ends: list[complex]) -> tuple[complex, complex]:
     return first, last
 
 
-def _text(point: str, size: float, language: str) -> str:
+def _text(point: str, size: float, language: str) -> Phrase:
     """Write a stroke with its size; among several by its point's letter: H_B."""
     letter = f"H_{{{point}}}" if point else "H"
-    return f"{letter} = {length(size, language)}"
+    return slotted(f"{letter} = ", f"H_{point}" if point else "H", length(size, language))
 
 
 def length(size: float, language: str) -> str:

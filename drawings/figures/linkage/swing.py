@@ -9,9 +9,13 @@ from typing import NamedTuple
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.phases import sized
 from drawings.figures.linkage.tracks import output_point
+from drawings.lettering.phrase import Phrase
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Stroke
+from drawings.paper.walk import stating
 from drawings.symbols.symbols import HEAD, turning_arrow
 from plans.model.mechanism import FRAME
+from plans.model.order import POSITIONS
 
 LETTER = "ψ"
 SHARES = (0.45, 0.35, 0.55, 0.25, 0.65, 0.75)  # of the rocker's arm, where its arc may cross it, the best first
@@ -21,7 +25,7 @@ LEAST = 4.0  # lengths of an arrow's head that an arc is long at least: below, i
 class Swing(NamedTuple):
     """An arc about a rocker's pivot from one of its extreme positions to the other."""
 
-    text: str
+    text: Phrase
     centre: complex
     radius: float
     start: float
@@ -36,8 +40,10 @@ class Swing(NamedTuple):
     def strokes(self, pairs: Pairs) -> Iterator[Stroke]:
         """Draw it from its middle to both sides, each half with its arrow."""
         turn, half = self.start + self.sweep / 2, self.sweep / 2
-        for sweep in (-half, half):
-            yield from turning_arrow(self.centre, self.radius, turn, sweep, pairs.hand, pairs.hand.drafted)
+        halves = [
+            turning_arrow(self.centre, self.radius, turn, k * half, pairs.hand, pairs.hand.drafted) for k in (-1, 1)
+        ]
+        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, LETTER), *halves[0], *halves[1])
 
 
 def swings(pairs: Pairs, language: str) -> tuple[Swing, ...]:

@@ -17,6 +17,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.figure import PLAN_LETTERS, Subject, heading, point, vector
 from drawings.symbols.symbols import pole
@@ -195,7 +196,8 @@ def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[L
     for arrow in shown.arrows:
         names = shown.parts.get((arrow.start, arrow.end), ())
         for name in (one for one in names if is_relative(one, arrow.name)):
-            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting))
+            said = Statement(Kind.LETTER, shown.plan.board.subject, f"{arrow.name} {name}", shown.column)
+            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting), said)
             yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
 
 

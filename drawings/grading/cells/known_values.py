@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from drawings.checks.forces.force_rows import row_names
-from drawings.checks.forces.scheme_forces import Floor
-from drawings.checks.linkage.laid import mass_centres
-from drawings.checks.linkage.value_rows import TABLE, named
+from drawings.due.acting import named as force_rows
 from drawings.due.diagrams import columns, headings
+from drawings.due.linkage import VALUES as TABLE
+from drawings.due.linkage import mass_centres, named
 from drawings.figures.diagrams.output_table import NAME
 from drawings.page.drafting import drafting_of
+from drawings.paper.strokes import Text
 from plans.checks.comparison import Finding
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.checks.hand.motion import MotionByHand
@@ -33,9 +33,8 @@ def findings_of(study: Study, kind: str, table: str) -> Mapping[str, Finding]:
         parts = MotionByHand(linkage, comparison, mass_centres(linkage)).parts
         return named([*comparison.findings, *parts], linkage.language)
     if (kind, table) == ("forces", TABLE):
-        statics = study["forces"]
-        floor = Floor(0.0, 0.0, statics.study.language, statics.form.sheet.reactions)
-        return row_names(study.comparison("forces"), floor)
+        rows = force_rows(study["forces"], study.comparison("forces"))
+        return {Text(0j, letters).plain: one for letters, one in rows}
     return {}
 
 

@@ -8,9 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.cam.cam_expected import Expected
-from drawings.checks.cam.cam_law_rows import ExpectedRow, expected_rows, means
-from drawings.checks.cam.known_diagram import KnownDiagram
+from drawings.due.cam_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
 from drawings.grading.curves.asked_figure import Sizes, Values
 from drawings.grading.curves.cam_rulers import ruled
 from drawings.grading.curves.strip_means import moved_means
@@ -21,7 +19,6 @@ from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Contour
 from plans.model.cam_motion import Sizes as MainSizes
 
-ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
 DIAGRAM, PRESSURE, POINTS = "sizes", "pressure", "profile points"
 
 
@@ -29,12 +26,12 @@ DIAGRAM, PRESSURE, POINTS = "sizes", "pressure", "profile points"
 class CamCourses:
     """One cam by analysis, and how its figures follow from one another."""
 
-    expected: Expected
+    expected: CamValues
 
-    @cached_property
-    def rows(self) -> Mapping[str, ExpectedRow]:
+    @property
+    def rows(self) -> Mapping[str, LawRow]:
         """The diagrams of the law by their names."""
-        return {one.key: one for one in expected_rows(self.expected)}
+        return self.expected.rows
 
     @property
     def cam(self) -> Cam:
@@ -51,11 +48,6 @@ class CamCourses:
         """Which edge of the strips each numbered position is."""
         return np.asarray(np.abs(self.expected.edges[:, None] - self.turned).argmin(axis=0))
 
-    @cached_property
-    def diagram(self) -> KnownDiagram:
-        """The diagram of the sizes."""
-        return KnownDiagram(self.expected, 1.0)
-
     def velocity(self, own: Mapping[str, Values]) -> Values:
         """Add up the areas under the analogue of acceleration."""
         return self._added(own, ACCELERATION, VELOCITY)
@@ -65,7 +57,7 @@ class CamCourses:
         return self._added(own, VELOCITY, TRAVEL)
 
     def _added(self, own: Mapping[str, Values], name: str, sum_: str) -> Values:
-        row, true = self.rows[name], means(self.expected, name)
+        row, true = self.rows[name], self.expected.means(name)
         moved = moved_means(own[name].imag, row.after, row.before, true) - true
         areas = np.concatenate(([0.0], np.cumsum(moved * np.diff(self.expected.edges))))
         return np.asarray(1j * (self.rows[sum_].after + areas))
@@ -73,16 +65,16 @@ class CamCourses:
     @cached_property
     def ends(self) -> Values:
         """The places of the diagram: D at the numbered positions, O, the end of R0, the end of L."""
-        known = self.diagram
+        known = self.expected
         aside = np.array([-known.zero, self.base(known.zero, self.expected.sizes.base), known.zero])
         return np.concatenate((known.ends(self.expected.contour), aside))
 
     def base(self, zero: complex, size: float) -> complex:
         """Give R0 as a vector of the diagram whose A or O1 is seen from O so."""
         if not self.cam.flat:
-            return zero if not self.cam.rocks else self.diagram.lowest + zero - self.diagram.zero
+            return zero if not self.cam.rocks else self.expected.lowest + zero - self.expected.zero
         lever = complex(self.expected.contour.lever[0])
-        return lever * self.diagram.back * size if self.cam.rocks else 1j * size
+        return lever * self.expected.turned_back * size if self.cam.rocks else 1j * size
 
     def sizes_points(self, own: Mapping[str, Values]) -> Values:
         """Lay D off by S and S', of a flat face by S and S''; O is where the rulers to them meet."""

@@ -9,12 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from drawings.checks.cam.blank.tabled_cam import PLAN as RADII
-from drawings.checks.cam.blank.tabled_cam import tabled
-from drawings.checks.cam.cam_expected import Expected
-from drawings.checks.cam.cam_laws import named as law_named
-from drawings.checks.cam.profile_marks import normals, points
+from drawings.due.cam_values import CamValues, law_named
 from drawings.due.machine_rows import cam_rows
+from drawings.due.profile import PLAN as RADII
+from drawings.due.profile import tabled
 from drawings.figures.cam.pressure_graph import NAME as ANGLES
 from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.size_view import NAME as SIZES
@@ -44,7 +42,7 @@ def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
         yield from bars(own, cam_rows(turning), 0.0)
         yield from rings(own, cam_rows(turning), turning[0].sense)
     if name in cams:
-        sheet = _Sheet(own, CamCourses(Expected(cams[name], study["cam"].drawings[name])))
+        sheet = _Sheet(own, CamCourses(CamValues(cams[name], study["cam"].drawings[name])))
         yield from sheet.laws()
         yield from sheet.sizes()
         yield from sheet.pressure()
@@ -60,7 +58,7 @@ class _Sheet:
     cam: CamCourses
 
     @property
-    def expected(self) -> Expected:
+    def expected(self) -> CamValues:
         return self.cam.expected
 
     @property
@@ -236,7 +234,7 @@ class _Sheet:
     def profile(self) -> Iterator[FigureAsked]:
         """Give the profile by inversion: its points, sizes, the follower's places, the roller's normals."""
         found, count = self.expected.found, len(self.cam.turned)
-        own, sized = points(found), bool(self.own.marks(SIZES)) and self._drawn
+        own, sized = self.expected.points(), bool(self.own.marks(SIZES)) and self._drawn
         curve = "P" if "P" in own else "Q"
         yield from self._figure(
             POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
@@ -250,7 +248,7 @@ class _Sheet:
             yield from self._figure(f"profile {name}", PROFILE, places, own[name], mistakes=mistakes)
         yield from self._figure(
             "profile normals", PROFILE, {("Q", k): k for k in range(count)} if curve == "P" else {},
-            normals(found).get("Q", own[curve]), error=np.full(count, 2 * PRICKED),
+            self.expected.normals().get("Q", own[curve]), error=np.full(count, 2 * PRICKED),
         )  # fmt: skip
         sizes, sharpest = found.sizes, found.sharpest
         lengths = np.array([sizes.base, abs(sharpest.value) if sharpest else 0.0], dtype=np.complex128)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from drawings.checks.linkage.laid import mass_centres
+from drawings.due.linkage import mass_centres
 from drawings.grading.records import Found, Letters, Record
 from drawings.paper.strokes import Leaf
 from geometry.span import Span

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import decimal, fixed, number
 from drawings.page.drafting import drafting_of
 from drawings.paper.limits import MANY
@@ -107,23 +108,21 @@ def _extremes(study: LinkageStudy) -> Iterator[str]:
 
 def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     """Tell the extreme positions of an output, how far it goes, and its time ratio."""
-    say, extremes = partial(word, study.language), found.extremes
+    say, told, extremes = partial(word, study.language), partial(phrase, study.language), found.extremes
     way = "report.by_notches" if found.notched else "report.by_velocity"
     yield say(way, angles=_angles(extremes.phi, 9, study.language))
-    stroke, degrees = number(extremes.stroke, study.language, 10), _degrees(extremes.stroke, 8, study.language)
-    yield (
-        say("report.stroke", stroke=stroke) if extremes.sliding else say("report.swing", stroke=stroke, degrees=degrees)
-    )
+    stroke = Slot("H, m" if extremes.sliding else "ψ, rad", extremes.stroke, 10)
+    swing = {} if extremes.sliding else {"degrees": _told("ψ", extremes.stroke, 8, study.language)}
+    yield told("report.stroke" if extremes.sliding else "report.swing", stroke=stroke, **swing)
     if study.scene.has(("output", "working")):
         yield stroke_line(study.mechanism, study.output, extremes.reach, extremes.angles, study.language)
     if len(found.rests) > 2:
         yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, 6, study.language))
     else:
-        ratio = number(extremes.ratio, study.language, 10)
-        yield say(
+        yield told(
             "report.ratio_faster" if extremes.faster else "report.ratio",
-            overlap=_degrees(extremes.overlap, 8, study.language),
-            ratio=ratio,
+            overlap=_told("θ", extremes.overlap, 8, study.language),
+            ratio=Slot("K", extremes.ratio, 10),
         )
 
 
@@ -132,12 +131,19 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
         yield word(study.language, "report.no_pressure")
     for group in study.groups if study.nodes.size else ():
         seen = interval(study.sweep, group, study.nodes)
-        low, high = (_degrees(angle, 6, study.language) for angle in (seen.low, seen.high))
-        yield word(study.language, "report.pressure", group=group.label, low=low, high=high)
+        low, high = (
+            _told(f"{end} {group.label}", angle, 6, study.language)
+            for end, angle in (("low", seen.low), ("high", seen.high))
+        )
+        yield phrase(study.language, "report.pressure", group=group.label, low=low, high=high)
 
 
 def _degrees(angle: float, places: int, language: str) -> str:
     return fixed(float(np.degrees(angle)), language, places)
+
+
+def _told(quantity: str, angle: float, places: int, language: str) -> Phrase:
+    return slotted("", quantity, _degrees(angle, places, language))
 
 
 def _angles(angles: Iterable[float], places: int, language: str) -> str:

@@ -1,1 +1,0 @@
-"""The self-check of a written sheet of cams (проверка листа кулачков)."""

@@ -1,1 +1,0 @@
-"""Self-checks of plans of velocities and accelerations on their sheets (планы скоростей и ускорений)."""

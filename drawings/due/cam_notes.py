@@ -1,0 +1,168 @@
+"""The numbers that notes and reports tell of a cam, by the analysis alone (числа пояснений о кулачке)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.checks.expected import NOTES, Expected
+from drawings.due.cam_values import HARD, CamValues
+from drawings.paper.statement import Kind
+from plans.cam.dimensions import RATIO, dimensions
+from plans.cam.tables import smoothing
+from plans.checks.cam.settled import EQUAL, NEAR
+from plans.checks.comparison import Finding
+from plans.model.cam import TABLE, Cam
+from plans.model.cam_motion import CamFound, Extreme, Shock
+from plans.study import Study
+
+MM, DEGREES, RPM = 1000.0, math.degrees(1), 30 / math.pi
+DIGITS = 4
+
+
+def every_cam(study: Study) -> Iterator[Expected]:
+    """Give the numbers that are told of all cams of a scene."""
+    for found in study.comparison("cam").analysis.cams:
+        yield from numbers_of(study, found.cam.name).notes()
+
+
+def numbers_of(study: Study, name: str) -> CamNumbers:
+    """Give the numbers of one cam of a scene."""
+    comparison = study.comparison("cam")
+    cams = {one.cam.name: one for one in comparison.analysis.cams}
+    beside = f" {name}" if len(cams) > 1 else ""
+    own = {one.name.removesuffix(beside): one for one in comparison.findings if one.name.endswith(beside)}
+    return CamNumbers(CamValues(cams[name], study["cam"].drawings[name]), own)
+
+
+@dataclass(frozen=True)
+class CamNumbers:
+    """The numbers of one cam in the units that are told, and how far rounding may move each."""
+
+    values: CamValues
+    findings: Mapping[str, Finding]
+
+    @property
+    def found(self) -> CamFound:
+        """What the analysis finds of it."""
+        return self.values.found
+
+    @property
+    def cam(self) -> Cam:
+        """The cam as it is asked for."""
+        return self.values.cam
+
+    def slack(self, name: str) -> float:
+        """How far rounding may move what was compared under a name; what was not may be anything."""
+        return float(np.max(self.findings[name].allowed, initial=0.0)) if name in self.findings else math.inf
+
+    @property
+    def across(self) -> float:
+        """The unit that the cam's turn, or its travel, is told in."""
+        return MM if self.cam.translates else DEGREES
+
+    @property
+    def way(self) -> float:
+        """The unit that the follower's way is told in."""
+        return DEGREES if self.cam.rocks else MM
+
+    def place(self, turned: float) -> tuple[float, float]:
+        """Where the cam is: what is level there is known to half of the digits."""
+        return self.across * turned, self.across * NEAR * self.cam.turn
+
+    def size(self, name: str) -> tuple[float, float]:
+        """A main size, mm or degrees."""
+        own, slack = self.found.sizes, self.slack("R_0")
+        level = math.sqrt(max(own.base**2 - own.offset**2, 0.0))
+        moved = (own.base * slack + abs(own.offset) * self.slack("e")) / level if level else math.inf
+        known = {
+            "R_0": (MM * own.base, MM * slack),
+            "e": (MM * own.offset, MM * self.slack("e")),
+            "S_0": (MM * level, MM * moved),
+            "L": (MM * own.centre, MM * self.slack("L")),
+            "ψ_0": (DEGREES * own.initial, DEGREES * self.slack("ψ_0")),
+            "r_rol": (MM * self.found.roller, MM * self.slack("r_r")),
+        }
+        return known[name]
+
+    def radius(self, name: str, one: Extreme) -> tuple[float, float]:
+        """A radius of curvature, mm; its reciprocal is compared."""
+        return MM * one.value, MM * one.value**2 * self.slack(name)
+
+    def jump(self, one: Shock) -> tuple[float, float]:
+        """What jumps at a shock: with the cam's speed of velocity or acceleration, else of S' or S''."""
+        speed = (self.cam.speed or 1.0) ** one.order
+        return speed * one.jump, speed * self.slack("ΔS'" if one.order == HARD else "ΔS''")
+
+    def unit(self, one: Shock) -> str:
+        """The unit of what jumps."""
+        if self.cam.speed is None:
+            unit = dimensions(self.cam)[one.order]
+            return "" if unit == RATIO else unit
+        return f"{'rad' if self.cam.rocks else 'm'}/s{'' if one.order == HARD else '2'}"
+
+    def notes(self) -> Iterator[Expected]:
+        """Give the rows of all that may be told; what is not told of this cam may lack."""
+        told = dict(self._told())
+        for name, (value, slack) in told.items():
+            own = f"{name} {self.cam.name}"
+            yield Expected(Kind.PHRASE, NOTES, own, value, slack, digits=DIGITS, may_lack=True)
+
+    def _told(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        cam, found = self.cam, self.found
+        yield from ((name, self.size(name)) for name in ("R_0", "e", "S_0", "L", "ψ_0", "r_rol"))
+        yield from (("lift", (self.way * cam.lift, 0.0)), ("reach", (MM * (cam.follower.reach or 0.0), 0.0)))
+        speed = cam.speed or 0.0
+        yield from (("n", (RPM * speed, 0.0)), ("ω", (speed, 0.0)), ("setting", (DEGREES * cam.setting, 0.0)))
+        for side, far in zip(("back", "front"), found.face, strict=True):
+            yield side, (MM * (far if cam.rocks else abs(far)), MM * self.slack(f"face_{side}"))
+        for kind, one in found.pressure.items():
+            yield f"α {kind}", (DEGREES * one.value, DEGREES * self.slack(f"α_{kind}"))
+            yield f"φ α {kind}", self.place(one.turned)
+        for name, extreme, sign in (("ρ_min", found.sharpest, 1), ("ρ_hol", found.hollow, -1)):
+            if extreme is not None:
+                value, slack = self.radius(name.replace("hol", "hollow"), extreme)
+                yield from ((name, (sign * value, slack)), (f"φ {name}", self.place(extreme.turned)))
+        for k, shock in enumerate(found.shocks):
+            yield from ((f"jump {k}", self.jump(shock)), (f"φ jump {k}", self.place(shock.turned)))
+        yield from self._pressing()
+        yield from self._flaws()
+        yield from self._smoothed()
+
+    def _pressing(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        own = self.found.pressing
+        if own is None:
+            return
+        for name, one in (("N_min", own.least), ("N_max", own.most), ("wear", own.wear)):
+            yield name, (one.value, self.slack(name.replace("wear", "N·v_sl")))
+            yield f"φ {name}", self.place(one.turned)
+        yield "preload", (own.preload, self.slack("preload"))
+
+    def _flaws(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        """Give each flaw with its ends and its worst place, and what would mend them."""
+        found = self.found
+        units = {"pressure": DEGREES, "lift-off": 1.0, "outrun": 1.0, "crossing": self.way}
+        for k, flaw in enumerate(found.flaws):
+            worst = units.get(flaw.kind, MM) * flaw.worst.value
+            yield f"flaw {k}", (worst, math.inf if flaw.kind == "crossing" else EQUAL * abs(worst))
+            yield f"flaw {k} most", (abs(worst), EQUAL * abs(worst))
+            ends = {f"flaw {k} start": flaw.start, f"flaw {k} end": flaw.end, f"flaw {k}": flaw.worst.turned}
+            yield from ((f"φ {name}", self.place(turned)) for name, turned in ends.items())
+        if found.mending is not None:
+            yield "mending", (MM * found.mending, MM * self.slack("R_0 mending"))
+        if found.advised is not None:
+            sizes = {"R_0": found.advised.base, "e": found.advised.offset, "L": found.advised.centre}
+            yield from ((f"{k} advised", (MM * size, MM * self.slack(f"{k} advised"))) for k, size in sizes.items())
+
+    def _smoothed(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        """Give how far smoothed tables are off their points; the smoothing itself is one for both roads."""
+        for k, phase in enumerate(self.cam.moving()):
+            if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
+                off, at = smoothing(phase.law)
+                size = self.way * abs(phase.change)
+                yield f"off {k}", (size * off, 0.0)
+                yield f"allowed {k}", (size * phase.law.tolerance, 0.0)
+                yield f"φ off {k}", (self.across * (phase.start + at * phase.angle), 0.0)
