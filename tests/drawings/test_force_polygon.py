@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from drawings.paper.limits import SEEN
-from plans.checks.force_expected import missed
 from drawings.checks.letters import unlettered
 from drawings.figures.forces.force_kinds import WHOLE
 from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.lettering.extent import bounds
-from drawings.measure.measure import Measured, check, measure
+from drawings.measure.measure import check, measure
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of
+from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Fill, Group, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.polygon import ShownVector
+from plans.checks.force_expected import missed
 from plans.forces.cut import CLOSING, KNOWN
 from tests import parts
 from tests.drawings.collisions import collisions

@@ -13,7 +13,7 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
-from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text
+from drawings.paper.strokes import Leaf, SheetError, Stroke, Text
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces, kinematics

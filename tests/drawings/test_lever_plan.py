@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import replace
 from math import radians
 
 import pytest
 
 from drawings.figures.forces.force_kinds import BALANCE, LOAD, PAIR
 from drawings.figures.forces.lever_plan import Hanging, hanging
-from drawings.measure.measure import Measured, check, measure
+from drawings.measure.measure import check, measure
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Circle, Group, Line, Text
 from drawings.paper.walk import flat
