@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple, TypeAlias
 
+import numpy as np
+
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf
 from plans.model.motion import Complexes, Floats
@@ -14,6 +16,7 @@ from plans.model.motion import Complexes, Floats
 Value: TypeAlias = complex | float | str | Callable[[Floats], Floats] | Complexes
 
 
+KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 NOTES, NOTHING = "notes", "—"  # the figure that notes stand on; what a cell without a value says
 
 
@@ -46,6 +49,15 @@ class Expected(NamedTuple):
 def subject(leaf: Leaf) -> str:
     """Tell what a sheet is of among those of its kind; what must stand on sheets is asked of each subject apart."""
     return str(leaf.metadata.get("cam", ""))
+
+
+def course(x: Floats, y: Floats) -> Callable[[Floats], Floats]:
+    """Give the function that goes straight from point to point.
+
+    >>> float(course(np.array([0.0, 2.0]), np.array([1.0, 5.0]))(np.array([0.5]))[0])
+    2.0
+    """
+    return lambda at: np.asarray(np.interp(at, x, y))
 
 
 def by_hand(table: str, name: str, error: float, most: float, position: int | None = None) -> Expected:

@@ -36,8 +36,8 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
     for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
-    for one in measured.profiles:
-        found.setdefault((Kind.CURVE, one.plan, one.name, None), []).append(Read(one.places, one.scale))
+    for profile in measured.profiles:
+        found.setdefault((Kind.CURVE, profile.plan, profile.name, None), []).append(Read(profile.places, profile.scale))
     places = frames(leaf)
     for one in stated(leaf.groups):
         said = one.states
@@ -79,11 +79,14 @@ def faults(own: Seen, due: Mapping[Key, Expected], only: Collection[Key] = ()) -
 
 
 def phrase_faults(lines: Iterable[str], due: Mapping[Key, Expected]) -> Iterator[Wrong]:
-    """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities."""
+    """Tell the numbers of phrases beside the sheets, as in a report, that are not those of their quantities.
+
+    A report tells more than its sheets show: what is due on none of them is not held.
+    """
     for line in (one for one in lines if SLOT.search(template_of(one))):
         for name, text in read_back(template_of(line), Text(0j, line).plain) or [(line, "")]:
             row = due.get((Kind.PHRASE, NOTES, name, None))
-            if row is None or not holds(Read(text), row):
+            if name == line or (row is not None and not holds(Read(text), row)):
                 yield told("differs_on", (Kind.PHRASE, NOTES, name, None))
 
 

@@ -18,6 +18,7 @@ from drawings.paper.walk import flat, groups, stated, texts
 from plans.model.motion import Complexes
 
 ACROSS, UP = "x", "y"  # the names of the axes of a graph
+ZERO = "zero"  # that of a mark from which the places of a figure are told
 Place: TypeAlias = tuple[str, str | None]  # a figure, and the position that it is of
 _PARTS = 8  # of a piece of a curve that is read off
 
@@ -50,11 +51,15 @@ class Read(NamedTuple):
 
 
 def frames(leaf: Leaf) -> Mapping[Place, Frame]:
-    """Read the frames of all figures: of graphs off the lines of their axes, which cross in zero, else off the pole."""
+    """Read the frames of all figures: of graphs off the lines of their axes, which cross in zero, else off a mark."""
     found = {(one.data["plan"], one.data.get("position")): _about(one) for one in _poles(leaf)}
     axes: dict[str, dict[str, tuple[Line, float]]] = {}
     for one in stated(leaf.groups):
-        if one.states is not None and one.states.kind is Kind.AXIS:
+        if one.states is not None and one.states.kind is Kind.AXIS and one.states.name == ZERO:
+            (_, figure, _, position), mu = one.states.key, one.states.scale
+            at = None if position is None else str(position)
+            found[figure, at] = Frame(next(spots(one.strokes)), 1 + 0j, 1j, mu, mu)
+        elif one.states is not None and one.states.kind is Kind.AXIS:
             line = next(stroke for stroke in flat((one,)) if isinstance(stroke, Line))
             axes.setdefault(one.states.figure, {})[one.states.name] = line, one.states.scale
     graphs = {(figure, None): own for figure, own in axes.items() if own.keys() == {ACROSS, UP}}

@@ -57,7 +57,7 @@ def last_place(text: str) -> float:
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
-    """Name the figures whose marks or axes are drawn to no scale that is written: of their letter there, else anywhere."""
+    """Name the figures whose marks or axes are drawn to no written scale: of their letter there, else anywhere."""
     everywhere = _told(leaf.groups)
     for figure in leaf.groups:
         own, told = [*groups((figure,))], _told((figure,))

@@ -1,4 +1,4 @@
-"""What acts in one position by the analysis: forces, arms in the equations, what is none, letters (действующие силы)."""
+"""What acts in one position by the analysis: forces, arms, what is none, letters (действующие силы)."""
 
 from __future__ import annotations
 
@@ -66,7 +66,10 @@ class Acting:
     def bills(self) -> dict[str, ForceBill]:
         """What acts on each group, and on the primary link, by their links."""
         groups = self.statics.study.groups
-        return {"-".join(map(str, one.links)): one for one in (ForceBill(self.expected, groups, own) for own in (*groups, None))}
+        return {
+            "-".join(map(str, one.links)): one
+            for one in (ForceBill(self.expected, groups, own) for own in (*groups, None))
+        }
 
     @cached_property
     def slack(self) -> float:
@@ -94,7 +97,9 @@ class Acting:
         return self._off(VELOCITIES.plan)
 
     def _off(self, plan: str) -> float:
-        return 2 * max(float(np.broadcast_to(one.allowed, one.analysis.shape)[self.k]) for one in self.comparison.motion.of(plan))
+        return 2 * max(
+            float(np.broadcast_to(one.allowed, one.analysis.shape)[self.k]) for one in self.comparison.motion.of(plan)
+        )
 
     def letter(self, name: str) -> str:
         """Write a force or a moment as a sheet does: R^t_34, or M^Φ_4/BD."""
@@ -203,7 +208,7 @@ def moments_of(bill: ForceBill) -> Mapping[str, float]:
 def opposite(one: ActingForce) -> ActingForce:
     """Give a reaction as the other link takes it."""
     head, index = one.name.split("_")
-    giver, taker = index.split(",") if "," in index else index
+    giver, taker = index.split(",") if "," in index else tuple(index)
     return one._replace(name=f"{head}_{indices(int(taker), int(giver))}", value=-one.value)
 
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.checks.expected import KNOWN
 from drawings.page.drafting import Drafting
 from plans.analytic.balance.main_points import vectors
 from plans.analytic.balance.mass_centre import bodies, placed
@@ -22,7 +23,6 @@ from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
 
 BEFORE, AFTER = "before", "after"  # the states of a machine
-KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told
 APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
 

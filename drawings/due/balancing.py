@@ -6,13 +6,12 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTHING, Expected
-from drawings.due.balanced import AFTER, BEFORE, KNOWN, Balanced
+from drawings.checks.expected import KNOWN, NOTHING, Expected, course
+from drawings.due.balanced import AFTER, BEFORE, Balanced
 from drawings.layout.table import cell_name
 from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight
 from drawings.lettering.indices import with_index
@@ -23,7 +22,6 @@ from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
 from plans.model.balance.linkage import DISC, Choice, Counterweight, State
-from plans.model.motion import Floats
 from plans.study import Study
 
 SCHEME, MOMENTS, SHAKING, ROCKING, SHARES = "scheme-", "static-moments", "shaking", "rocking", "shares"
@@ -99,9 +97,9 @@ class _Sheet:
             around = one.around
             if own.whole and not np.isnan(around.moment).any():
                 moments = np.where(np.abs(around.moment) <= own.none.moment, 0.0, around.moment)
-                course = partial(_between, np.degrees(own.own.linkage.sense * (around.phi - around.phi[0])), moments)
+                points = course(np.degrees(own.own.linkage.sense * (around.phi - around.phi[0])), moments)
                 loose = max(own.slack(f"M_Φ{prime}", COSTS) for prime in PRIMES.values()) + KNOWN * largest
-                yield Expected(Kind.CURVE, ROCKING, name, course, loose, ends=(0.0, TURN), may_lack=True)
+                yield Expected(Kind.CURVE, ROCKING, name, points, loose, ends=(0.0, TURN), may_lack=True)
 
     def shares(self) -> Iterator[Expected]:
         """Give the least values of the choice, and both curves of it."""
@@ -114,8 +112,8 @@ class _Sheet:
             yield Expected(Kind.VECTOR, SHARES, kind, 1j * value, KNOWN * value, may_lack=True)
             row = sorted((each.share, _value(each, kind)) for each in (*found.curve, *best.values()))
             x, y = np.array([share for share, _ in row]), np.array([value for _, value in row])
-            course = partial(_between, x, y)
-            yield Expected(Kind.CURVE, SHARES, kind, course, KNOWN * float(y.max()), ends=(float(x[0]), float(x[-1])))
+            points = course(x, y)
+            yield Expected(Kind.CURVE, SHARES, kind, points, KNOWN * float(y.max()), ends=(float(x[0]), float(x[-1])))
             for name, size in ((f"least {kind}", value), (f"share {kind}", one.share)):
                 yield Expected(Kind.PHRASE, SHARES, name, size, KNOWN * abs(size), digits=4)
 
@@ -174,10 +172,6 @@ class _Sheet:
 
 def _value(one: Choice, kind: str) -> float:
     return one.force if kind == "force" else one.reaction
-
-
-def _between(x: Floats, y: Floats, at: Floats) -> Floats:
-    return np.interp(at, x, y)
 
 
 def _rounded(value: float, none: float) -> float:

@@ -6,12 +6,11 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTHING, Expected, by_hand
+from drawings.checks.expected import NOTHING, Expected, by_hand, course
 from drawings.due.shaken_bank import LEFT, WHOLE, WHOLE_MOMENT, Bank, Body, Polygon
 from drawings.layout.table import cell_name
 from drawings.lettering.bank_letters import lowered
@@ -25,7 +24,6 @@ from plans.bank.letters import FORCE, MOMENT, SINGLE, letters
 from plans.checks.comparison import Finding
 from plans.checks.hand.bank import bank_by_hand
 from plans.model.balance.bank import Compensator, Harmonic
-from plans.model.motion import Floats
 from plans.study import Study
 
 STAR, SHAFT, ORDERS, RESULTS = "star", "shaft", "orders", "results"
@@ -96,8 +94,8 @@ class _Sheet:
                 yield Expected(Kind.POINT, plan, number, value, slack, int(number), may_lack=True)
             if own.straight(name):
                 lacks = not own.acts(name, False) or own.faint(name) or name == LEFT
-                course = partial(_between, np.linspace(0.0, TURN, len(values)), values.real)
-                yield Expected(Kind.CURVE, GRAPHS[plan], plan, course, slack, may_lack=lacks, ends=(0.0, TURN))
+                points = course(np.linspace(0.0, TURN, len(values)), values.real)
+                yield Expected(Kind.CURVE, GRAPHS[plan], plan, points, slack, may_lack=lacks, ends=(0.0, TURN))
 
     def orders(self) -> Iterator[Expected]:
         """Give the cells of the table of orders: of one mechanism, of the bank, what is left, the moment."""
@@ -158,7 +156,3 @@ def _is_told(one: Finding) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a static moment."""
     told = one.plan in (HARMONICS, COMPENSATORS) and one.name.startswith(("F_", "M_", "mr_"))
     return told and bool(abs(one.analysis[0]) > one.allowed[0] / 2)
-
-
-def _between(x: Floats, y: Floats, at: Floats) -> Floats:
-    return np.interp(at, x, y)

@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from drawings.due.machine_rows import ANGLE, BARS, true_bars
-from drawings.due.machine_rows import cam_rows
 from drawings.checks.expected import Expected, by_hand, subject
 from drawings.due.cam_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.due.cam_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
+from drawings.due.machine_rows import ANGLE, BARS, cam_rows, true_bars
 from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
 from drawings.page.drafting import Drafting, drafting_of
@@ -44,7 +43,9 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         rows = cam_rows([one.cam for one in study.comparison("cam").analysis.cams])
         yield from (Expected(Kind.VECTOR, BARS, bar, value, ANGLE) for bar, value in true_bars(rows, 0.0))
     else:
-        scales = next((one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {})
+        scales: Mapping[str, float] = next(
+            (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
+        )
         drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
         own = _Cam(numbers_of(study, name), scales, drawn, drafting_of(study.scene))
         yield from chain(own.laws(), own.phases(), own.pressure(), own.profile(), own.sizes(), own.table())

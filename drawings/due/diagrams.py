@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.checks.expected import Expected
+from drawings.checks.expected import KNOWN, Expected
 from drawings.layout.table import cell_name
 from drawings.page.drafting import Drafting
 from drawings.paper.statement import Kind
@@ -19,7 +19,6 @@ from plans.model.motion import Floats
 from plans.study import Study
 
 TABLE, DIGITS = "output", 4
-KNOWN = 1e-9  # share of a number that both roads may differ by: they agree far better
 KEYS = ("travel", "velocity", "acceleration")
 AHEAD = ("Δψ", "Δω", "ε")
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale

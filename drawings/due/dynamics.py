@@ -14,27 +14,28 @@ import numpy as np
 from drawings.checks.expected import NOTES, NOTHING, Expected
 from drawings.checks.readers import Frame, frames
 from drawings.due.loads import diagrams
-from drawings.due.turn import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Turn
+from drawings.due.turn import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, Turn
+from drawings.due.turn_graphs import graphs, tachogram
 from drawings.layout.table import cell_name
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
-from drawings.paper.walk import groups
+from drawings.paper.walk import groups as marks
 from plans.analytic.dynamics.flywheel import flywheel_of_points
 from plans.analytic.dynamics.rim import wheel
 from plans.checks.dynamics_comparison import DynamicsComparison
 from plans.model.account import Account
-from plans.model.dynamics import TURN, Cycle, Flywheel, Speeds, Task, settled
+from plans.model.dynamics import TURN, Cycle, Flywheel, Task, settled
 from plans.model.edge_names import edge_names
 from plans.model.flywheel_rim import THICKEST, Wheel
 from plans.model.motion import Floats
-from plans.model.run import Run
 from plans.study import Study
 
-LOOP, EQUATIONS, BEFORE, TACHOGRAM, SKETCH = "loop", "loop-equations", "before", "tachogram", "flywheel_sketch"
+LOOP, EQUATIONS, SKETCH = "loop", "loop-equations", "flywheel_sketch"
 TANGENTS, SEGMENTS, ANGLES, CUTS = ("ψmin", "ψmax"), ("o1l", "o1k"), ("ψ_{min}", "ψ_{max}"), ("l", "k")
 RESULTS, POSITIONS = "results", "positions"
 DIGITS, FEW, FINE, FINER = 4, 3, 5, 6  # of numbers in notes; of per cents there; in equations; of results
+MARKED = 72  # strips: of more not all edges bear marks
 LOST = 1e-9  # of the largest work: all that a turn of weights leaves over
 TOUCHED = 1e-5  # of the loop's height: a corner so near a tangent may be the one that it touches
 TIMES = (("2δ", 2.0), ("δ/2", 0.5))  # fluctuations beside the one that is asked for
@@ -52,93 +53,14 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from _reduction(comparison.analysis)
         return
     turn = Turn(study["dynamics"].task, comparison.analysis)
-    own = _Machine(turn, comparison, drafting)
-    yield from chain(_graphs(turn), own.loop(leaves), own.rim(), own.positions(), own.results(), own.notes())
-    if comparison.construction.run is not None:
-        yield from _run(comparison.construction.run)
-
-
-def _rates(task: Task) -> Iterator[tuple[str, float, float]]:
-    """Give the speed that is asked for, turns a minute and rad/s."""
-    yield from (("n", task.speed * 30 / math.pi, 0.0), ("ω_m", task.speed, 0.0))
-
-
-def _graphs(turn: Turn) -> Iterator[Expected]:
-    """Give the graphs over the turn: curves, straight lines, ordinates at the edges."""
-    cycle, driving, levels = (
-        turn.cycle,
-        turn.cycle.driving,
-        [(WORKS, "A_{us}", lambda at: np.interp(at, cycle.turned, -cycle.work))],
+    own, shown = _Machine(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
+    frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
+    drawn = dict(chain(*map(_drawn, leaves)))
+    yield from chain(
+        graphs(turn, shown), own.loop(frame, drawn), own.rim(), own.positions(), own.results(), own.notes()
     )
-    levels += [
-        (MOMENTS, "M_{us}", lambda at: -turn.moment(at)),
-        (MOMENTS, "M_{dr}", lambda at: np.full_like(at, driving)),
-    ]
-    levels += [(WORKS, "A_{dr}", lambda at: driving * at), (SURPLUS, "ΔT", turn.energy), (INERTIA, "ΔJ", turn.inertia)]
-    for figure, name, curve in levels:
-        yield Expected(Kind.CURVE, figure, name, curve, _slack(turn.graphs[figure]), ends=(0.0, TURN))
-    yield from _speeds(turn)
-    names = edge_names(cycle.turned, turn.task.divisions)
-    for figure, values in turn.graphs.items():
-        way, slack = 1.0 if figure == INERTIA else 1j, _slack(values)
-        for k, value in enumerate(values.tolist()):
-            yield Expected(Kind.VECTOR, figure, names[k], way * value, slack, position=k, may_lack=True)
-
-
-def _slack(values: Floats) -> float:
-    return KNOWN * float(np.abs(values).max(initial=0.0))
-
-
-def _speeds(turn: Turn) -> Iterator[Expected]:
-    """Give the speeds with the flywheel and their extremes; those without it stand among them or alone."""
-    after, before = turn.account.speeds, turn.account.before
-    if after is not None:
-        yield _speed(turn, SPEEDS, "ω", after, after.mean)
-        for name, level in zip(("ω_{min}", "ω_{max}"), after.extremes, strict=True):
-            yield Expected(
-                Kind.CURVE,
-                SPEEDS,
-                name,
-                lambda at, level=level: np.full_like(at, level - after.mean),
-                KNOWN * level,
-                ends=(0.0, TURN),
-            )
-        if before is not None:
-            yield _speed(turn, SPEEDS, "ω_0", before, after.mean)._replace(may_lack=True)
-    if before is not None:
-        yield _speed(turn, BEFORE, "ω_0", before, 0.0)._replace(
-            value=lambda at: turn.speed(np.radians(at), before), ends=(0.0, 360.0), may_lack=after is not None
-        )
-        places = np.searchsorted(before.turned, TURN * np.arange(turn.task.divisions) / turn.task.divisions - KNOWN)
-        for k, value in enumerate(before.omega[places].tolist()):
-            yield Expected(Kind.VECTOR, BEFORE, str(k), 1j * value, KNOWN * value, position=k, may_lack=True)
-
-
-def _speed(turn: Turn, figure: str, name: str, speeds: Speeds, base: float) -> Expected:
-    """Give the curve of speeds; where the machine all but stops, they are known the less."""
-    low, high = speeds.extremes
-    slack = math.sqrt(low**2 + KNOWN * high**2) - low
-    return Expected(Kind.CURVE, figure, name, lambda at: turn.speed(at, speeds) - base, slack, ends=(0.0, TURN))
-
-
-def _run(run: Run) -> Iterator[Expected]:
-    """Give the tachogram: the speed by the table of the run, the ends of its stages, the steady speed."""
-    t, omega, most = run.t, run.omega, float(run.omega.max())
-    if len(t) < 2:
-        return
-    ends = float(t[0]), float(t[-1])
-    yield Expected(Kind.CURVE, TACHOGRAM, "ω", lambda at: np.interp(at, t, omega), KNOWN * most, ends=ends)
-    for k, stage in enumerate(run.stages, 1):
-        last = float(omega[stage.last])
-        slow = not last > 1e-2 * most
-        yield Expected(Kind.VECTOR, TACHOGRAM, f"t_{k}", 1j * last, KNOWN * most, may_lack=slow)
-        yield Expected(Kind.PHRASE, TACHOGRAM, f"t_{k}", float(t[stage.last]), digits=DIGITS)
-    if run.steady is not None:
-        low, high = run.steady.extremes
-        mean, delta = (low + high) / 2, 2 * (high - low) / (high + low)
-        yield Expected(Kind.CURVE, TACHOGRAM, "ω_{st}", lambda at: np.full_like(at, mean), KNOWN * mean, ends=ends)
-        yield Expected(Kind.PHRASE, TACHOGRAM, "ω_{st}", mean, digits=DIGITS)
-        yield Expected(Kind.PHRASE, TACHOGRAM, "δ", delta, KNOWN, digits=DIGITS)
+    if comparison.construction.run is not None:
+        yield from tachogram(comparison.construction.run)
 
 
 def _reduction(found: Account) -> Iterator[Expected]:
@@ -168,6 +90,11 @@ class _Value(NamedTuple):
     whole: float
 
 
+def _rates(task: Task) -> Iterator[tuple[str, float, float]]:
+    """Give the speed that is asked for, turns a minute and rad/s."""
+    yield from (("n", task.speed * 30 / math.pi, 0.0), ("ω_m", task.speed, 0.0))
+
+
 @dataclass(frozen=True)
 class _Machine:
     """A machine that turns fully."""
@@ -182,16 +109,15 @@ class _Machine:
         wheel = self.turn.wheel
         return 0.0 if wheel is None else KNOWN * (wheel.whole + wheel.own + wheel.present)
 
-    def loop(self, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    def loop(self, frame: Frame, drawn: Mapping[str, complex]) -> Iterator[Expected]:
         """Give the loop with its points, and what its tangents touch, cut off and are inclined by."""
-        path, frame, cycle = self.turn.loop, _frame(leaves), self.turn.cycle
+        path, cycle = self.turn.loop, self.turn.cycle
         slack = KNOWN * float(np.abs(path.real).max())
         yield Expected(Kind.CURVE, LOOP, "ΔT(ΔJ)", path, slack)
         for k, name in enumerate(edge_names(cycle.turned, self.turn.task.divisions)):
             spot = complex(cycle.varying[k] / frame.across, cycle.surplus[k] / frame.up)
             yield Expected(Kind.POINT, LOOP, name, spot, KNOWN * abs(spot), position=k, may_lack=True)
         if self.turn.wheel is not None:
-            drawn = {name: value for leaf in leaves for name, value in _drawn(leaf)}
             for which in (0, 1):
                 yield from self._tangent(self.turn.wheel, which, frame, drawn)
             yield from self._equations(self.turn.wheel, frame)
@@ -210,7 +136,8 @@ class _Machine:
         short = not abs(cut) > 1.01 * frame.up  # mm: so short a segment has no dimension
         yield Expected(Kind.VECTOR, LOOP, SEGMENTS[which], 1j * cut, KNOWN * high, may_lack=short)
         spot = complex(touch.varying, touch.surplus)
-        yield Expected(Kind.POINT, LOOP, ANGLES[which], spot, self._tied(wheel, which, frame), may_lack=True)
+        crowded = which == 1 and len(self.turn.cycle.means) > MARKED
+        yield Expected(Kind.POINT, LOOP, ANGLES[which], spot, self._tied(wheel, which, frame), may_lack=crowded)
 
     def _tied(self, wheel: Flywheel, which: int, frame: Frame) -> float:
         """Give how far the corners that a tangent touches by rounding are apart, kg*m2."""
@@ -276,13 +203,14 @@ class _Machine:
         for own, true in zip(*map(self._values, (self.turn.account, self.comparison.exact)), strict=True):
             unit = f", {self.drafting.word(own.unit)}" if own.unit else ""
             yield from self._row(f"{self.drafting.letter(own.letter)}{unit}", own, true)
-        methods, wheel = self.comparison.methods, self.comparison.exact.flywheel
-        for key, name in METHODS if methods is not None and wheel is not None else ():
-            value = _Value("", "", float(getattr(methods, name)), self.slack, 0.0)
-            row = f"J_0 {self.drafting.word(key)}"
-            yield Expected(Kind.NUMBER, RESULTS, cell_name(row, 0), "")
-            yield from [*self._row(row, value, _Value("", "", wheel.whole, self.slack, wheel.whole))][2:]
-            yield Expected(Kind.NUMBER, RESULTS, cell_name(row, 1), value.value, value.slack, digits=FINER)
+        methods, whole = self.comparison.methods, self.comparison.exact.flywheel
+        for key, name in METHODS if methods is not None and whole is not None else ():
+            own = _Value("", "", float(getattr(methods, name)), self.slack, 0.0)
+            true = _Value("", "", whole.whole if whole else 0.0, self.slack, whole.whole if whole else 0.0)
+            empty, _, share = self._row(f"J_0 {self.drafting.word(key)}", own, true)
+            yield empty._replace(value="")
+            yield Expected(Kind.NUMBER, RESULTS, empty.name.replace("[0]", "[1]"), own.value, own.slack, digits=FINER)
+            yield share
 
     def _row(self, row: str, own: _Value, true: _Value) -> Iterator[Expected]:
         for column, one in enumerate((own, true)):
@@ -405,15 +333,9 @@ class _Machine:
         yield "rim added", 100 * (own.thickness / own.diameter) ** 2, 200 * share
 
 
-def _frame(leaves: Sequence[Leaf]) -> Frame:
-    """Give the frame of the loop, which the layout chose; without a loop it is stated nowhere."""
-    found = [own for leaf in leaves if (own := frames(leaf).get((LOOP, None))) is not None]
-    return found[0] if found else Frame(0j, 1 + 0j, 1j, 1.0, 1.0)
-
-
 def _drawn(leaf: Leaf) -> Iterator[tuple[str, complex]]:
     """Give the vectors of the loop as they are drawn, mm: how long a tangent is the layout chose."""
-    for one in groups(leaf.groups):
+    for one in marks(leaf.groups):
         if one.data.get("plan") == LOOP and one.data.get("kind") == "vector":
             yield one.data["name"], complex(*map(float, one.data["value"].split()))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
@@ -26,9 +26,7 @@ TURN, STEPS = 360.0, 720  # degrees; places of a curve
 FAR, FAINT = 1e-9, 0.01  # of the greatest: no road is further off; a smaller ordinate may be a point
 
 
-def curves(
-    statics: Statics, comparison: ForceComparison, shown: Sequence[int]
-) -> Iterator[Expected]:
+def curves(statics: Statics, comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expected]:
     """Give the graph of what balances the drive, and the hodographs of the reactions that are asked for."""
     own = _Curves(statics, comparison, shown)
     yield from (*own.ordinates(), own.graph())
@@ -88,13 +86,15 @@ class _Curves:
         allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
         name = balancing_quantity(self.statics.study.mechanism.drive).name
         return Expected(
-            Kind.CURVE, BALANCING, name, partial(np.interp, xp=x, fp=y), allowed, ends=(0.0, float(x[-1]))
+            Kind.CURVE, BALANCING, name, lambda at: np.asarray(np.interp(at, x, y)), allowed, ends=(0.0, float(x[-1]))
         )
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""
         plan, one = f"hodograph-{key}", self.comparison.analysis.reactions[key]
-        slack = 2 * float(np.nanmax([np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"]))
+        slack = 2 * float(
+            np.nanmax([np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"])
+        )
         for k, value in enumerate(one.force):
             if np.isfinite(value):
                 yield Expected(Kind.POINT, plan, str(k), complex(value), slack, k, may_lack=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
@@ -44,7 +44,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         yield from lever(sheet.acting, scales, keys)
     yield from curves(statics, comparison, shown)
     yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
-    yield from notes(statics, comparison, shown)
+    yield from notes(comparison, shown)
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,15 @@ class _Sheet:
             for one in bill.bearings:
                 yield from self._bearing(plan, one)
             mu = self.scales.get(f"scheme-{label}", 0.0)
-            yield from (self._arm(plan, one, mu) for one in self.acting.arms[label] if one.letter.startswith("h"))
+            for arm in (one for one in self.acting.arms[label] if one.letter.startswith("h")):
+                row = self._arm(plan, arm, mu)
+                off = math.inf if self.acting.doubtful else 2 * self.acting.off
+                yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - self._zero(bill), allowed=off))
+
+    def _zero(self, bill: ForceBill) -> complex:
+        """Give the place from which those of a scheme are told: that of its first point."""
+        links = self.acting.statics.study.mechanism.links
+        return bill.place(min(name for link in bill.links for name in links[link].points))
 
     def _arrow(self, plan: str, one: ActingForce, lost: bool = False) -> Expected:
         """Give the direction of a force; of one that is none rounding decides."""
@@ -125,9 +133,7 @@ class _Sheet:
         value, off = arm.foot - arm.pivot, self._off(arm)
         lost = self.acting.doubtful or arm.length <= LEAST * mu + off
         allowed = math.inf if self.acting.doubtful else off
-        return Expected(
-            Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter
-        )
+        return Expected(Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
 
     def _off(self, arm: DueArm) -> float:
         """Give how far off an arm may be, m: by its places and by the direction of its force."""
@@ -158,7 +164,9 @@ class _Sheet:
                 about, found = one.about.name, one.found.name
                 own = {load.name for load in one.loads} | {found}
                 arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
-                terms = {arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms}
+                terms = {
+                    arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms
+                }
                 moments = moments_of(bill)
                 couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
                 terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
@@ -180,7 +188,7 @@ class _Sheet:
         return {*own, *(one.name for one in bill.bearings)}
 
     def table(self) -> Iterator[Expected]:
-        """Give the cells of the table: by plan, by analysis, by hand; what is none all over the turn may have no row."""
+        """Give the cells of the table: by plan, by analysis, by hand; what is none all the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)

@@ -1,4 +1,4 @@
-"""What must stand on Zhukovsky's lever, by the analysis alone: images, forces, arms, its equation (рычаг Жуковского)."""
+"""What must stand on Zhukovsky's lever by the analysis: images, forces, arms, its equation (рычаг Жуковского)."""
 
 from __future__ import annotations
 
@@ -105,7 +105,9 @@ class _Lever:
 
     def _force(self, one: ActingForce) -> _Hung:
         at = QUARTER * self.acting.bills[str(self.acting.statics.study.mechanism.drive.link)].speed(one.link, one.at)
-        return _Hung(self.acting.name(one.name), self.acting.letter(one.name), one.value, at, (at.conjugate() * one.value).imag)
+        return _Hung(
+            self.acting.name(one.name), self.acting.letter(one.name), one.value, at, (at.conjugate() * one.value).imag
+        )
 
     def _balancing(self) -> Iterator[ActingForce]:
         """Give what balances the lever: what drives by a force, else the force at the crank's end."""
@@ -198,7 +200,6 @@ class _Lever:
             yield row._replace(name=with_index(start) + with_index(end), value=size, allowed=off, digits=ARM_DIGITS)
         moment = float(self.acting.comparison.analysis.balancing.moment[self.acting.k])
         yield row._replace(name=self.acting.letter(BALANCING), value=moment, allowed=self.acting.none[1])
-
 
     def letters(self) -> Iterator[Expected]:
         """Give the terms of the equation in letters; where images coincide any of them may letter an arm."""

@@ -20,6 +20,7 @@ KNOWN = 1e-7  # of a stroke: where it ends is known to half the digits of an ang
 FEW = 12  # corners that are lettered a, b, c; of more the layout chooses
 STRAIGHT = 1e-3  # of two slopes: a bend that is less is none
 SHORT = 2e-3  # of the greatest load: on paper a point
+PIECES = 500  # of a line: corners that are lines apart are no arc
 DOUBT = 4.0  # times more or less: rounding of a table decides whether it is one
 
 
@@ -74,6 +75,8 @@ def _diagram(load: Force | Moment, stroke: Stroke) -> Iterator[Expected]:
         begin = [0j, complex(path[0].real)] if load.overrun[0] else []  # it jumps up and down at the overruns
         end = [complex(path[-1].real), complex(length)] if load.overrun[1] else []
         way = np.concatenate((begin, path, end))
+        places = np.linspace(0, len(way) - 1, PIECES * (len(way) - 1) + 1)
+        way = np.asarray(np.interp(places, np.arange(len(way)), way), dtype=np.complex128)
         yield Expected(Kind.CURVE, figure, "back" if one.back else "out", way, KNOWN * length)
     yield from _corners(figure, load)
 

@@ -81,12 +81,9 @@ def template_of(text: str) -> str:
 
 
 def telling(figure: str, stroke: Stroke, content: str = "") -> Stroke:
-    """Give lettering of a figure as what it states, where its content is a phrase with slots.
-
-    A letter that a leader leads to is a group: its content is given.
-    """
-    own = (content,) if content else (one.content for one in texts((stroke,)) if isinstance(one.content, str))
-    template = "".join(map(template_of, own))
+    """Give lettering of a figure as what it states, where its content is a phrase with slots."""
+    contents = (content,) if content else (text.content for text in texts((stroke,)))
+    template = " ".join(template_of(one) for one in contents if isinstance(one, str))
     return stating(Statement(Kind.PHRASE, figure, template), stroke) if SLOT.search(template) else stroke
 
 

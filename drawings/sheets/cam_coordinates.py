@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from drawings.checks.precise import KNOWN
+from drawings.checks.expected import KNOWN
 from drawings.checks.wrong import Wrong
 from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, THETA, read, written
 from drawings.files.enclosure import Enclosure
@@ -23,7 +23,6 @@ from plans.study import Study
 from plans.words.words import message
 
 ROUNDED = 0.5 * 10.0**-DIGITS
-# Of a value: what the arithmetic of either road moves, which a radius of curvature and an angle near a pole gather.
 MM = 1000.0  # of a metre
 
 

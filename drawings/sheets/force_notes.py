@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
+from drawings.lettering.phrase import Slot, joined, numbered, phrase
 from drawings.lettering.words import number, runs, word
 from drawings.report.forces.losses import least
 from drawings.sheets.notes import accord, driving, lengths
@@ -124,24 +125,22 @@ def _friction(statics: Statics, comparison: ForceComparison, position: int, lang
     none = least(comparison, found)[1:]
     rows = zip((found.lost, found.useful), none, strict=True)
     power = (float(row[position]) if abs(row[position]) > few[position] else 0.0 for row, few in rows)
-    told = [
-        word(language, said, power=f"{number(one, language)}{NBSP}{word(language, 'W')}")
-        for said, one in zip(INDEX, power, strict=True)
-    ]
+    told = list[str]()
+    for said, one in zip(INDEX, power, strict=True):
+        watts = joined(NBSP, (numbered(language, Slot(f"{said} {position}", one)), word(language, "W")))
+        told.append(phrase(language, said, power=watts))
     if np.isfinite(found.efficiency[position]):
-        told.append(f"η = {number(float(found.efficiency[position]), language, 3)}")
+        slot = Slot(f"η {position}", float(found.efficiency[position]), 3)
+        told.append(joined("", ("η = ", numbered(language, slot))))
     if found.cycle is not None:
-        told.append(word(language, "cycle efficiency", eta=number(found.cycle, language, 3)))
+        told.append(phrase(language, "cycle efficiency", eta=Slot("η", found.cycle, 3)))
     coefficients = sorted({one.coefficient for one in statics.machine.friction.values()})
     given = "; ".join(number(one, language) for one in coefficients)
-    yield f"{word(language, 'coefficients', f=given)}: {', '.join(told)}"
+    yield joined("", (f"{word(language, 'coefficients', f=given)}: ", joined(", ", told)))
     if found.wear:
-        worn = [
-            f"{key}{NBSP}{number(100 * share, language, 3)}{NBSP}%"
-            for key, share in found.wear.items()
-            if share > NOTHING
-        ]
-        yield f"{word(language, 'wear')}: {', '.join(worn)}"
+        slots = {key: Slot(f"wear {key}", 100 * share, 3) for key, share in found.wear.items() if share > NOTHING}
+        worn = (joined(NBSP, (key, numbered(language, slot), "%")) for key, slot in slots.items())
+        yield joined("", (f"{word(language, 'wear')}: ", joined(", ", worn)))
     if found.jams:
         pairs = ", ".join(dict.fromkeys(jam.pair for jam in found.jams))
         yield word(language, "jams", pairs=pairs, positions=runs(sorted({jam.position for jam in found.jams})))

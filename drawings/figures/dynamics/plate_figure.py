@@ -16,6 +16,7 @@ from drawings.figures.graphs.axes import Axes
 from drawings.figures.graphs.part import Part, caption
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
+from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.formats import Field
@@ -105,20 +106,23 @@ class _Drawing:
 
     def _pole(self, distance: float) -> str:
         """Write the pole distance, mm."""
-        return f"{rays.DISTANCE} = {self.plate.drafting.number(distance)} {self.plate.drafting.word('mm')}"
+        drafting = self.plate.drafting
+        number = drafting.slot(Slot(rays.DISTANCE, distance))
+        return joined("", (f"{rays.DISTANCE} = ", number, f" {drafting.word('mm')}"))
 
     def _mean(self) -> str:
         """Write the mean speed, from which the speeds are drawn."""
         drafting = self.plate.drafting
-        return f"ω_m = {drafting.number(self.plate.task.speed, DIGITS)} {drafting.word('rad/s')}"
+        number = drafting.slot(Slot("ω_m", self.plate.task.speed, DIGITS))
+        return joined("", ("ω_m = ", number, f" {drafting.word('rad/s')}"))
 
     def _graph(self, graph: StripGraph, axes: Axes, title: str, more: str = "") -> Part:
         """Draw a graph with its title over it."""
         plate, drafting = self.plate, self.plate.drafting
         part = strip_graph.graph_part(graph, plate.strips, axes, drafting)
-        scales = ";  ".join((drafting.scale(axes.up), more or drafting.scale(axes.across)))
+        scales = joined(";  ", (drafting.scale(axes.up), more or drafting.scale(axes.across)))
         head = caption(drafting.word(title), scales, self._over(graph.name), plate.hand)
-        return part._replace(lines=(head, *part.lines))
+        return part._replace(lines=(telling(graph.name, head), *part.lines))
 
     def _energy(self) -> Iterator[Part]:
         """Draw the loop, and the inertia over it."""

@@ -6,7 +6,18 @@ from collections.abc import Iterator
 
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.leverage import Leverage, leverages
-from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Passage, Term, WrittenEquation, forces, listed, moments, plain
+from drawings.layout.equation import (
+    DIRECTION,
+    FULL,
+    UNKNOWN,
+    Passage,
+    Term,
+    WrittenEquation,
+    forces,
+    listed,
+    moments,
+    plain,
+)
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.drafting import Drafting
 from drawings.paper.statement import Kind, Statement

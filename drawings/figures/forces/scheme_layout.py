@@ -38,6 +38,7 @@ RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a 
 DIMENSION, LEAST = 9.0, 0.5  # mm: from a guide to the dimension along it; the least shown
 FACINGS = 12  # directions that an arc may face
 BAR, ARROW, THIN = 3.0, 6.0, 1.0  # thin lines that a link, an arrow and an arm count as
+ZERO = "zero"  # of the mark from which the places of a scheme are told
 NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
 
 
@@ -94,7 +95,8 @@ class Layout:
             else:
                 symbol = (Circle(at, POINT * self.hand.symbol, INK),)
             symbols.append(Group(symbol, "", {}, name))
-        return symbols
+        zero = Statement(Kind.AXIS, self._plan, ZERO, self.shown.column, self.place.scale.mu)
+        return [stating(zero, symbols[0]), *symbols[1:]] if symbols else []
 
     @cached_property
     def gear(self) -> Gear | None:
@@ -227,6 +229,12 @@ class Layout:
         sizes = (abs(block.points[0] - block.points[2]) for _, block in self.joints.blocks)
         return any(max(reach) <= size for reach, size in zip(corners, sizes, strict=True))
 
+    def _arm(self, arm: Arm) -> tuple[Stroke, ...]:
+        """Draw an arm: its perpendicular, which comes last, says from which place it begins."""
+        said = Statement(Kind.POINT, self._plan, plain_name(arm.letter), self.shown.column, self.place.scale.mu)
+        *lines, last = arm.draw(self.hand)
+        return *lines, stating(said, last) if isinstance(last, Group) else last
+
     def _stated(self, kind: Kind, mark: Dimension | ForceArrow | CoupleArc) -> Stroke:
         """Draw what a force, a moment or a distance of the scheme is."""
         said = Statement(kind, self._plan, plain_name(mark.letter), self.shown.column, self.place.scale.mu)
@@ -237,13 +245,13 @@ class Layout:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
         over = [arm for arm in self.arms if any(self._hidden(end) for end in arm.ends)]
-        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms if arm not in over for stroke in arm.draw(hand))
+        arms = tuple(stroke for arm in self.arms if arm not in over for stroke in self._arm(arm))
         arms += tuple(self._stated(Kind.VECTOR, shift) for shift in self.shifts)
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.draw(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.attached, *self.coupling, *self.marks))
-        yield from [Group(tuple(stroke for arm in over for stroke in arm.draw(hand)))] if over else []
+        yield from [Group(tuple(stroke for arm in over for stroke in self._arm(arm)))] if over else []
         leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
         forces: tuple[Stroke, ...] = (*leads, *(self._stated(Kind.DIRECTION, arrow) for arrow in self.arrows))
         yield from [Group(forces)] if forces else []

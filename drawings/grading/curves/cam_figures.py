@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from drawings.due.cam_values import CamValues, law_named
+from drawings.due.cam_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.due.machine_rows import cam_rows
 from drawings.due.profile import PLAN as RADII
 from drawings.due.profile import tabled
@@ -19,7 +19,7 @@ from drawings.figures.cam.size_view import NAME as SIZES
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.asked_figure import POINTS as PLACES
-from drawings.grading.curves.cam_courses import ACCELERATION, DIAGRAM, POINTS, PRESSURE, TRAVEL, VELOCITY, CamCourses
+from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
 from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.cyclogram_figures import bars
 from drawings.grading.curves.figure_judge import SHORT

@@ -59,7 +59,7 @@ def _above(key: str) -> str | None:
 
 def _slack(row: ExpectedRow) -> Sizes:
     """Give by how much a value at a position is out that is read off the curve by chords."""
-    if not row.chorded:
+    if row.key == KEYS[0]:  # which alone is not drawn by chords
         return np.zeros(len(row.at))
     return np.nan_to_num(np.abs(row.result(row.axis.turned) - row.at))
 

@@ -10,8 +10,8 @@ from typing import Final
 
 import numpy as np
 
-from drawings.due.dynamics import BEFORE, TACHOGRAM
 from drawings.due.turn import INERTIA, KNOWN, SURPLUS, Turn
+from drawings.due.turn_graphs import BEFORE, TACHOGRAM
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.own_sheet import OwnSheet

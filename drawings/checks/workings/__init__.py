@@ -1,1 +1,0 @@
-"""The self-check of workings beside figures, by the analysis (проверка выкладок)."""
