@@ -6,7 +6,6 @@ import math
 import re
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -28,7 +27,7 @@ from plans.model.dynamics import TURN
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
-from tests.drawings.holding import wrongs
+from tests.drawings.held import faults_on
 from tests.parts import first
 from tests.plans.dynamics_scenes import text
 
@@ -159,13 +158,13 @@ CASES = [("A1", "en", 1), ("A1", "ru", 1), ("A2", "ru", 2), ("A3", "en", 2), ("A
 
 @pytest.mark.rest
 @pytest.mark.parametrize("case", first(CASES))
-def test_sheets_are_few_and_no_letter_touches_a_line(case: tuple[str, str, int], tmp_path: Path) -> None:
+def test_sheets_are_few_and_no_letter_touches_a_line(case: tuple[str, str, int]) -> None:
     paper, language, count = case
     own = study(paper, language)
     found = leaves(own)
     assert len(found) == count
     assert [one for leaf in found for one in collisions(lettered(leaf))] == []
-    assert wrongs(own, "dynamics", found, tmp_path) == []
+    assert faults_on(own, "dynamics", found) == []
 
 
 MACHINES = [
@@ -178,7 +177,7 @@ MACHINES = [
 
 @pytest.mark.rest
 @pytest.mark.parametrize("machine", first(MACHINES))
-def test_machines_of_every_kind_are_drawn(machine: tuple[str, set[str], set[str]], tmp_path: Path) -> None:
+def test_machines_of_every_kind_are_drawn(machine: tuple[str, set[str], set[str]]) -> None:
     asked, names, words = machine
     own = study("A3", asked=asked)
     found = leaves(own)
@@ -186,7 +185,7 @@ def test_machines_of_every_kind_are_drawn(machine: tuple[str, set[str], set[str]
     assert names <= seen and bool(seen) == bool(names)
     told = " ".join(one.plain for leaf in found for one in texts(leaf.groups))
     assert all(word in told for word in words)
-    assert wrongs(own, "dynamics", found, tmp_path) == []
+    assert faults_on(own, "dynamics", found) == []
 
 
 @pytest.mark.rest
@@ -228,10 +227,10 @@ ODD = [
 
 @pytest.mark.rest
 @pytest.mark.parametrize("odd", first(ODD))
-def test_tangents_stay_among_their_figures(odd: tuple[str, str], tmp_path: Path) -> None:
+def test_tangents_stay_among_their_figures(odd: tuple[str, str]) -> None:
     drive, paper = odd
     scene = text(asked='fluctuation = "1/25"').replace('speed = "120 rpm"\npositions = 24', drive)
     own = Study(parse_scene(f'{scene}[sheet]\nformat = "{paper}"\n'))
     for leaf in leaves(own):
         assert collisions(lettered(leaf)) == []
-    assert wrongs(own, "dynamics", leaves(own), tmp_path) == []
+    assert faults_on(own, "dynamics", leaves(own)) == []

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from drawings.lettering.extent import bounds
 from drawings.page.page import page_of
 from drawings.paper.walk import groups
 from drawings.report.dynamics_report import chapters
-from tests.drawings.holding import wrongs
+from tests.drawings.held import faults_on
 from tests.drawings.slips import changed, dropped, stretched, without
 from tests.drawings.test_dynamics_sheet import ASKED, in_part, scaled, sheet, traced
 from tests.parts import first
@@ -21,13 +19,13 @@ MOTOR = (
 )
 
 
-def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads(tmp_path: Path) -> None:
+def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads() -> None:
     study, found = sheet("A1", "ru", ASKED + MOTOR)
-    assert wrongs(study, "dynamics", found, tmp_path) == []
+    assert faults_on(study, "dynamics", found) == []
     changes = {name: in_part("tachogram", scaled(name)) for name in ("t_1", "t_2", "t_3", "ω_{уст}", "δ")}
     changes |= {"ω": in_part("tachogram", traced(0, 0.3j)), "long": stretched("t_1", "tachogram")}
     for name, change in {**changes, "lost": dropped("t_1", "tachogram"), "all": without("tachogram-numbers")}.items():
-        assert wrongs(study, "dynamics", [changed(one, change) for one in found], tmp_path), name
+        assert faults_on(study, "dynamics", [changed(one, change) for one in found]), name
     told = "\n".join(chapters(study, {"dynamics": found}).values)
     assert "DOP853" in told or "Radau" in told or "LSODA" in told
     assert told.count("по таблице |") == told.count("решателем |") == 3

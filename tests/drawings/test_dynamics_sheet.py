@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import pytest
 
@@ -16,8 +15,7 @@ from drawings.paper.walk import groups, texts
 from drawings.sheets.dynamics import leaves
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.words.words import said
-from tests.drawings.holding import wrongs
+from tests.drawings.held import faults_on
 from tests.drawings.slips import (
     Change,
     changed,
@@ -62,9 +60,9 @@ def planer() -> tuple[Study, Leaf]:
         pytest.param("A1", "en", "divisions = 36", marks=pytest.mark.rest),  # no fluctuation is asked for
     ],
 )
-def test_a_right_sheet_is_not_withheld(size: str, language: str, asked: str, tmp_path: Path) -> None:
+def test_a_right_sheet_is_not_withheld(size: str, language: str, asked: str) -> None:
     study, found = sheet(size, language, asked)
-    assert wrongs(study, "dynamics", found, tmp_path) == []
+    assert faults_on(study, "dynamics", found) == []
     names = {name for leaf in found for name in leaf.metadata["figures"]}
     assert ("flywheel_sketch" in names) == ('"1.2 m"' in asked)
 
@@ -100,9 +98,9 @@ diagram = { travel = ["0 %", "20 %", "100 %"], pressure = ["0.6 MPa", "0.1 MPa",
         ]
     ),
 )
-def test_what_is_but_rounding_is_not_held_to_its_digits(scene: str, tmp_path: Path) -> None:
+def test_what_is_but_rounding_is_not_held_to_its_digits(scene: str) -> None:
     study = Study(parse_scene(scene))
-    assert wrongs(study, "dynamics", leaves(study), tmp_path) == []
+    assert faults_on(study, "dynamics", leaves(study)) == []
 
 
 @pytest.mark.rest
@@ -209,19 +207,19 @@ FAULTS: dict[str, tuple[Change, str]] = {
 
 
 @pytest.mark.parametrize("name", first(FAULTS))
-def test_what_is_drawn_wrongly_withholds_the_sheet(planer, name: str, tmp_path: Path) -> None:
+def test_what_is_drawn_wrongly_withholds_the_sheet(planer, name: str) -> None:
     study, leaf = planer
     change, wrong = FAULTS[name]
-    told = [said(one, "en") for one in wrongs(study, "dynamics", [changed(leaf, change)], tmp_path)]
+    told = faults_on(study, "dynamics", [changed(leaf, change)])
     assert any(wrong in one for one in told), told
 
 
 @pytest.mark.rest
-def test_the_speeds_without_the_flywheel_are_held(tmp_path: Path) -> None:
+def test_the_speeds_without_the_flywheel_are_held() -> None:
     study, found = sheet("A1", "en", ASKED + SHAFTS)
     (leaf,) = [one for one in found if "before" in one.metadata["figures"]]
     (group,) = [one for one in groups(leaf.groups) if one.name == "before"]
     numbers = [int(one.plain) for one in texts((group,)) if one.plain.isdigit()]
     assert sorted(numbers) == list(range(0, 25, 2))  # as far apart as on the other graphs; the end of the turn is 24
     for change in (stretched("8", "before"), in_part("before", traced(0, 0.1j))):
-        assert wrongs(study, "dynamics", [changed(one, change) for one in found], tmp_path)
+        assert faults_on(study, "dynamics", [changed(one, change) for one in found])

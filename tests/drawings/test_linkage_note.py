@@ -1,0 +1,133 @@
+"""The note on a linkage: data, structure, and the vector equations of its plans with numbers put in."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import cast
+
+import pytest
+
+import drawings
+from drawings.page.scale import Scale
+from drawings.report.linkage.data_chapter import data, structure
+from drawings.report.linkage.equations_chapter import equations
+from geometry.board import at
+from plans.linkage.groups.vector_sums import VectorSums
+from plans.model.dyad import Dyad
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from tests.parts import some
+
+GALLERY = Path(drawings.__file__).parent / "gallery"
+SCALES = {2: {"velocities": Scale(0.01, "v", "m/s"), "accelerations": Scale(0.05, "a", "m/s2")}}
+MATH = re.compile(r"\$\$(.+?)\$\$|\$(.+?)\$")
+
+
+@cache
+def study(name: str, *changes: tuple[str, str]) -> Study:
+    """Study a scene of the gallery, with parts of it changed."""
+    text = (GALLERY / f"{name}.toml").read_text("utf-8")
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return Study(parse_scene(text))
+
+
+@cache
+def note(name: str, *changes: tuple[str, str]) -> str:
+    """Write what a note says of a scene in position 2, at scales of plans."""
+    made = study(name, *changes)
+    linkage, motion = made["linkage"], made.comparison("linkage").construction
+    return "\n".join([*data(linkage), *structure(linkage), *equations(linkage, motion, SCALES, [2])])
+
+
+BOOK = ('start = "extreme"', "start = 0")  # position 2 is at 60 degrees
+
+
+def test_the_shaper_has_the_numbers_of_the_worked_example() -> None:
+    """M3.8 at φ = 60°: v_A3A = 0.4586441577, ω_3 = 2.421846089, a^k = 2.221531119, CA = 0.4578713072, ω_4 = -1.114."""
+    told = note("shaper", BOOK)
+    for line in (
+        r"- $v_{A} = \omega_{1} l_{OA} = 10 \cdot 0.12 = 1.2\text{ m/s}$",
+        r"- $v_{A_{3}A} = aa_{3} \cdot \mu_{v} = 45.864 \cdot 0.01 = 0.45864\text{ m/s}$",
+        r"- $a_{A_{3}A}^{k} = 2 \omega_{3} v_{A_{3}A} = 2 \cdot 2.4218 \cdot 0.45864 = 2.2215\text{ m/s}^{2}$",
+        r"- $a_{A_{3}A}^{r} = k_{A}a_{3} \cdot \mu_{a} = 163.48 \cdot 0.05 = 8.174\text{ m/s}^{2}$",
+        r"- $v_{A_{3}} = v_{A_{3}C} = pa_{3} \cdot \mu_{v} = 110.89 \cdot 0.01 = 1.1089\text{ m/s}$",
+        r"- $\omega_{3} = v_{A_{3}C} / l_{CA} = 1.1089 / 0.45787 = 2.4218\text{ rad/s}$, counter-clockwise",
+        r"- $\varepsilon_{4} = a_{DB}^{t} / l_{BD} = 3.4767 / 0.2 = 17.383\text{ rad/s}^{2}$, counter-clockwise",
+        r"- $v_{D} = pd \cdot \mu_{v} = 169.76 \cdot 0.01 = 1.6976\text{ m/s}$",
+    ):
+        assert f"\n{line}\n" in f"{told}\n"
+    assert r"= 0.2228 / 0.2 = 1.114\text{ rad/s}$, clockwise" in told
+
+
+def test_data_and_structure_come_first() -> None:
+    told = note("shaper")
+    assert r"- Lengths: $l_{OA} = 120\text{ mm}$, $l_{CB} = 700\text{ mm}$, $l_{BD} = 200\text{ mm}$" in told
+    assert r"- Fixed points: $O (0; 0)\text{ mm}$, $C (0; -350)\text{ mm}$" in told
+    assert "- Link 2 slides along line $CB$ of link 3; its point is $A$" in told
+    assert "- Link 5 slides along a line of the frame through (0; 328.8) mm at 0°; its point is $D$" in told
+    assert r"$$W = 3n - 2p_{5} - p_{4} = 3 \cdot 5 - 2 \cdot 7 - 0 = 1$$" in told
+    assert told.count("| turning |") == 5 and told.count("| sliding |") == 2
+
+
+def test_what_is_known_of_a_vector_stands_under_it() -> None:
+    told = note("crank-rocker")
+    double, single = r"\underline{\underline{\bar %s}}", r"\underline{\bar %s}"
+    assert rf"$$\bar v_{{B}} = {double % 'v_{A}'} + {single % 'v_{BA}'}$$" in told
+    parts = f"{double % 'a_{C}'} + {double % 'a_{BC}^{n}'} + {single % 'a_{BC}^{t}'}"
+    assert rf"$$\bar a_{{B}} = {parts},\quad a_{{C}} = 0$$" in told
+    assert rf"$${single % 'v_{D}'} = {double % 'v_{B}'} + {single % 'v_{DB}'}$$" in note("shaper")
+
+
+KINDS = ("crank-rocker", "slider-crank", "shaper", "tangent", "scotch-yoke", "walking-leg", "oscillating-cylinder")
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_terms_of_the_equations_are_the_vectors_between_images_of_the_plans(name: str) -> None:
+    """What a note reads off a motion, and the letters that it gives, are those of the recorded plans."""
+    linkage, k = study(name)["linkage"], 1
+    plans = linkage.drafts().velocities, linkage.drafts().accelerations
+    sums = VectorSums(linkage.mechanism, linkage.motion(), k, plans[0].written)
+
+    def image(order: int, letter: str) -> complex:
+        board = plans[order].board
+        return complex(at(board[letter].point, k)) if letter in board else 0j
+
+    for leg in (leg for group in linkage.groups for leg in sums.of(cast(Dyad, group)) if not leg.guided):
+        start, part, tip = leg.images
+        if start in plans[0].board or not start:
+            assert image(0, tip) - image(0, start) == pytest.approx(leg.velocity[1], abs=1e-9)
+        if part in plans[1].board:
+            assert image(1, part) - image(1, start) == pytest.approx(leg.acceleration[1], abs=1e-7)
+            assert image(1, tip) - image(1, part) == pytest.approx(leg.acceleration[2], abs=1e-7)
+        else:
+            assert leg.acceleration[1] == pytest.approx(0, abs=1e-7)
+            assert not leg.turns
+
+
+@pytest.mark.parametrize("name", some(KINDS, 2))
+@pytest.mark.parametrize("language", some(["en", "ru"], 2))
+def test_markdown_leaves_the_formulas_alone(name: str, language: str) -> None:
+    """GitHub reads Markdown before math: no mark of emphasis, no escape, no bar of a table may stand in a formula."""
+    text = (GALLERY / f"{name}.toml").read_text("utf-8")
+    old = re.search(r'language = ".."\n', text)
+    change = (old[0], f'language = "{language}"\n') if old else ("[sheet]\n", f'[sheet]\nlanguage = "{language}"\n')
+    told = note(name, change)
+    found = [one or other for one, other in MATH.findall(told)]
+    assert len(found) > 20
+    for formula in found:
+        assert not re.search(r"[*|~<>#`]|\\[^A-Za-z]|(?<![A-Za-z0-9])_", formula), formula
+        assert formula == formula.strip() and formula.count("{") == formula.count("}"), formula
+        assert not re.search("[а-яё]", re.sub(r"\\text\{.*?\}", "", formula)), formula
+    assert not re.search(r"\$\d", re.sub(MATH, "", told))
+
+
+def test_a_slide_that_is_pushed_has_the_velocity_that_the_scene_gives() -> None:
+    made = Study(parse_scene((Path(__file__).parents[1] / "cases/kinematics/ram.toml").read_text("utf-8")))
+    linkage, motion = made["linkage"], made.comparison("linkage").construction
+    told = "\n".join(equations(linkage, motion, {0: SCALES[2]}, [0]))
+    assert "### Position 0, s = 500 mm\n" in told
+    assert "\nPrimary link 1:\n\n" + r"- $v_{A} = pa \cdot \mu_{v} = 20 \cdot 0.01 = 0.2\text{ m/s}$" in told
