@@ -20,7 +20,7 @@ from drawings.measure.pathdata import pair
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
-from drawings.paper.walk import groups
+from drawings.paper.walk import groups, stated
 from geometry.strips import departure
 from plans.analytic.cam.contour import Curve
 from plans.checks.hand.cam import cam_by_hand, readings
@@ -46,7 +46,9 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
         )
         drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
-        own = _Cam(numbers_of(study, name), scales, drawn, drafting_of(study.scene))
+        said = [one.states for leaf in leaves for one in stated(leaf.groups) if one.states is not None]
+        axes = {(one.figure, one.name): one.scale for one in said if one.kind is Kind.AXIS}
+        own = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
         yield from chain(own.laws(), own.phases(), own.pressure(), own.profile(), own.sizes(), own.table())
     yield from every_cam(study)
 
@@ -63,6 +65,7 @@ class _Cam:
     numbers: CamNumbers
     scales: Mapping[str, float]
     drawn: Mapping[str, Mapping[str, str]]
+    axes: Mapping[tuple[str, str], float]
     drafting: Drafting
 
     @property
@@ -91,6 +94,13 @@ class _Cam:
         for key, chords, exact in ((VELOCITY, slope, own.before.slope[1:]), (TRAVEL, s, own.after.s)):
             share = departure(chords, exact).share
             yield Expected(Kind.PHRASE, law_named(cam, key), "off", 100 * share, 100 * NEAREST, digits=2)
+        for key, above in ((VELOCITY, ACCELERATION), (TRAVEL, VELOCITY)):
+            yield from self._pole(law_named(cam, key), law_named(cam, above))
+
+    def _pole(self, plan: str, above: str) -> Iterator[Expected]:
+        """Give the distance of the pole, mm: by it the scale of a diagram follows from the scales of the one above."""
+        turn, high, own = (self.axes.get(axis, math.nan) for axis in ((above, "x"), (above, "y"), (plan, "y")))
+        yield Expected(Kind.PHRASE, plan, "H", own / (high * turn), digits=4, may_lack=True)
 
     def _impulse(self, turned: float, sense: float) -> Iterator[Expected]:
         """Give the arrow of an impulse of S''; the end of a turn is its beginning."""
