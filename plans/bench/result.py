@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from plans.bench.clock import Times
 from plans.bench.computer import Computer
@@ -86,9 +86,3 @@ class Bench:
     words: tuple[str, ...]  # definitions, acceptance, repetitions, what was left out
     accepted: float  # the largest error that is accepted
     gaps: bool = False  # whether some position could not be assembled
-
-    def joined(self, other: Bench) -> Bench:
-        """Join what another session on the same scene has found."""
-        words = (*self.words, *(word for word in other.words if word not in self.words))
-        rows, ratios = (*self.rows, *other.rows), (*self.ratios, *other.ratios)
-        return replace(self, rows=rows, ratios=ratios, words=words, gaps=self.gaps or other.gaps)
