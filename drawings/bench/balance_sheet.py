@@ -24,7 +24,8 @@ from plans.study import Study
 
 OF_BALANCING = "sheet of balancing: measured back"
 ROUNDS = 5  # at most: the plans under a mass centre have sessions of their own
-Marks = Mapping[str, complex]  # by plan, position and name of a mark, its measured value in true units
+Key = tuple[str, int | None, str]  # plan, position and name of a mark
+Marks = Mapping[Key, complex]  # measured, in true units
 
 
 def balance(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
@@ -46,29 +47,23 @@ def measured(scene: Scene) -> Marks:
     """Draw the sheets of a scene, write them, and read the points of scheme and hodograph back."""
     points = (point for one in read(balancing.leaves(Study(scene))) for point in one.points)
     own = (point for point in points if point.plan in (SCHEME + BEFORE, shaking_hodograph.NAME))
-    return {_key(one.plan, one.position, one.name): one.value for one in own}
+    return {(one.plan, one.position, one.name): one.value for one in own}
 
 
 def judge(marks: Marks, on: Ground) -> Errors:
     """Hold what was read against the truth at its positions, in shares of the largest there."""
-    kinds: dict[str, float] = {}
-    for kind, near, rest in zip((PLACE, SHAKING), on.near, on.rest, strict=True):
-        most = float(np.abs(near).max())
-        keys = [_mark(kind, k) for k in on.positions]
-        off = [abs(marks[key] - n - r) for key, n, r in zip(keys, near, rest, strict=True) if key in marks]
-        if off and most:
-            kinds[kind] = float(max(off)) / most
-    return Errors(kinds, max(kinds, key=lambda kind: kinds[kind], default=""))
+    found: list[tuple[str, str, float]] = []
+    for kind, true in zip((PLACE, SHAKING), on.true, strict=True):
+        values = np.array([marks.get(_mark(kind, k), np.nan) for k in on.positions])
+        off, most = true.off(values), float(np.abs(true.near).max())
+        found += [(kind, kind, float(np.nanmax(off)) / most)] if most and np.isfinite(off).any() else []
+    return Errors.joined(found)
 
 
-def _mark(kind: str, position: int) -> str:
+def _mark(kind: str, position: int) -> Key:
     if kind == PLACE:
-        return _key(SCHEME + BEFORE, position, CENTRE)
-    return _key(shaking_hodograph.NAME, position, f"{BEFORE} {position}")
-
-
-def _key(plan: str, position: int | None, name: str) -> str:
-    return f"{plan}/{position}/{name}"
+        return SCHEME + BEFORE, position, CENTRE
+    return shaking_hodograph.NAME, position, f"{BEFORE} {position}"
 
 
 def rotor(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:

@@ -85,23 +85,19 @@ def _judge(
 
 def by_ruler(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Judge the points of the position in full lines and the vectors from the poles of the drawn plans."""
-    places = {mark.name: mark.value for mark in drawn.measured.points if mark.position == drawn.shown}
-    points = {("r", name): np.array([value]) for name, value in places.items() if ("r", name) in truth.values}
-    found = errors(points, truth.at([drawn.shown]), largest)
+    seen = {("r", one.name): {drawn.shown: one.value} for one in drawn.measured.points if one.position == drawn.shown}
     drafts = study.drafts()
     for order in ORDERS[1:]:
-        kind, plan = order.point.key, drafts.plan(order.number)
-        names = [name for key, name in truth.values if key == kind]
-        letters = {name: f"{plan.pole.name} {plan.point(name).name}" for name in names}
-        for position in drawn.plans:
-            seen = {
-                v.name: v.value
-                for v in drawn.measured.vectors
-                if (v.plan, v.position) == (plan.board.subject, position)
-            }
-            read = {(kind, name): np.array([seen[letters[name]]]) for name in names if letters[name] in seen}
-            found = found.joined(errors(read, truth.at([position]), largest))
-    return found
+        plan = drafts.plan(order.number)
+        names = {
+            f"{plan.pole.name} {plan.point(name).name}": name for key, name in truth.values if key == order.point.key
+        }
+        for one in drawn.measured.vectors:
+            if one.plan == plan.board.subject and one.position in drawn.plans and one.name in names:
+                seen.setdefault((order.point.key, names[one.name]), {})[one.position] = one.value
+    known = {key: values for key, values in seen.items() if key in truth.values}
+    held = Truth(truth.positions, {key: truth.of(key, list(values)) for key, values in known.items()})
+    return errors({key: np.array(list(values.values())) for key, values in known.items()}, held, largest)
 
 
 def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:

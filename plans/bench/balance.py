@@ -22,7 +22,7 @@ from plans.balance.shares import Superposition
 from plans.balance.study import BalanceStudy
 from plans.bench.error import Errors
 from plans.bench.trial import Found, Road, timed
-from plans.bench.truth import crank_direction, sample
+from plans.bench.truth import Exact, crank_direction, sample, split
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import Choice, MassCentre
@@ -57,16 +57,14 @@ class Ground(NamedTuple):
     study: LinkageStudy
     points: MainPoints
     positions: tuple[int, ...]
-    near: Centre
-    rest: Centre
+    true: tuple[Exact, Exact]  # of the place, and of the main vector
 
     def judge(self, found: Centre) -> Errors:
         """Judge what a way has found at the positions of the truth."""
-        chosen, kinds = list(self.positions), {}
-        for kind, values, near, rest in zip((PLACE, SHAKING), found, self.near, self.rest, strict=True):
-            most = float(np.abs(near).max())
-            kinds[kind] = float(np.abs((values[chosen] - near) - rest).max()) / most if most else 0.0
-        return Errors(kinds, max(kinds, key=lambda kind: kinds[kind]))
+        return Errors.joined(
+            (kind, kind, float(true.off(values[list(self.positions)]).max()) / (float(np.abs(true.near).max()) or 1.0))
+            for kind, values, true in zip((PLACE, SHAKING), found, self.true, strict=True)
+        )
 
 
 def ground(study: LinkageStudy, points: MainPoints) -> Ground:
@@ -77,10 +75,8 @@ def ground(study: LinkageStudy, points: MainPoints) -> Ground:
     crank = plan.positions.board["φ"]
     told = [_exact(study, [main.end, turned.end], crank, *at) for at in enumerate(chosen)]
     mass = digits().fsum(body.mass for body in points.bodies.values())
-    rows = [[place for place, _ in told], [-mass * force for _, force in told]]
-    near = [np.array([complex(one) for one in row]) for row in rows]
-    rest = [np.array([complex(o - complex(o)) for o in row]) for row in rows]
-    return Ground(study, points, chosen, Centre(*near), Centre(*rest))
+    true = split([place for place, _ in told]), split([-mass * force for _, force in told])
+    return Ground(study, points, chosen, true)
 
 
 def _exact(study: LinkageStudy, marks: list[Mark], crank: Mark, column: int, position: int) -> list[Any]:

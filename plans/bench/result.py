@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import platform
 from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
 
 from plans.bench.clock import Times
-from plans.bench.computer import Computer
 from plans.bench.error import Errors
 
 
@@ -73,6 +77,39 @@ class Ratio:
         """Whether the median ratio reaches the goal; None where there is none, or nothing was measured."""
         ratios = self.times
         return self.goal.reached(ratios.median) if self.goal and ratios else None
+
+
+@dataclass(frozen=True)
+class Computer:
+    """The machine: processor, cores that this process may use, load of the last minute, versions."""
+
+    processor: str
+    cores: int
+    load: float | None  # mean number of busy processes; None where the system does not tell
+    system: str
+    python: str
+    numpy: str
+
+    def written(self) -> str:
+        """Write the machine in one line."""
+        busy = "" if self.load is None else f", load {self.load:.1f} at the start"
+        cores = f"{self.cores} core{'' if self.cores == 1 else 's'}"
+        return f"{self.processor}, {cores}{busy}; {self.system}; Python {self.python}, numpy {self.numpy}"
+
+
+def machine() -> Computer:
+    """Describe this machine."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
+    system = f"{platform.system()} {platform.machine()}"
+    return Computer(_processor(), cores, load, system, platform.python_version(), np.__version__)
+
+
+def _processor() -> str:
+    """Name the processor as Linux tells it; elsewhere the platform's own name must do."""
+    told = Path("/proc/cpuinfo").read_text("utf-8", errors="replace") if Path("/proc/cpuinfo").is_file() else ""
+    models = [line.partition(":")[2] for line in told.splitlines() if line.startswith("model name")]
+    return " ".join(models[0].split()) if models else platform.processor() or platform.machine()
 
 
 @dataclass(frozen=True)

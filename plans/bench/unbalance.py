@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import Any
+
+import numpy as np
 
 from geometry.replay import DIGITS
 from plans.analytic.balance.bank import SliderCrank as Series
@@ -18,7 +20,7 @@ from plans.bank.shaking import SliderCrank
 from plans.bank.study import BankStudy
 from plans.bench.error import Errors
 from plans.bench.trial import Found, Order, Road, terms, timed
-from plans.bench.truth import REACTION, digits
+from plans.bench.truth import REACTION, Exact, digits, split, turned
 from plans.model.balance.bank import BankTask, Harmonic, Member, Unit
 from plans.model.rotor import Balance, Rotor
 from plans.rotor.bearings import BEARINGS
@@ -43,17 +45,8 @@ BANK = (
     "a bank has no positions of its own: --positions does nothing here, and positions are the ordinates of a turn",
 )
 OF_LINKAGE = "the harmonics of a linkage have no truth here: the bench judges banks of slider-cranks by their sizes"
-Truth = Mapping[str, tuple[complex, complex]]  # by its name what float64 holds, and the rest
+Truth = Mapping[str, Exact]  # of each vector by its name
 Told = Mapping[str, Mapping[int, Harmonic]]
-
-
-def worst(shares: Iterable[tuple[str, str, float]]) -> Errors:
-    """Join the errors of single quantities, each with its kind and its name."""
-    found = list(shares)
-    kinds: dict[str, float] = {}
-    for kind, _, share in found:
-        kinds[kind] = max(kinds.get(kind, 0.0), share)
-    return Errors(kinds, max(found, key=lambda one: one[2])[1] if found else "")
 
 
 def rotor_roads(rotor: Rotor, true: Truth) -> list[Road]:
@@ -71,25 +64,21 @@ def rotor_roads(rotor: Rotor, true: Truth) -> list[Road]:
 def rotor_truth(rotor: Rotor) -> Truth:
     """Find the counterweights and the reactions before any correction in many digits."""
     mp = digits()
-    loads = [(mp.mpf(one.moment) * _turned(mp, one.angle), one.place) for one in rotor.masses]
+    loads = [(mp.mpf(one.moment) * turned(mp, one.angle / 360), one.place) for one in rotor.masses]
     places = [plane.place for plane in rotor.planes]
     found = {unbalance_letters(plane.name): _shared(mp, loads, plane.place, places) for plane in rotor.planes}
     if rotor.bearings and rotor.speed is not None:
         for name, place in zip(BEARINGS, rotor.bearings, strict=True):
             found[f"R_{name}"] = mp.mpf(rotor.speed) ** 2 * _shared(mp, loads, place, rotor.bearings)
-    return {name: (complex(value), complex(value - complex(value))) for name, value in found.items()}
+    return {name: split([value]) for name, value in found.items()}
 
 
 def judged(values: Mapping[str, complex], true: Truth) -> Errors:
     """Give the errors of static moments and reactions, each in shares of the largest of its kind."""
     kinds = {name: REACTION if name.startswith("R_") else STATIC for name in true}
-    most = {kind: max(abs(near) for name, (near, _) in true.items() if kinds[name] == kind) for kind in kinds.values()}
-    off = {name: abs((value - true[name][0]) - true[name][1]) for name, value in values.items()}
-    return worst((kinds[n], n, error / most[kinds[n]] if most[kinds[n]] else 0.0) for n, error in off.items())
-
-
-def _turned(mp: Any, degrees: Fraction) -> Any:
-    return mp.expjpi(mp.mpf(degrees.numerator) / degrees.denominator / 180)
+    most = {kind: max(abs(one.near[0]) for name, one in true.items() if kinds[name] == kind) for kind in kinds.values()}
+    off = {name: float(true[name].off(np.array([value]))[0]) for name, value in values.items()}
+    return Errors.joined((kinds[n], n, error / most[kinds[n]] if most[kinds[n]] else 0.0) for n, error in off.items())
 
 
 def _shared(mp: Any, loads: Sequence[tuple[Any, Fraction]], here: Fraction, places: Sequence[Fraction]) -> Any:
@@ -141,7 +130,7 @@ def bank_truth(task: BankTask, unit: Unit) -> Mapping[tuple[str, int], Any]:
         for signed in (order, -order):
             rotating = mp.mpf(unit.rotating) * mp.mpf(unit.crank) if signed == 1 else 0
             single = mp.mpf(task.speed) ** 2 * (slider + rotating)
-            shares = [(single * _turned(mp, signed * one.phase + one.axis), one.place) for one in task.members]
+            shares = [(single * turned(mp, (signed * one.phase + one.axis) / 360), one.place) for one in task.members]
             moments = [share * place.numerator / mp.mpf(place.denominator) for share, place in shares]
             found |= {(SINGLE, signed): single, (FORCE, signed): mp.fsum(share for share, _ in shares)}
             found[MOMENT, signed] = mp.fsum(moments)
@@ -168,7 +157,7 @@ def bank_errors(told: Told, true: Mapping[tuple[str, int], Any], members: Sequen
     arm = max((abs(float(one.place)) for one in members), default=0.0) or 1.0
     harmonic = {(kind, signed): told[kind][abs(signed)] for kind, signed in true}
     near = {key: one.ahead if key[1] > 0 else one.back for key, one in harmonic.items()}
-    return worst(
+    return Errors.joined(
         (
             kind,
             letters(kind, signed),
