@@ -12,8 +12,7 @@ from drawings.measure.measure import Measured
 from drawings.sheets import forces as sheets
 from geometry.draughtsman import DRAWINGS, Draughtsman
 from geometry.errors import DraftError
-from plans.bench.draughtsman import SLIPS, Toll, toll
-from plans.bench.error import Errors
+from plans.bench.error import SLIPS, Errors, Toll, toll
 from plans.bench.forces import prepared
 from plans.bench.result import Row
 from plans.bench.truth import Replay, replay

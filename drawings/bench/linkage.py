@@ -9,8 +9,7 @@ from drawings.bench import hands, sheet
 from drawings.bench.startup import startup
 from geometry.draughtsman import SEED
 from geometry.errors import DraftError
-from plans.bench.draughtsman import SLIPS
-from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, TRUE, sizes
+from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, SLIPS, TRUE, sizes
 from plans.bench.forces import FORCES_ANALYSED, FORCES_CONSTRUCTED, asked
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.result import Goal, Ratio, Row

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from drawings.bench.hands import BY_HAND, FORCES_BY_HAND
 from drawings.bench.sheet import MEASURED, PRINTED
 from geometry.meet import EPS
-from plans.bench.draughtsman import SLIPS
+from plans.bench.error import SLIPS
 from plans.bench.forces import ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, POWER
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.result import Bench, Row
@@ -54,9 +54,9 @@ NAMED = (
     *CONSTRUCTION, *map(newton, TOLERANCES), ROUNDING, MEASURED, PRINTED, PYLINKAGE, MECHANISM,
     FORCES_CONSTRUCTED, FORCES_ANALYSED, LEVER, POWER, ENERGY,
 )  # fmt: skip
-MARKERS = ["o", "s", "O", "^", "v", "T", "D", "B", "P", "X", "S", "V", "<", ">", "d"]  # a capital for a filled one that is hollow elsewhere
+MARKERS = "osO^vTDBPXSV<>d"  # a capital for a filled one that is hollow elsewhere
 SHAPES = {"O": "o", "T": "^", "B": "D", "S": "s", "V": "v"}
-RULES = [":", "--", "-", ":", "--", "-", "-.", "-.", "-", "-", "-", "-", ":", "--", "-."]
+RULES = (":", "--", "-", ":", "--", "-", "-.", "-.", "-", "-", "-", "-", ":", "--", "-.")
 LOOKS = {
     name: Series(SHAPES.get(marker, marker), marker in (*SHAPES, "X"), rule)
     for name, marker, rule in zip(NAMED, MARKERS, RULES, strict=True)

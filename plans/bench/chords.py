@@ -75,7 +75,7 @@ def _load(x: Floats) -> Floats:
 
 
 def _work(x: Floats) -> Floats:
-    return LOAD * (np.cos(JUMPS[0]) - np.cos(np.clip(x, *JUMPS)))
+    return np.asarray(LOAD * (np.cos(JUMPS[0]) - np.cos(np.clip(x, *JUMPS))))
 
 
 DIAGRAMS: Sequence[Diagram] = (

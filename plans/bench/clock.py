@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from time import perf_counter
@@ -65,19 +64,13 @@ def interleaved(runs: Sequence[Callable[[], Any]], rounds: int, budget: float) -
 
 
 def _timed(run: Callable[[], Any]) -> float:
-    with _without_collector():
-        start = perf_counter()
-        run()
-        return perf_counter() - start
-
-
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    """Keep the collector of garbage away from the run it would otherwise strike at random."""
+    """Time a run, and keep the collector of garbage away that would otherwise strike at random."""
     enabled = gc.isenabled()
     gc.disable()
     try:
-        yield
+        start = perf_counter()
+        run()
+        return perf_counter() - start
     finally:
         if enabled:
             gc.enable()

@@ -26,6 +26,7 @@ from plans.dynamics.link import reduced_link
 from plans.dynamics.loop import loop
 from plans.dynamics.study import DynamicsStudy
 from plans.model.dynamics import TURN, Task
+from plans.model.motion import Floats
 from plans.model.motor import Motor
 from plans.model.order import VELOCITIES
 from plans.model.run import RUN_UP, ReducedLink, Run, RunTask
@@ -85,7 +86,7 @@ def _chords(study: DynamicsStudy, count: int) -> float:
     return loop(Turn(study.reduction, count).works.cycle, study.task).flywheel.whole
 
 
-def _sampled(turn: Exact, task: Task, edges: chords.Floats) -> float:
+def _sampled(turn: Exact, task: Task, edges: Floats) -> float:
     return flywheel_of_points(sampled_cycle(turn, edges), task).whole
 
 

@@ -14,8 +14,7 @@ from geometry.draughtsman import Draughtsman
 from geometry.errors import DraftError
 from geometry.meet import EPS
 from plans.bench import forces
-from plans.bench.draughtsman import drawn, toll
-from plans.bench.error import Errors, errors, sizes
+from plans.bench.error import Errors, drawn, errors, sizes, toll
 from plans.bench.forces import CHECKS, ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, TECHNIQUES, ForceGround
 from plans.bench.roads import Ground, ground, prepared, roads, with_positions
 from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
