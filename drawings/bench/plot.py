@@ -15,11 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from drawings.bench.hands import BY_HAND, FORCES_BY_HAND
 from drawings.bench.sheet import MEASURED, PRINTED
 from geometry.meet import EPS
+from plans.bench import roads
 from plans.bench.error import SLIPS
-from plans.bench.forces import ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, POWER
 from plans.bench.peers import MECHANISM, PYLINKAGE
-from plans.bench.result import Bench, Row
-from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
+from plans.bench.trial import Bench, Row
 from plans.bench.truth import NotInstalled
 
 if TYPE_CHECKING:
@@ -51,8 +50,8 @@ class Series(NamedTuple):
 
 Spot = tuple[float, float, int]  # time of one position, error, number of positions
 NAMED = (
-    *CONSTRUCTION, *map(newton, TOLERANCES), ROUNDING, MEASURED, PRINTED, PYLINKAGE, MECHANISM,
-    FORCES_CONSTRUCTED, FORCES_ANALYSED, LEVER, POWER, ENERGY,
+    *roads.CONSTRUCTION, *map(roads.newton, roads.TOLERANCES), roads.ROUNDING, MEASURED, PRINTED, PYLINKAGE, MECHANISM,
+    roads.FORCES_CONSTRUCTED, roads.FORCES_ANALYSED, roads.LEVER, roads.POWER, roads.ENERGY,
 )  # fmt: skip
 MARKERS = "osO^vTDBPXSV<>d"  # a capital for a filled one that is hollow elsewhere
 SHAPES = {"O": "o", "T": "^", "B": "D", "S": "s", "V": "v"}
@@ -116,7 +115,7 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int], looks: Mapping[str, 
     axes.set_ylim(LOWEST, HIGHEST)
     for name, look in looks.items():
         _series(axes, name, look, _spots(bench.rows, name), counts)
-    _truth(axes, [row.each for row in bench.rows if row.technique == REPLAY and row.each])
+    _truth(axes, [row.each for row in bench.rows if row.technique == roads.REPLAY and row.each])
     _level(axes, bench.accepted, "accepted", 4)
     _level(axes, EPS, "eps of float64", -9)
     low, high = axes.get_xlim()
@@ -129,7 +128,7 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int], looks: Mapping[str, 
 
 def looks_of(rows: Sequence[Row]) -> dict[str, Series]:
     """Give how every technique is drawn: those of linkages alike on every plot, others as they come."""
-    known = {*LOOKS, REPLAY}  # the truth has no place: an arrow points to it
+    known = {*LOOKS, roads.REPLAY}  # the truth has no place: an arrow points to it
     others = dict.fromkeys(row.technique for row in rows if row.technique not in known and row.each)
     return LOOKS | dict(zip(others, itertools.cycle(SPARE), strict=False))
 
@@ -188,8 +187,8 @@ def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
 def _foot(bench: Bench, counts: Sequence[int]) -> str:
     told = ", ".join(f"{count:,}".replace(",", " ") for count in counts)
     techniques = {row.technique for row in bench.rows if row.each}
-    forces = OF_FORCES if FORCES_CONSTRUCTED in techniques else ""
-    if not techniques <= {*LOOKS, REPLAY}:
+    forces = OF_FORCES if roads.FORCES_CONSTRUCTED in techniques else ""
+    if not techniques <= {*LOOKS, roads.REPLAY}:
         forces += OF_OTHERS
     return (
         f"{ERROR}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "

@@ -11,8 +11,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, fields
 from typing import Any
 
-from plans.bench.clock import Times
-from plans.bench.result import Bench, Computer, Ratio, Row
+from plans.bench.trial import Bench, Computer, Ratio, Row, Times
 from plans.bench.truth import KINDS
 
 WIDTH = 118

@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from plans.bench.clock import Times, interleaved
+from plans.bench.trial import Times, interleaved
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not
 DRAW = "from drawings.commands.process import run; run()"

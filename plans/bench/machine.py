@@ -16,8 +16,7 @@ from plans.analytic.dynamics.exact import Exact
 from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
 from plans.bench import chords
 from plans.bench.error import Errors
-from plans.bench.result import Row
-from plans.bench.trial import Found, Order, Road, order, orders, timed
+from plans.bench.trial import Found, Order, Road, Row, order, orders, timed
 from plans.checks.compare import compare
 from plans.checks.dynamics_comparison import exact_turn
 from plans.dynamics import run as table

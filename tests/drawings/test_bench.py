@@ -26,12 +26,11 @@ from drawings.lettering.lettering import lettered, outline
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
 from geometry.errors import DraftError
-from plans.bench import forces
+from plans.bench import roads as forces
 from plans.bench.error import SLIPS, sizes
 from plans.bench.peers import PYLINKAGE
-from plans.bench.result import Bench, Goal
 from plans.bench.roads import CONSTRUCTION, Ground, ground, newton, prepared
-from plans.bench.trial import Order
+from plans.bench.trial import Bench, Goal, Order
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
 from tests.drawings.test_commands import GAPPED

@@ -13,12 +13,10 @@ import pytest
 
 from drawings.bench import hands, plot, report, sheet
 from plans.bench import cams, cyclogram
-from plans.bench.clock import Times
 from plans.bench.error import Errors
 from plans.bench.peers import MECHANISM, PYLINKAGE
-from plans.bench.result import Bench, Computer, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
-from plans.bench.trial import NOT_INSTALLED
+from plans.bench.trial import NOT_INSTALLED, Bench, Computer, Goal, Ratio, Row, Times
 from plans.bench.truth import KINDS
 
 SVG = "{http://www.w3.org/2000/svg}"
