@@ -19,8 +19,10 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import Floats
 from plans.model.order import ORDERS, POSITIONS
 
+SLIPS = (0.1, 0.2)  # mm: a good hand's and a fair one's
+RATES = {told.key for order in ORDERS[1:] for told in (order.point, order.link)}
+TOLD = 0.01  # of the largest: a smaller value has no per cent of itself
 SIZED = 360  # positions whose largest vector is the plan's largest: every degree of the turn
-
 DEFINED = (
     "error: the largest difference from the truth over the positions looked at, of the pins' and points' r, v, a and "
     "the links' angle, omega, epsilon; each in shares of the largest of its own plan over the turn (an angle: of pi; "
@@ -96,11 +98,6 @@ def errors(found: Values, truth: Truth, largest: Mapping[str, float]) -> Errors:
 def _largest(arrays: list[Floats]) -> float:
     sized = [float(np.nanmax(np.abs(array))) for array in arrays if np.isfinite(array).any()]
     return max(sized, default=0.0)
-
-
-SLIPS = (0.1, 0.2)  # mm: a good hand's and a fair one's
-RATES = {told.key for order in ORDERS[1:] for told in (order.point, order.link)}
-TOLD = 0.01  # of the largest: a smaller value has no per cent of itself
 
 
 def drawn(replay: Replay, hand: Draughtsman) -> dict[tuple[str, str], Any]:

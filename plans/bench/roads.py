@@ -34,6 +34,14 @@ from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 from plans.scene.scene import Scene
 
+CONSTRUCTION = ("construction: positions", "construction: + velocities", "construction: all")
+SET_UP, ONCE = "construction: set-up", "once a scene, not in the rows below"
+REPLAY = "replay in 50 digits"
+# Newton's law makes nine digits of three: a tolerance under 1e-8 already ends at rounding, the last row.
+TOLERANCES = (1e-3, 1e-6)
+ROUNDING = "Newton to rounding"
+REPLAYED = 4  # positions of one timed replay: each takes as long as any other
+IS_TRUTH = "the truth itself"
 FORCES_CONSTRUCTED, FORCES_ANALYSED = "construction: forces", "analysis: forces"
 LEVER, POWER, ENERGY = CHECKS = ("check: lever", "check: power", "check: energy")
 TECHNIQUES = (FORCES_CONSTRUCTED, FORCES_ANALYSED, *CHECKS)
@@ -153,16 +161,6 @@ class ForceGround:
         }
         count = len(self.study.turn)
         return [Road(run, count, {name: judge}, note) for name, (run, judge, note) in ways.items()]
-
-
-CONSTRUCTION = ("construction: positions", "construction: + velocities", "construction: all")
-SET_UP, ONCE = "construction: set-up", "once a scene, not in the rows below"
-REPLAY = "replay in 50 digits"
-# Newton's law makes nine digits of three: a tolerance under 1e-8 already ends at rounding, the last row.
-TOLERANCES = (1e-3, 1e-6)
-ROUNDING = "Newton to rounding"
-REPLAYED = 4  # positions of one timed replay: each takes as long as any other
-IS_TRUTH = "the truth itself"
 
 
 class NothingToMeasure(DraftError):  # noqa: N818  (the message's own word)

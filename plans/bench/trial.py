@@ -19,6 +19,10 @@ from geometry.errors import DraftError
 from plans.bench.error import Errors
 from plans.bench.truth import NotInstalled
 
+BUDGET = 1.0  # seconds of a row, after which it is repeated no more: the whole stays within a minute
+DRAWN = 360  # positions: more cannot be told apart on any sheet, and no sheet shows them
+ACCEPTED = 1e-4  # of the plan's largest: the fifth digit, the last that a sheet's table prints
+NOT_INSTALLED = "not installed: python -m pip install '.[bench]'"
 LEAST_ROUNDS = 2  # the fewest that show whether a time can be trusted
 
 
@@ -194,12 +198,6 @@ class Bench:
     words: tuple[str, ...]  # definitions, acceptance, repetitions, what was left out
     accepted: float  # the largest error that is accepted
     gaps: bool = False  # whether some position could not be assembled
-
-
-BUDGET = 1.0  # seconds of a row, after which it is repeated no more: the whole stays within a minute
-DRAWN = 360  # positions: more cannot be told apart on any sheet, and no sheet shows them
-ACCEPTED = 1e-4  # of the plan's largest: the fifth digit, the last that a sheet's table prints
-NOT_INSTALLED = "not installed: python -m pip install '.[bench]'"
 
 
 @dataclass(frozen=True)
