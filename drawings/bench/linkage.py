@@ -1,20 +1,28 @@
-"""A linkage and its forces at several numbers of positions, on paper and by hand, then the ratios (испытание)."""
+"""A linkage with its forces and its machine's motion: rows, paper, hands and ratios (испытание механизма)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from drawings.bench import hands, sheet
 from drawings.bench.startup import startup
 from geometry.draughtsman import SEED
 from geometry.errors import DraftError
-from plans.bench import roads
+from plans.bench import machine, roads
+from plans.bench.chords import STRIPS, integration
 from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, SLIPS, TRUE, sizes
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.trial import BUDGET, DRAWN, Found, Goal, Order, Ratio, Row, terms, timed
+from plans.checks.compare import compare
+from plans.checks.dynamics_comparison import exact_turn
+from plans.dynamics.link import reduced_link
+from plans.dynamics.study import DynamicsStudy
 from plans.linkage.study import LinkageStudy
+from plans.model.order import VELOCITIES
 from plans.scene.scene import Scene
+from plans.study import Study
 from plans.words.words import message, placed
 
 SAMPLE = 24  # positions at which the truth is found: each takes 10 ms and more, and more of them show no other error
@@ -124,3 +132,20 @@ def _words(order: Order) -> tuple[str, ...]:
         f"{' and '.join(f'{slip:g}' for slip in SLIPS)} mm out to either side in x and in y (evenly spread, seed "
         f"{SEED}): pricked points, ruled lines, a compass's opening, vectors carried; not timed",
     )
+
+
+def dynamics(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
+    """Time and judge the motion of a scene's machine: graphical integration, flywheel, run."""
+    found: DynamicsStudy = Study(scene)["dynamics"]
+    rounds, counts = min(order.rounds, machine.ROUNDS), STRIPS if order.startup else STRIPS[:4]
+    tell("graphical integration")
+    parts = [integration(rounds, counts)]
+    tell("the flywheel")
+    exact = partial(exact_turn, found, compare(found.linkage, VELOCITIES.number))
+    asked = found.task.delta is not None
+    parts.append(machine.by_strips(found, exact, rounds, counts) if asked else Found([], [machine.NO_FLYWHEEL]))
+    parts.append(machine.by_positions(exact(), found.task, rounds, counts))
+    tell("the run")
+    if found.motor is not None and found.run is not None and found.run.failure is None:
+        parts.append(machine.by_steps(reduced_link(found.works, found.constant), found.motor, found.run_task))
+    return Found([row for part in parts for row in part.rows], [word for part in parts for word in part.words])

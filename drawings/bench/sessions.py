@@ -15,7 +15,7 @@ SESSIONS: Final[Mapping[str, str]] = {
     "linkage": "drawings.bench.linkage:linkage",
     "diagrams": "plans.bench.chords:diagrams",
     "forces": "drawings.bench.linkage:linkage",
-    "dynamics": "plans.bench.machine:dynamics",
+    "dynamics": "drawings.bench.linkage:dynamics",
     "balance": "drawings.bench.balance_sheet:balance",
     "bank": "plans.bench.unbalance:bank",
     "rotor": "drawings.bench.balance_sheet:rotor",
