@@ -116,7 +116,7 @@ BREACHES: Mapping[str, tuple[object, str, Change]] = {
     "a bar too long": (bar, "forces", in_part("control-bar", each(Line, longer))),
     "a text over a line": (lettering, "forces", plus("scheme-2-3-2", *OVER)),
     "a text covered": (lettering, "forces", plus("notes", Fill((0j, 800 + 0j, 800 + 300j, 300j), WHITE))),
-    "a side of a polygon too long": (polygons, "forces", stretched("R_03", "forces-2-3", 1.1)),
+    "a side of a polygon too long": (polygons, "forces", stretched("R_03", "forces-2-3", 1.5)),
     "a letter twice": (repeats, "forces", plus("scheme-2-3-2", OVER[0], OVER[0])),
     "a block out of square": (symbols, "kinematics", in_part("positions", each(Polyline, bent))),
     "a hinge too small": (symbols, "kinematics", in_part("positions", each(Circle, smaller))),
