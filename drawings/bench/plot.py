@@ -12,8 +12,8 @@ from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from drawings.bench.force_sheet import FORCES_BY_HAND
-from drawings.bench.sheet import BY_HAND, MEASURED, PRINTED
+from drawings.bench.hands import BY_HAND, FORCES_BY_HAND
+from drawings.bench.sheet import MEASURED, PRINTED
 from geometry.meet import EPS
 from plans.bench.draughtsman import SLIPS
 from plans.bench.forces import ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, POWER

@@ -56,7 +56,7 @@ def _row(row: Row, accepted: float) -> dict[str, Any]:
     return {
         "technique": row.technique, "positions": row.positions, "of": row.of, "error": _finite(row.error),
         "error_95": row.often, "worst": row.errors.worst if row.errors else None,
-        "accepted": None if row.error is None else row.error <= accepted,
+        "accepted": None if row.error is None else bool(row.error <= accepted),
         **{f"error_{kind}": _finite(kinds.get(kind)) for kind in KINDS},
         **_times(row.times), "position_s": row.each, "note": row.note,
     }  # fmt: skip

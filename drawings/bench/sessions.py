@@ -1,19 +1,41 @@
-"""The table of sessions (испытания): what times the roads of each technique; "module:name", imported when asked for."""
+"""A session at the bench: the trials of all techniques that a scene asks for, on one machine (испытания)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Final
 
-# Of a scene, what is ordered and who hears what is being timed, to the bench.
+from plans.bench.result import Bench, machine
+from plans.bench.trial import Found, Order
+from plans.scene.scene import Scene
+from plans.study import Study
+from plans.techniques import named
+
+# Of a scene, what is ordered and who hears what is being timed, to what is found; imported when asked for.
 SESSIONS: Final[Mapping[str, str]] = {
-    "linkage": "drawings.bench.session:session",
-    "diagrams": "drawings.bench.diagrams_session:session",
-    "forces": "drawings.bench.session:session",
-    "dynamics": "drawings.bench.dynamics_session:session",
-    "balance": "drawings.bench.balance_session:session",
-    "bank": "drawings.bench.bank_session:session",
-    "rotor": "drawings.bench.rotor_session:session",
-    "cyclogram": "drawings.bench.cyclogram_session:session",
-    "cam": "drawings.bench.cam_session:session",
+    "linkage": "drawings.bench.linkage:linkage",
+    "diagrams": "plans.bench.chords:diagrams",
+    "forces": "drawings.bench.linkage:linkage",
+    "dynamics": "plans.bench.machine:dynamics",
+    "balance": "drawings.bench.balance_sheet:balance",
+    "bank": "plans.bench.unbalance:bank",
+    "rotor": "drawings.bench.balance_sheet:rotor",
+    "cyclogram": "plans.bench.cyclogram:session",
+    "cam": "plans.bench.cams:cams",
 }
+
+
+def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
+    """Run a session; `tell` hears what is being timed, and nothing when all is."""
+    there, sessions = machine(), dict.fromkeys(SESSIONS[technique] for technique in Study(scene).techniques)
+    found: list[Found] = [named(one)(scene, order, tell) for one in sessions]
+    tell("")
+    return Bench(
+        scene.heading(),
+        there,
+        rows=tuple(row for one in found for row in one.rows),
+        ratios=tuple(ratio for one in found for ratio in one.ratios),
+        words=tuple(dict.fromkeys(word for one in found for word in one.words)),
+        accepted=order.accepted,
+        gaps=any(one.gaps for one in found),
+    )

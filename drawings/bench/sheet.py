@@ -3,38 +3,31 @@
 from __future__ import annotations
 
 import re
-import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from drawings.bench import plain_pen
-from drawings.files import atomic_files
 from drawings.layout import value_table
 from drawings.lettering.lettering import lettered
-from drawings.lettering.words import runs
-from drawings.measure.measure import Measured, measure_file
+from drawings.measure.measure import Measured, measure
 from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
 from drawings.sheets import kinematics
-from geometry.draughtsman import Draughtsman
-from geometry.errors import DraftError
 from plans.bench.clock import Times, interleaved
-from plans.bench.draughtsman import SLIPS, Toll, toll
 from plans.bench.error import Errors, errors
-from plans.bench.roads import Ground, Road
+from plans.bench.roads import Ground
+from plans.bench.trial import BUDGET, Road
 from plans.bench.truth import Exact, Truth, replay
 from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POINT_ORDERS
 
 MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
-BY_HAND = "by hand to {} mm"
-DRAWN = 360  # positions: more cannot be told apart on any sheet, and no sheet shows them
+NOTE = "of one run: drawn, written, measured back"
 
 _NAME = re.compile(r"(\w)_\{(.+?)\}")
 _KINDS = {told.symbol: told.key for order in ORDERS[1:] for told in (order.point, order.link)}
@@ -59,30 +52,25 @@ class DrawnSheets:
         return int(self.leaves[0].metadata["shown"])
 
 
-def draw(study: LinkageStudy, folder: Path) -> DrawnSheets:
+def read(leaves: Iterable[Leaf]) -> list[Measured]:
+    """Write sheets and measure them back."""
+    return [measure(svg(lettered(leaf))) for leaf in leaves]
+
+
+def draw(study: LinkageStudy) -> DrawnSheets:
     """Draw a study's sheets, write them and measure them back."""
     comparison = compare(study)
     leaves = kinematics.sheets(study, comparison)
-    read = []
-    for number, leaf in enumerate(leaves):
-        path = folder / f"sheet-{number}.svg"
-        atomic_files.write(path, svg(lettered(leaf)))
-        read.append(measure_file(path))
-    vectors = tuple(vector for one in read for vector in one.vectors)
-    points = tuple(point for one in read for point in one.points)
-    return DrawnSheets(leaves, comparison, Measured(vectors, points, read[0].metadata))
+    found = read(leaves)
+    vectors = tuple(vector for one in found for vector in one.vectors)
+    points = tuple(point for one in found for point in one.points)
+    return DrawnSheets(leaves, comparison, Measured(vectors, points, found[0].metadata))
 
 
 def road(found: Ground) -> Road:
     """Give the road of drawing a sheet, judged by its vectors and by its table."""
-
-    def run() -> DrawnSheets:
-        with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
-            return draw(found.fresh(), Path(folder))
-
-    note = "of one run: drawn, written, measured back"
     judged = {MEASURED: _judge(found, by_ruler), PRINTED: _judge(found, by_table)}
-    return Road(run, len(found.study.turn), judged, note)
+    return Road(lambda: draw(found.fresh()), len(found.study.turn), judged, NOTE)
 
 
 def _judge(
@@ -97,23 +85,19 @@ def _judge(
 
 def by_ruler(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Judge the points of the position in full lines and the vectors from the poles of the drawn plans."""
-    places = {mark.name: mark.value for mark in drawn.measured.points if mark.position == drawn.shown}
-    points = {("r", name): np.array([value]) for name, value in places.items() if ("r", name) in truth.values}
-    found = errors(points, truth.at([drawn.shown]), largest)
+    seen = {("r", one.name): {drawn.shown: one.value} for one in drawn.measured.points if one.position == drawn.shown}
     drafts = study.drafts()
     for order in ORDERS[1:]:
-        kind, plan = order.point.key, drafts.plan(order.number)
-        names = [name for key, name in truth.values if key == kind]
-        letters = {name: f"{plan.pole.name} {plan.point(name).name}" for name in names}
-        for position in drawn.plans:
-            seen = {
-                v.name: v.value
-                for v in drawn.measured.vectors
-                if (v.plan, v.position) == (plan.board.subject, position)
-            }
-            read = {(kind, name): np.array([seen[letters[name]]]) for name in names if letters[name] in seen}
-            found = found.joined(errors(read, truth.at([position]), largest))
-    return found
+        plan = drafts.plan(order.number)
+        names = {
+            f"{plan.pole.name} {plan.point(name).name}": name for key, name in truth.values if key == order.point.key
+        }
+        for one in drawn.measured.vectors:
+            if one.plan == plan.board.subject and one.position in drawn.plans and one.name in names:
+                seen.setdefault((order.point.key, names[one.name]), {})[one.position] = one.value
+    known = {key: values for key, values in seen.items() if key in truth.values}
+    held = Truth(truth.positions, {key: truth.of(key, list(values)) for key, values in known.items()})
+    return errors({key: np.array(list(values.values())) for key, values in known.items()}, held, largest)
 
 
 def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
@@ -146,25 +130,7 @@ def _number(cell: str) -> float:
         return float("nan")
 
 
-def by_hand(study: LinkageStudy, drawn: DrawnSheets, largest: Mapping[str, float]) -> dict[str, Toll]:
-    """Draw the sheet's plans by hand, at the sheet's own scales, with slips of a hand's usual sizes."""
-    marked = {(mark.plan, mark.position) for mark in drawn.measured.marks}
-    whole = [k for k in drawn.plans if all((order.plan, k) in marked for order in ORDERS[1:])]
-    if not whole:
-        raise DraftError(f"no plan can be drawn in positions {runs(list(drawn.plans))}")
-    wanted = replay(study, tuple(whole))
-    truth = wanted.truth()
-    scales = {order.plan: np.array([scale(drawn.measured, order.plan, k) for k in whole]) for order in ORDERS}
-    return {BY_HAND.format(slip): toll(wanted, Draughtsman(slip, scales), truth, largest) for slip in SLIPS}
-
-
-def scale(measured: Measured, plan: str, position: int) -> float:
-    """Give the scale of a plan in one position, true units a mm; the plan of positions has one for all."""
-    own = [mark.scale for mark in measured.marks if mark.plan == plan and mark.position == position]
-    return next(iter(own or [mark.scale for mark in measured.marks if mark.plan == plan]))
-
-
-def pens(leaf: Leaf, rounds: int, budget: float) -> tuple[Times, Times]:
+def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:
     """Time svgwrite with its defaults and our pen on the same lettered leaf, in turns; letters are traced anew."""
     ready = lettered(leaf)
 
@@ -172,5 +138,5 @@ def pens(leaf: Leaf, rounds: int, budget: float) -> tuple[Times, Times]:
         letters.forget()
         return svg(ready)
 
-    plain, own = interleaved([lambda: plain_pen.svg(ready), ours], rounds, budget)
+    plain, own = interleaved([lambda: plain_pen.svg(ready), ours], rounds, BUDGET)
     return plain, own

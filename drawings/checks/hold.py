@@ -22,6 +22,7 @@ from plans.model.motion import Complexes, Floats
 
 Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
+SIDES = (-1.0, -1e-6, 0.0, 1e-6, 1.0)  # of the paper's resolution: where a graph is looked at beside a jump, hard by it
 LOOKED = 360  # places of a path that are looked at
 MARKS = {
     "vector": Kind.VECTOR,
@@ -36,8 +37,10 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
     marks = ((Kind.VECTOR, measured.vectors), (Kind.POINT, measured.points))
     for kind, mark in ((kind, mark) for kind, own in marks for mark in own):
         found.setdefault((kind, mark.plan, mark.name, mark.position), []).append(Read(mark.value, mark.scale))
-    for profile in measured.profiles:
-        found.setdefault((Kind.CURVE, profile.plan, profile.name, None), []).append(Read(profile.places, profile.scale))
+    for curve in measured.profiles:
+        found.setdefault((Kind.CURVE, curve.plan, curve.name, None), []).append(
+            Read(np.array(curve.places), curve.scale)
+        )
     places = frames(leaf)
     for one in stated(leaf.groups):
         said = one.states
@@ -134,7 +137,7 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
     (low, high), near = due.ends, 2 * QUANTUM * found.scale
     if not (abs(drawn.real.min() - low) <= near and abs(drawn.real.max() - high) <= near):
         return False
-    true = np.array([due.value(np.clip(drawn.real + off, low, high)) for off in (-near, 0.0, near)])
+    true = np.array([due.value(np.clip(drawn.real + off, low, high)) for off in near * np.array(SIDES)])
     slack = due.allowed + 2 * QUANTUM * found.up
     least, most = np.fmin.reduce(true, axis=0), np.fmax.reduce(true, axis=0)  # beside a gap there is one side alone
     inside = (drawn.imag >= least - slack) & (drawn.imag <= most + slack)

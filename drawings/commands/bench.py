@@ -4,20 +4,14 @@ from __future__ import annotations
 
 import argparse
 import sys
-from functools import reduce
 from pathlib import Path
 
-from drawings.bench import plot, record, table
-from drawings.bench.session import ACCEPTED, Order
-from drawings.bench.sessions import SESSIONS
-from drawings.bench.sheet import DRAWN
+from drawings.bench import plot, record, sessions, table
 from drawings.files import atomic_files
 from geometry.errors import LimitError
-from plans.bench.result import Bench
+from plans.bench.trial import ACCEPTED, DRAWN, Order
 from plans.linkage.reading.fields import POSITIONS_LIMIT
-from plans.scene.scene import Scene, read_scene
-from plans.study import Study
-from plans.techniques import named
+from plans.scene.scene import read_scene
 from plans.words.words import message, placed
 
 GAPS = 4
@@ -31,7 +25,7 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         plot.ready()
         atomic_files.prepare(options.output)
-    found = _measured(scene, order(options))
+    found = sessions.session(scene, order(options), _tell)
     print(record.json_text(found) if options.json else table.written(found))
     if options.output is not None:
         stem = options.output / f"{Path(scene.file).stem}-bench"
@@ -40,13 +34,6 @@ def run(options: argparse.Namespace) -> int:
             atomic_files.write(path, content)
             print(path, file=sys.stderr if options.json else sys.stdout)
     return GAPS if found.gaps else 0
-
-
-def _measured(scene: Scene, wanted: Order) -> Bench:
-    """Run the sessions of all techniques that a scene asks for."""
-    sessions = dict.fromkeys(SESSIONS[technique] for technique in Study(scene).techniques)
-    benches: list[Bench] = [named(session)(scene, wanted, _tell) for session in sessions]
-    return reduce(Bench.joined, benches)
 
 
 def order(options: argparse.Namespace) -> Order:

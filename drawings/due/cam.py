@@ -14,13 +14,13 @@ import numpy as np
 from drawings.checks.expected import Expected, by_hand, subject
 from drawings.due.cam_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.due.cam_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
-from drawings.due.machine_rows import ANGLE, BARS, cam_rows, true_bars
+from drawings.due.machine_rows import cam_rows, chart
 from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
-from drawings.paper.walk import groups
+from drawings.paper.walk import groups, stated
 from geometry.strips import departure
 from plans.analytic.cam.contour import Curve
 from plans.checks.hand.cam import cam_by_hand, readings
@@ -40,14 +40,15 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam, or of the shaft of several (row of the table of sheets)."""
     name = subject(leaves[0])
     if name == EVERY:
-        rows = cam_rows([one.cam for one in study.comparison("cam").analysis.cams])
-        yield from (Expected(Kind.VECTOR, BARS, bar, value, ANGLE) for bar, value in true_bars(rows, 0.0))
+        yield from chart(cam_rows([one.cam for one in study.comparison("cam").analysis.cams]))
     else:
         scales: Mapping[str, float] = next(
             (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
         )
         drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
-        own = _Cam(numbers_of(study, name), scales, drawn, drafting_of(study.scene))
+        said = [one.states for leaf in leaves for one in stated(leaf.groups) if one.states is not None]
+        axes = {(one.figure, one.name): one.scale for one in said if one.kind is Kind.AXIS}
+        own = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
         yield from chain(own.laws(), own.phases(), own.pressure(), own.profile(), own.sizes(), own.table())
     yield from every_cam(study)
 
@@ -64,6 +65,7 @@ class _Cam:
     numbers: CamNumbers
     scales: Mapping[str, float]
     drawn: Mapping[str, Mapping[str, str]]
+    axes: Mapping[tuple[str, str], float]
     drafting: Drafting
 
     @property
@@ -92,6 +94,13 @@ class _Cam:
         for key, chords, exact in ((VELOCITY, slope, own.before.slope[1:]), (TRAVEL, s, own.after.s)):
             share = departure(chords, exact).share
             yield Expected(Kind.PHRASE, law_named(cam, key), "off", 100 * share, 100 * NEAREST, digits=2)
+        for key, above in ((VELOCITY, ACCELERATION), (TRAVEL, VELOCITY)):
+            yield from self._pole(law_named(cam, key), law_named(cam, above))
+
+    def _pole(self, plan: str, above: str) -> Iterator[Expected]:
+        """Give the distance of the pole, mm: by it the scale of a diagram follows from the scales of the one above."""
+        turn, high, own = (self.axes.get(axis, math.nan) for axis in ((above, "x"), (above, "y"), (plan, "y")))
+        yield Expected(Kind.PHRASE, plan, "H", own / (high * turn), digits=4, may_lack=True)
 
     def _impulse(self, turned: float, sense: float) -> Iterator[Expected]:
         """Give the arrow of an impulse of S''; the end of a turn is its beginning."""

@@ -39,7 +39,8 @@ def lever(acting: Acting, scales: Mapping[str, float], sheets: Sequence[frozense
         figures = [{key[1] for key in keys} for keys in sheets]
         alone = any(f"{EQUATION}-{acting.k}" in own and LEVER not in own for own in figures)
         names = {key[2] for keys in sheets for key in keys if key[0] is Kind.POINT and key[1] == LEVER}
-        own = _Lever(acting, scales[LEVER], 1.0 if alone else scales[LEVER], frozenset(names))
+        said = {key[2] for keys in sheets for key in keys if key[1] in (LEVER, f"{EQUATION}-{acting.k}")}
+        own = _Lever(acting, scales[LEVER], 1.0 if alone else scales[LEVER], frozenset(names), frozenset(said))
         yield from own.points()
         yield from own.forces()
         yield from (*own.equation(), *own.letters())
@@ -69,6 +70,7 @@ class _Lever:
     mu: float
     unit: float
     names: frozenset[str]
+    said: frozenset[str]  # all that it and its equation state, by name
 
     @cached_property
     def images(self) -> dict[str, complex]:
@@ -127,7 +129,8 @@ class _Lever:
         told = [] if body is None else [(f"M^Φ_{link}", -body.inertia * float(known.motion.links[link].epsilon[k]))]
         told += [(one.name, float(one.moment[k])) for one in known.loading.moments if one.link == link]
         for name, moment in told:
-            for start, end in permutations(known.motion.points, 2):
+            lines = {one.partition("/")[2] for one in self.said if one.startswith(f"{self.acting.name(name)}/")}
+            for start, end in (ends for ends in permutations(known.motion.points, 2) if "".join(ends) in lines):
                 run = bill.place(end) - bill.place(start)
                 if run:
                     far, near = (QUARTER * bill.speed(link, bill.place(one)) for one in (end, start))
@@ -194,7 +197,8 @@ class _Lever:
         for mark, one in self.terms:
             off = math.inf if self._doubtful else self._off(one) / self.unit
             yield row._replace(name=mark, value=one.length / self.unit, allowed=off, digits=ARM_DIGITS)
-        for start, end in permutations(self.images, 2):
+        lines = (ends for ends in permutations(self.images, 2) if "".join(map(with_index, ends)) in self.said)
+        for start, end in lines:
             size = abs(self.images[end] - self.images[start]) / self.unit
             off = math.inf if math.isnan(size) else 2 * self.acting.fast / self.unit
             yield row._replace(name=with_index(start) + with_index(end), value=size, allowed=off, digits=ARM_DIGITS)

@@ -7,15 +7,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
 from drawings.measure.curvedata import pieces
 from drawings.measure.marks import SheetMark
 from drawings.measure.measured import MeasuredMark
 from drawings.measure.pathdata import number
 from drawings.paper.limits import SheetRefused
 from geometry.curve import Piece, gaps
-from plans.model.motion import Complexes
 
 PARTS = 8  # of a piece, at which it is looked at
 
@@ -40,10 +37,10 @@ class MeasuredProfile(MeasuredMark):
         return abs(self.at)
 
     @property
-    def places(self) -> Complexes:
+    def places(self) -> tuple[complex, ...]:
         """Places along its pieces, m."""
         inner = [piece.at(k / PARTS) for piece in self.pieces for k in range(PARTS)]
-        return np.array([*inner, self.pieces[-1].end])
+        return *inner, self.pieces[-1].end
 
     @property
     def gap(self) -> float:

@@ -84,7 +84,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam_profile:leaves",
         due="drawings.due.profile:due",
-        enclosures="drawings.sheets.cam_coordinates:enclosures",
+        enclosures="drawings.due.coordinates:enclosures",
         scales={"manufacturing": "cam"},
     ),
     "cyclogram": Sheet(

@@ -5,8 +5,9 @@ The truth is the record of the main points carried out in 50 digits at exact cra
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,10 +20,9 @@ from plans.balance.main_points import MainPoints
 from plans.balance.mass_centre import by_links, by_main_points
 from plans.balance.shares import Superposition
 from plans.balance.study import BalanceStudy
-from plans.bench.clock import interleaved
 from plans.bench.error import Errors
-from plans.bench.result import Row
-from plans.bench.truth import crank_direction, sample
+from plans.bench.trial import Found, Road, timed
+from plans.bench.truth import Exact, crank_direction, sample, split
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import Choice, MassCentre
@@ -44,7 +44,7 @@ SHARE_DEFINED = (
 )
 
 
-class Found(NamedTuple):
+class Centre(NamedTuple):
     """The place of the mass centre m and the main vector N over positions."""
 
     place: Complexes
@@ -57,16 +57,14 @@ class Ground(NamedTuple):
     study: LinkageStudy
     points: MainPoints
     positions: tuple[int, ...]
-    near: Found
-    rest: Found
+    true: tuple[Exact, Exact]  # of the place, and of the main vector
 
-    def judge(self, found: Found) -> Errors:
+    def judge(self, found: Centre) -> Errors:
         """Judge what a way has found at the positions of the truth."""
-        chosen, kinds = list(self.positions), {}
-        for kind, values, near, rest in zip((PLACE, SHAKING), found, self.near, self.rest, strict=True):
-            most = float(np.abs(near).max())
-            kinds[kind] = float(np.abs((values[chosen] - near) - rest).max()) / most if most else 0.0
-        return Errors(kinds, max(kinds, key=lambda kind: kinds[kind]))
+        return Errors.joined(
+            (kind, kind, float(true.off(values[list(self.positions)]).max()) / (float(np.abs(true.near).max()) or 1.0))
+            for kind, values, true in zip((PLACE, SHAKING), found, self.true, strict=True)
+        )
 
 
 def ground(study: LinkageStudy, points: MainPoints) -> Ground:
@@ -77,10 +75,8 @@ def ground(study: LinkageStudy, points: MainPoints) -> Ground:
     crank = plan.positions.board["φ"]
     told = [_exact(study, [main.end, turned.end], crank, *at) for at in enumerate(chosen)]
     mass = digits().fsum(body.mass for body in points.bodies.values())
-    rows = [[place for place, _ in told], [-mass * force for _, force in told]]
-    near = [np.array([complex(one) for one in row]) for row in rows]
-    rest = [np.array([complex(o - complex(o)) for o in row]) for row in rows]
-    return Ground(study, points, chosen, Found(*near), Found(*rest))
+    true = split([place for place, _ in told]), split([-mass * force for _, force in told])
+    return Ground(study, points, chosen, true)
 
 
 def _exact(study: LinkageStudy, marks: list[Mark], crank: Mark, column: int, position: int) -> list[Any]:
@@ -88,60 +84,49 @@ def _exact(study: LinkageStudy, marks: list[Mark], crank: Mark, column: int, pos
     return [true[mark] for mark in marks]
 
 
-def ways(on: Ground) -> Mapping[str, Callable[[], Found]]:
+def roads(on: Ground) -> list[Road]:
     """List the ways to the mass centre, each with its own plans or its own motion."""
-    study, points = on.study, on.points
-    count = len(study.turn)
+    study, points, count = on.study, on.points, len(on.study.turn)
 
-    def drawn(chains: Callable[..., Any], place: float, force: float) -> Found:
+    def drawn(chains: Callable[..., Any], place: float, force: float) -> Centre:
         first, second = chains(points, Drafts(copy(study), study.turn).plan(ACCELERATIONS.number))
-        return Found(place * _row(first.end, count), force * _row(second.end, count))
+        return Centre(place * _row(first.end, count), force * _row(second.end, count))
 
-    def summed() -> Found:
+    def summed() -> Centre:
         road = Analysis(study.mechanism, first=study.first, pace=study.pace)
         found: MassCentre = mass_centre(study.mechanism, list(points.bodies.values()), road.motion(study.turn.phi))
-        return Found(found.r, found.force)
+        return Centre(found.r, found.force)
 
-    return {
-        MAIN_POINTS: lambda: drawn(by_main_points, 1.0, -points.mass),
-        LINKS: lambda: drawn(by_links, 1 / points.mass, 1.0),
+    ways = {
+        MAIN_POINTS: partial(drawn, by_main_points, 1.0, -points.mass),
+        LINKS: partial(drawn, by_links, 1 / points.mass, 1.0),
         SUMS: summed,
     }
+    return [Road(run, count, {name: on.judge}) for name, run in ways.items()]
 
 
 def _row(mark: Mark, count: int) -> Complexes:
     return np.broadcast_to(np.asarray(mark.point, dtype=complex), count)
 
 
-def rows(
-    balance: BalanceStudy, studies: Sequence[LinkageStudy], rounds: int, budget: float
-) -> tuple[list[Row], list[str]]:
+def centres(balance: BalanceStudy, studies: Sequence[LinkageStudy], rounds: int) -> Found:
     """Time and judge the mass centre at several numbers of positions, and the best share where one is sought."""
-    made = [row for study in studies for row in _at(ground(study, balance.points()), rounds, budget)]
-    words = [DEFINED, TRUE]
-    if balance.best is not None:
-        made.append(_share(balance, balance.best, rounds, budget))
-        words.append(SHARE_DEFINED)
-    return made, words
+    rows = [row for study in studies for row in timed(roads(ground(study, balance.points())), rounds)]
+    if balance.best is None:
+        return Found(rows, [DEFINED, TRUE])
+    error = _share_error(balance, balance.best)
+    rows += timed(
+        [Road(lambda: _searched(balance), None, {SUPERPOSED: lambda _: Errors({LEAST: error}, LEAST)})], rounds
+    )
+    return Found(rows, [DEFINED, TRUE, SHARE_DEFINED])
 
 
-def _at(on: Ground, rounds: int, budget: float) -> list[Row]:
-    runs, count = ways(on), len(on.study.turn)
-    errors = [on.judge(run()) for run in runs.values()]
-    taken = interleaved(list(runs.values()), rounds, budget)
-    each = zip(runs, errors, taken, strict=True)
-    return [Row(name, count, count, found, times=times) for name, found, times in each]
-
-
-def _share(balance: BalanceStudy, best: Choice, rounds: int, budget: float) -> Row:
+def _share_error(balance: BalanceStudy, best: Choice) -> float:
     """Judge the forces at the best share by the machine balanced with it and drawn anew."""
     found = Superposition(balance.statics, balance.tree, balance.at_share).drawn(best.share)
     # Where nothing is left at sliders the forces may be none: the difference is told itself.
-    error = max(abs(one - other) / (other or 1.0) for one, other in zip(best[1:], found[1:], strict=True))
-    (times,) = interleaved([lambda: _searched(balance)], rounds, budget)
-    return Row(SUPERPOSED, None, 0, Errors({LEAST: error}, LEAST), times=times)
+    return max(abs(one - other) / (other or 1.0) for one, other in zip(best[1:], found[1:], strict=True))
 
 
 def _searched(balance: BalanceStudy) -> Any:
-    fresh = BalanceStudy(balance.linkage, balance.statics, balance.task)
-    return fresh.shares
+    return BalanceStudy(balance.linkage, balance.statics, balance.task).shares

@@ -9,22 +9,52 @@ from geometry.replay import DIGITS, exact
 from plans.analytic.cyclogram import cyclogram
 from plans.analytic.kinematics import Analysis
 from plans.bench.error import Errors
+from plans.bench.trial import Found, Order, Road, terms, timed
 from plans.bench.truth import digits
 from plans.cyclogram.stations import Stations, crank
-from plans.cyclogram.study import CyclogramStudy
+from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.model.cyclogram import TURN, Position, Stop
+from plans.scene.scene import Scene
+from plans.study import Study
 
 NOTCHED, TRIED, ANALYSED = "construction: notches from the tool", "trial on the travel", "analysis: roots of the travel"
 KIND = "φ"
 DEFINED = "error: the largest difference from the truth of the turns of the main shaft at the tool's places, in turns"
 TRUE = f"truth: the notches from the tool's places carried out in {DIGITS} digits"
 NONE = "no notches lead back from this tool: there is no truth to judge by"
-Way = tuple[str, Callable[[], Sequence[float]]]
 
 
-def ways(study: CyclogramStudy) -> list[Way]:
+def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
+    """Time and judge the characteristic positions of a scene."""
+    study: CyclogramStudy = Study(scene)[CYCLOGRAM]
+    true, count = truth(study), len(study.stations.asked)
+    tell("the characteristic positions")
+
+    def judge(found: Sequence[float]) -> Errors | None:
+        return errors(found, true) if true else None
+
+    rows = timed([Road(run, count, {name: judge}) for name, run in ways(study)], order.rounds)
+    return Found(rows, [DEFINED, TRUE if true else NONE, *terms(order, "of a turn")])
+
+
+def ways(study: CyclogramStudy) -> list[tuple[str, Callable[[], Sequence[float]]]]:
     """List the roads to the turns of the main shaft, rad, at the tool's places; each begins anew with every run."""
-    return [(NOTCHED, lambda: _notched(study)), (TRIED, lambda: _tried(study)), (ANALYSED, lambda: _analysed(study))]
+
+    def anew() -> Stations:
+        """Begin the way from the tool back to the crank anew; the extremes are those of the linkage."""
+        return Stations(study.linkage.sweep, study.output, study.reached, study.task)
+
+    def analysed() -> list[float]:
+        linkage = study.linkage
+        road = Analysis(linkage.mechanism, first=linkage.first, looks=linkage.looks.phi)
+        found = cyclogram(road, study.task, study.output, None)
+        return [] if found is None else in_order(study, found.positions)
+
+    return [
+        (NOTCHED, lambda: in_order(study, anew().cyclogram.positions)),
+        (TRIED, lambda: [float(angle) * study.cyclogram.sense for angle in anew().tried]),
+        (ANALYSED, analysed),
+    ]
 
 
 def truth(study: CyclogramStudy) -> list[float]:
@@ -40,26 +70,6 @@ def errors(found: Sequence[float], true: Sequence[float]) -> Errors:
     """Judge what a road has found."""
     off = [abs(math.remainder(one - other, TURN)) / TURN for one, other in zip(found, true, strict=True)]
     return Errors({KIND: max(off)} if off else {}, f"{KIND}_{off.index(max(off))}" if off else "")
-
-
-def _anew(study: CyclogramStudy) -> Stations:
-    """Begin the way from the tool back to the crank anew; the extremes are those of the linkage."""
-    return Stations(study.linkage.sweep, study.output, study.reached, study.task)
-
-
-def _notched(study: CyclogramStudy) -> list[float]:
-    return in_order(study, _anew(study).cyclogram.positions)
-
-
-def _tried(study: CyclogramStudy) -> list[float]:
-    return [float(angle) * study.cyclogram.sense for angle in _anew(study).tried]
-
-
-def _analysed(study: CyclogramStudy) -> list[float]:
-    linkage = study.linkage
-    road = Analysis(linkage.mechanism, first=linkage.first, looks=linkage.looks.phi)
-    found = cyclogram(road, study.task, study.output, None)
-    return [] if found is None else in_order(study, found.positions)
 
 
 def in_order(study: CyclogramStudy, positions: Sequence[Position]) -> list[float]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from plans.bench.truth import KINDS, MOMENT, REACTION, Truth, Values
+from plans.bench.truth import MOMENT, REACTION, Truth, Values
 from plans.forces.reading.form import FORCES
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
@@ -43,11 +43,13 @@ class Errors:
         """The largest error of all kinds; None where there is none."""
         return self.typical if self.typical is not None else max(self.kinds.values(), default=None)
 
-    def joined(self, other: Errors) -> Errors:
-        """Join other errors of the same technique to these: of each kind the larger one."""
-        ahead = self if (self.largest or 0.0) >= (other.largest or 0.0) else other
-        kinds = {**self.kinds, **other.kinds}
-        return Errors({k: max(e.kinds.get(k, 0.0) for e in (self, other)) for k in kinds}, ahead.worst)
+    @classmethod
+    def joined(cls, shares: Iterable[tuple[str, str, float]]) -> Errors:
+        """Join the errors of single quantities, each with its kind and its name."""
+        found, kinds = list(shares), dict[str, float]()
+        for kind, _, share in found:
+            kinds[kind] = max(kinds.get(kind, 0.0), share)
+        return cls(kinds, max(found, key=lambda one: one[2])[1] if found else "")
 
 
 def sizes(study: LinkageStudy) -> dict[str, float]:
@@ -83,12 +85,8 @@ def shares(found: Values, truth: Truth, largest: Mapping[str, float]) -> dict[tu
 
 def errors(found: Values, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Give the largest errors of some values."""
-    off = {key: float(share.max()) for key, share in shares(found, truth, largest).items()}
-    if not off:
-        return Errors({})
-    worst = max(off, key=lambda key: off[key])
-    kinds = {kind: max(v for k, v in off.items() if k[0] == kind) for kind in KINDS if any(k[0] == kind for k in off)}
-    return Errors(kinds, "_".join(worst))
+    off = shares(found, truth, largest)
+    return Errors.joined((key[0], "_".join(key), float(share.max())) for key, share in off.items())
 
 
 def _largest(arrays: list[Floats]) -> float:

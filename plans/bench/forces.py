@@ -19,6 +19,7 @@ from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
 from plans.bench.error import Errors, errors
+from plans.bench.trial import Road
 from plans.bench.truth import BALANCING, MOMENT, Truth, of_forces
 from plans.forces.loading import loading
 from plans.forces.reading.form import FORCES
@@ -33,6 +34,7 @@ FORCES_CONSTRUCTED, FORCES_ANALYSED = "construction: forces", "analysis: forces"
 LEVER, POWER, ENERGY = CHECKS = ("check: lever", "check: power", "check: energy")
 TECHNIQUES = (FORCES_CONSTRUCTED, FORCES_ANALYSED, *CHECKS)
 ENERGY_MOST = 1000  # positions: each takes eight others solved around it
+TOO_LONG = f"the energy balance of more than {ENERGY_MOST} positions, each a millisecond, tells no more"
 WITH_MOTION, LOADED = "with its kinematics", "reactions and M_bal at once, with its kinematics"
 OVER_PLANS, OVER_MOTION = "M_bal alone, over the force plan", "M_bal alone, over the analysis's motion and loads"
 
@@ -78,16 +80,15 @@ class ForceGround:
 
     def analysed(self) -> Kinetostatics:
         """Solve the equations of all links at once."""
-        road, motion = self._marched()
-        loads = loading(self.statics.machine, motion, self._strokes)
+        road, motion, loads = self._loaded()
         return kinetostatics(road, self.statics.machine, motion, loads, self.statics.pairs)
 
     def lever(self) -> Floats:
         """Hang the loads on the lever over force plans that are there."""
-        moments = [part.hung() for part in self._parts]
-        if any(moment is None for moment in moments):
+        moments = [moment for part in self._parts if (moment := part.hung()) is not None]
+        if len(moments) < len(self._parts):
             raise DraftError("nothing moves, so the lever has no velocity plan")
-        return np.concatenate([moment for moment in moments if moment is not None])
+        return np.concatenate(moments)
 
     def power(self) -> Floats:
         """Reduce all forces to the crank by their power."""
@@ -97,9 +98,7 @@ class ForceGround:
     def energy(self) -> Floats:
         """Balance the energy; NaN where that is not judged."""
         if len(self.study.turn) > ENERGY_MOST:
-            raise DraftError(
-                f"the energy balance of more than {ENERGY_MOST} positions, each a millisecond, tells no more"
-            )
+            raise DraftError(TOO_LONG)
         road, motion, loads = self._solved
         return energy_balance(road, self.statics.machine, motion, loads).moment
 
@@ -118,17 +117,19 @@ class ForceGround:
         road = Analysis(self.study.mechanism, first=self.study.first)
         return road, road.motion(self.study.turn.phi)
 
-    @cached_property
-    def _solved(self) -> tuple[Analysis, Motion, Loading]:
-        """What the checks stand on."""
+    def _loaded(self) -> tuple[Analysis, Motion, Loading]:
         road, motion = self._marched()
         return road, motion, loading(self.statics.machine, motion, self._strokes)
 
     @cached_property
+    def _solved(self) -> tuple[Analysis, Motion, Loading]:
+        """What the checks stand on."""
+        return self._loaded()
+
+    @cached_property
     def _strokes(self) -> dict[Track, Stroke]:
         """The strokes by analysis: once a scene, as those of the construction."""
-        road, _ = self._marched()
-        return strokes(self.statics.machine, self.study.mechanism, self.study.output, road.extremes)
+        return strokes(self.statics.machine, self.study.mechanism, self.study.output, self._marched()[0].extremes)
 
     @cached_property
     def _parts(self) -> list[ForceDrafts]:
@@ -137,17 +138,14 @@ class ForceGround:
             part.read()
         return parts
 
-
-# A way to the forces: its name, what is run, how that is judged, and a note.
-Way = tuple[str, Callable[[], Any], Callable[[Any], Errors], str]
-
-
-def ways(found: ForceGround) -> list[Way]:
-    """List the ways to the forces."""
-    return [
-        (FORCES_CONSTRUCTED, found.constructed, found.judge, WITH_MOTION),
-        (FORCES_ANALYSED, found.analysed, found.judge, LOADED),
-        (LEVER, found.lever, found.judge_moment, OVER_PLANS),
-        (POWER, found.power, found.judge_moment, OVER_MOTION),
-        (ENERGY, found.energy, found.judge_moment, OVER_MOTION),
-    ]
+    def roads(self) -> list[Road]:
+        """List the ways to the forces."""
+        ways: dict[str, tuple[Callable[[], Any], Callable[[Any], Errors], str]] = {
+            FORCES_CONSTRUCTED: (self.constructed, self.judge, WITH_MOTION),
+            FORCES_ANALYSED: (self.analysed, self.judge, LOADED),
+            LEVER: (self.lever, self.judge_moment, OVER_PLANS),
+            POWER: (self.power, self.judge_moment, OVER_MOTION),
+            ENERGY: (self.energy, self.judge_moment, OVER_MOTION),
+        }
+        count = len(self.study.turn)
+        return [Road(run, count, {name: judge}, note) for name, (run, judge, note) in ways.items()]

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from plans.bench.trial import NOT_INSTALLED
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME
@@ -27,7 +28,6 @@ NEEDED = {PYLINKAGE: ("pylinkage", "numba"), MECHANISM: ("mechanism",)}
 MOST = {PYLINKAGE: 1_000_000, MECHANISM: 1000}
 NOT_FOUR_BAR = "left out: no four-bar (a crank and one RRR dyad on the frame)"
 GAPPED = "left out: some positions cannot be assembled, at which a peer stops"
-NOT_INSTALLED = "not installed: python -m pip install '.[bench]'"
 
 
 @dataclass(frozen=True)

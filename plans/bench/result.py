@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+import os
+import platform
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
 
 from plans.bench.clock import Times
-from plans.bench.computer import Computer
 from plans.bench.error import Errors
 
 
@@ -76,6 +80,39 @@ class Ratio:
 
 
 @dataclass(frozen=True)
+class Computer:
+    """The machine: processor, cores that this process may use, load of the last minute, versions."""
+
+    processor: str
+    cores: int
+    load: float | None  # mean number of busy processes; None where the system does not tell
+    system: str
+    python: str
+    numpy: str
+
+    def written(self) -> str:
+        """Write the machine in one line."""
+        busy = "" if self.load is None else f", load {self.load:.1f} at the start"
+        cores = f"{self.cores} core{'' if self.cores == 1 else 's'}"
+        return f"{self.processor}, {cores}{busy}; {self.system}; Python {self.python}, numpy {self.numpy}"
+
+
+def machine() -> Computer:
+    """Describe this machine."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
+    system = f"{platform.system()} {platform.machine()}"
+    return Computer(_processor(), cores, load, system, platform.python_version(), np.__version__)
+
+
+def _processor() -> str:
+    """Name the processor as Linux tells it; elsewhere the platform's own name must do."""
+    told = Path("/proc/cpuinfo").read_text("utf-8", errors="replace") if Path("/proc/cpuinfo").is_file() else ""
+    models = [line.partition(":")[2] for line in told.splitlines() if line.startswith("model name")]
+    return " ".join(models[0].split()) if models else platform.processor() or platform.machine()
+
+
+@dataclass(frozen=True)
 class Bench:
     """All that a bench reports of a scene."""
 
@@ -86,9 +123,3 @@ class Bench:
     words: tuple[str, ...]  # definitions, acceptance, repetitions, what was left out
     accepted: float  # the largest error that is accepted
     gaps: bool = False  # whether some position could not be assembled
-
-    def joined(self, other: Bench) -> Bench:
-        """Join what another session on the same scene has found."""
-        words = (*self.words, *(word for word in other.words if word not in self.words))
-        rows, ratios = (*self.rows, *other.rows), (*self.ratios, *other.ratios)
-        return replace(self, rows=rows, ratios=ratios, words=words, gaps=self.gaps or other.gaps)

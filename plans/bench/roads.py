@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from typing import Any
@@ -13,11 +13,10 @@ from geometry.errors import DraftError
 from plans.analytic.closure import EPS
 from plans.analytic.kinematics import solve
 from plans.bench import forces
-from plans.bench.clock import interleaved
 from plans.bench.error import Errors, errors
-from plans.bench.peers import Peer, peers
-from plans.bench.result import Row
-from plans.bench.truth import NotInstalled, Replay, Truth, replay, sample, values
+from plans.bench.peers import peers
+from plans.bench.trial import Road
+from plans.bench.truth import Replay, Truth, replay, sample, values
 from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage.reading.form import LinkageForm
@@ -35,17 +34,15 @@ REPLAYED = 4  # positions of one timed replay: each takes as long as any other
 IS_TRUTH = "the truth itself"
 
 
-@dataclass(frozen=True)
-class Road:
-    """A way to the numbers of a scene: what is run, for how many positions at a run, and how its result is judged.
+class NothingToMeasure(DraftError):  # noqa: N818  (the message's own word)
+    """A scene without a position that can be assembled, or whose drive has no turn."""
 
-    One run may be judged in several ways: a drawn sheet by its vectors and by its table.
-    """
+    exit_code = 4
 
-    run: Callable[[], Any]
-    positions: int
-    judged: Mapping[str, Callable[[Any], Errors]]  # by the name of the technique
-    note: str = ""
+    @classmethod
+    def of(cls, scene: Scene) -> NothingToMeasure:
+        """Say that no position can be assembled."""
+        return cls(f"{scene.file}: no position can be assembled, so there is nothing to measure")
 
 
 @dataclass(frozen=True)
@@ -113,66 +110,32 @@ def ground(scene: Scene, count: int, sampled: int, largest: Mapping[str, float])
 def roads(found: Ground) -> list[Road]:
     """List the roads of plandraft itself."""
     study, count = found.study, len(found.study.turn)
-    set_up = Road(lambda: forces.prepared(prepared(study.scene, count)), 0, {SET_UP: lambda _: Errors({})}, ONCE)
+    set_up = Road(lambda: forces.prepared(prepared(study.scene, count)), count, {SET_UP: _nothing}, ONCE, 0)
     drawn = [Road(_drawing(found, order), count, {name: found.judge}) for order, name in enumerate(CONSTRUCTION)]
-    again = Road(found.replay.truth, len(found.replay.positions), {REPLAY: lambda _: Errors({})}, IS_TRUTH)
-    solved = [Road(_solving(study, tol), count, {newton(tol): found.judge}) for tol in TOLERANCES]
-    solved.append(Road(_solving(study), count, {ROUNDING: found.judge}))
-    to_forces = _to_forces(found)
+    again = Road(found.replay.truth, count, {REPLAY: _nothing}, IS_TRUTH, len(found.replay.positions))
+    tolerances = {newton(tolerance): tolerance for tolerance in TOLERANCES} | {ROUNDING: EPS}
+    solved = [Road(_solving(study, limit), count, {name: found.judge}) for name, limit in tolerances.items()]
+    stood = forces.ForceGround(study, found.statics, found.truth, found.largest) if found.statics else None
+    loaded = stood.roads() if stood else []
     # Their construction runs next to the motion that it is held against: after a long run the caches are cold.
-    return [set_up, *drawn, *to_forces[:1], again, *solved, *to_forces[1:]]
+    return [set_up, *drawn, *loaded[:1], again, *solved, *loaded[1:]]
 
 
-def _to_forces(found: Ground) -> list[Road]:
-    """List the roads to the forces of a scene that asks for them."""
-    if found.statics is None:
-        return []
-    ground = forces.ForceGround(found.study, found.statics, found.truth, found.largest)
-    count = len(found.study.turn)
-    return [Road(run, count, {name: judge}, note) for name, run, judge, note in forces.ways(ground)]
-
-
-def compared(found: Ground) -> tuple[list[Road], dict[str, str]]:
-    """List the peers' roads, and why others of them are left out."""
-    ready, out = peers(found.fresh())
-    return [_of(peer, found) for peer in ready], out
-
-
-def _of(peer: Peer, found: Ground) -> Road:
-    def judge(result: Any) -> Errors:
-        return found.judge(peer.motion(result))
-
-    return Road(peer.run, len(found.study.turn), {peer.name: judge}, peer.versions)
+def _nothing(_: Any) -> Errors:
+    return Errors({})
 
 
 def _drawing(found: Ground, order: int) -> Callable[[], Motion]:
     return lambda: found.fresh().motion(order)
 
 
-def _solving(study: LinkageStudy, tolerance: float = EPS) -> Callable[[], Motion]:
+def _solving(study: LinkageStudy, tolerance: float) -> Callable[[], Motion]:
     return lambda: solve(study.mechanism, study.turn.phi, tolerance=tolerance, first=study.first)
 
 
-def timed(ways: Sequence[Road], positions: int, rounds: int, budget: float) -> list[Row]:
-    """Run every road once to judge what it gives, then time them in turns; a road that refuses says why."""
-    judged = [_judged(road) for road in ways]
-    going = [road for road, found in zip(ways, judged, strict=True) if isinstance(found, dict)]
-    taken = dict(zip(map(id, going), interleaved([road.run for road in going], rounds, budget), strict=True))
-    rows: list[Row] = []
-    for road, found in zip(ways, judged, strict=True):
-        if isinstance(found, str):
-            rows += [Row(name, positions, note=found) for name in road.judged]
-        else:
-            times = taken[id(road)]
-            rows += [Row(name, positions, road.positions, e, times=times, note=road.note) for name, e in found.items()]
-    return rows
-
-
-def _judged(road: Road) -> dict[str, Errors] | str:
-    try:
-        result = road.run()  # the first run also fills caches and compiles: it is not timed
-    except NotInstalled:
-        raise
-    except DraftError as error:
-        return f"left out: {error}"
-    return {name: judge(result) for name, judge in road.judged.items()}
+def compared(found: Ground) -> tuple[list[Road], dict[str, str]]:
+    """List the peers' roads, and why others of them are left out."""
+    ready, out = peers(found.fresh())
+    count = len(found.study.turn)
+    judges = {peer.name: (lambda result, read=peer.motion: found.judge(read(result))) for peer in ready}
+    return [Road(peer.run, count, {peer.name: judges[peer.name]}, peer.versions) for peer in ready], out

@@ -66,8 +66,12 @@ class Truth:
 
     def at(self, positions: Sequence[int]) -> Truth:
         """Give the truth at some of its positions."""
-        places = [self.positions.index(k) for k in positions]
-        return Truth(tuple(positions), {key: Exact(v.near[places], v.rest[places]) for key, v in self.values.items()})
+        return Truth(tuple(positions), {key: self.of(key, positions) for key in self.values})
+
+    def of(self, key: Key, positions: Sequence[int]) -> Exact:
+        """Give the truth of one quantity at some of the positions."""
+        places, exact = [self.positions.index(k) for k in positions], self.values[key]
+        return Exact(exact.near[places], exact.rest[places])
 
 
 @dataclass(frozen=True)
@@ -94,7 +98,8 @@ class Replay:
     def truth(self) -> Truth:
         """Carry the record out, position by position."""
         columns = [self._column(column, position) for column, position in enumerate(self.positions)]
-        return Truth(self.positions, {key: _exact(key, [column[key] for column in columns]) for key in columns[0]})
+        plain = {key: complex if key[0] in (*POINT_ORDERS, REACTION) else float for key in columns[0]}
+        return Truth(self.positions, {key: split([one[key] for one in columns], plain[key]) for key in plain})
 
     def _column(self, column: int, position: int) -> dict[Key, Any]:
         """Give the true values of one position as numbers of 50 digits."""
@@ -104,16 +109,12 @@ class Replay:
         found |= {("angle", link): mp.arg(true[arm] / mp.mpc(span)) for link, (arm, span) in self.arms.items()}
         for key, (arm, turning) in self.rates.items():
             found[key] = (mp.conj(true[arm]) * true[turning]).imag / abs(true[arm]) ** 2
-        return found | self._forces(mp, column, true, found)
-
-    def _forces(self, mp: Any, column: int, true: dict[Mark, Any], found: Mapping[Key, Any]) -> dict[Key, Any]:
-        """Give the true forces of one position over its true motion."""
         if self.loads is None:
-            return {}
+            return found
         loads = dict(zip(self.loaded, self.loads.at(mp, column, found), strict=True))
         true = exact([mark for mark, _ in self.forces.values()], column, true | loads)
         told = {key: sense * true[mark] for key, (mark, sense) in self.forces.items()}
-        return {key: mp.re(value) if key[0] == MOMENT else value for key, value in told.items()}
+        return found | {key: mp.re(value) if key[0] == MOMENT else value for key, value in told.items()}
 
 
 def replay(study: LinkageStudy, positions: Sequence[int], statics: Statics | None = None) -> Replay:
@@ -164,17 +165,10 @@ def _of_motion(study: LinkageStudy, positions: Sequence[int], plans: Sequence[Pl
 
 def values(motion: Motion, truth: Truth) -> dict[Key, Any]:
     """Read off a motion what the truth knows and the motion gives, at the truth's positions."""
-    chosen = list(truth.positions)
-    found = {}
-    for kind, name in truth.values:
-        if kind in FORCE_KINDS:
-            continue
-        owners: Mapping[Any, Any] = motion.points if kind in POINT_ORDERS else motion.links
-        rows = owners.get(name if kind in POINT_ORDERS else int(name), ())
-        order = {**POINT_ORDERS, **LINK_ORDERS}[kind].number
-        if order < len(rows):
-            found[kind, name] = rows[order][chosen]
-    return found
+    own = {**motion.points, **{str(number): link for number, link in motion.links.items()}}
+    numbers = {kind: order.number for kind, order in {**POINT_ORDERS, **LINK_ORDERS}.items()}
+    keys = [(kind, name) for kind, name in truth.values if numbers.get(kind, np.inf) < len(own.get(name, ()))]
+    return {(kind, name): own[name][numbers[kind]][list(truth.positions)] for kind, name in keys}
 
 
 def of_forces(forces: Kinetostatics, truth: Truth) -> dict[Key, Any]:
@@ -197,13 +191,7 @@ def sample(lost: npt.NDArray[np.bool_], count: int) -> list[int]:
         return [int(k) for k in there]
     edges = np.linspace(0, len(there), count + 1)
     chance = np.random.default_rng(len(there)).uniform(size=count)
-    return [
-        int(there[int(low + share * (high - low))]) for (low, high), share in zip(_pairs(edges), chance, strict=True)
-    ]
-
-
-def _pairs(edges: Floats) -> Iterator[tuple[float, float]]:
-    return zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)
+    return [int(k) for k in there[(edges[:-1] + chance * np.diff(edges)).astype(int)]]
 
 
 def digits() -> Any:
@@ -220,21 +208,20 @@ def crank_direction(mp: Any, study: LinkageStudy, position: int) -> Any:
     """Give the crank's direction in 50 digits: an exact share of the turn from the first one, or as it is listed."""
     drive = study.form.drive
     if isinstance(drive.positions, tuple):
-        return _turned(mp, Fraction(drive.positions[position]) / 360)
+        return turned(mp, Fraction(drive.positions[position]) / 360)
     share = Fraction(study.sense * position, drive.positions)
     if drive.first is not None:
-        return _turned(mp, Fraction(drive.first) / 360 + share)
+        return turned(mp, Fraction(drive.first) / 360 + share)
     found = mp.mpc(complex(study.turn.directions[0]))  # the extreme position is a direction that was constructed
-    return found / abs(found) * _turned(mp, share)
+    return found / abs(found) * turned(mp, share)
 
 
-def _turned(mp: Any, share: Fraction) -> Any:
+def turned(mp: Any, share: Fraction) -> Any:
     """Give the direction after a share of a turn."""
     return mp.expjpi(2 * mp.mpf(share.numerator) / share.denominator)
 
 
-def _exact(key: Key, numbers: Sequence[Any]) -> Exact:
+def split(numbers: Sequence[Any], plain: type[complex] | type[float] = complex) -> Exact:
     """Split numbers of 50 digits into what float64 holds and the rest."""
-    plain = complex if key[0] in (*POINT_ORDERS, REACTION) else float
     near = [plain(number) for number in numbers]
     return Exact(np.array(near), np.array([plain(number - own) for number, own in zip(numbers, near, strict=True)]))

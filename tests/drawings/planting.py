@@ -104,7 +104,8 @@ def _function(one: Any) -> FunctionType | None:
 
 def _changed(module: ModuleType, name: str, new: Any) -> bool:
     """Tell whether a plain value of a module is another one."""
-    return isinstance(new, int | float | str | tuple) and module.__dict__.get(name) != new and name.isupper()
+    own = module.__dict__.get(name)
+    return isinstance(new, int | float | str | tuple) and isinstance(own, type(new)) and own != new and name.isupper()
 
 
 def _set(values: dict[str, tuple[Any, Any]]) -> None:

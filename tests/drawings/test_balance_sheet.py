@@ -49,7 +49,7 @@ def test_the_bench_judges_what_is_measured_back(tmp_path: Path) -> None:
     """A sheet is as sharp as its last decimal; the truth is the record in 50 digits."""
     study = study_of("engine", "A1")
     on = ground(study["balance"].linkage, study["balance"].points())
-    marks = balance_sheet.measured(study.scene, tmp_path)
+    marks = balance_sheet.measured(study.scene)
     errors = balance_sheet.judge(marks, on)
     assert errors.kinds.keys() == {PLACE, SHAKING}
     assert 0 < max(errors.kinds.values()) < 1e-5

@@ -9,7 +9,6 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 from xml.etree import ElementTree
 
@@ -17,9 +16,8 @@ import numpy as np
 import pytest
 
 from drawings import VERSION
-from drawings.bench import force_sheet, plain_pen, plot, record, session, sheet, startup
-from drawings.bench.force_sheet import FORCES_BY_HAND
-from drawings.bench.session import Order
+from drawings.bench import hands, plain_pen, plot, record, sessions, sheet, startup
+from drawings.bench.hands import FORCES_BY_HAND
 from drawings.commands import bench as command
 from drawings.commands import cli
 from drawings.commands.parser import parser
@@ -33,6 +31,7 @@ from plans.bench.error import sizes
 from plans.bench.peers import PYLINKAGE
 from plans.bench.result import Bench, Goal
 from plans.bench.roads import CONSTRUCTION, Ground, ground, newton, prepared
+from plans.bench.trial import Order
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
 from tests.drawings.test_commands import GAPPED
@@ -48,22 +47,22 @@ def scene(name: str = "shaper") -> Scene:
 @pytest.fixture(scope="module")
 def quick() -> Bench:
     """Run a short session on the shaper; its errors are tested, its times are only there."""
-    return session.session(scene(), Order((12,), 1, startup=False), lambda what: None)
+    return sessions.session(scene(), Order((12,), 1, startup=False), lambda what: None)
 
 
 def test_a_session_has_a_row_for_every_technique(quick: Bench) -> None:
     rows = {row.technique: row for row in quick.rows}
     assert set(TECHNIQUES) <= set(rows)
-    assert {sheet.BY_HAND.format(slip) for slip in draughtsman.SLIPS} <= set(rows)
+    assert {hands.BY_HAND.format(slip) for slip in draughtsman.SLIPS} <= set(rows)
     assert all(rows[name].times and len(rows[name].times.seconds) == 1 for name in TECHNIQUES)
     assert "no four-bar" in rows[PYLINKAGE].note
 
 
 def test_errors_stand_in_the_order_of_their_roads(quick: Bench) -> None:
     error = {row.technique: row.error for row in quick.rows if row.error is not None}
-    ladder = [CONSTRUCTION[2], newton(1e-3), sheet.MEASURED, sheet.PRINTED, sheet.BY_HAND.format(0.1)]
+    ladder = [CONSTRUCTION[2], newton(1e-3), sheet.MEASURED, sheet.PRINTED, hands.BY_HAND.format(0.1)]
     assert [error[name] for name in ladder] == sorted(error[name] for name in ladder)
-    assert error[sheet.BY_HAND.format(0.2)] == pytest.approx(2 * error[sheet.BY_HAND.format(0.1)], rel=0.05)
+    assert error[hands.BY_HAND.format(0.2)] == pytest.approx(2 * error[hands.BY_HAND.format(0.1)], rel=0.05)
 
 
 def test_a_session_says_what_its_numbers_mean(quick: Bench) -> None:
@@ -162,9 +161,9 @@ def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out(paper: tuple[Ground, shee
 
 def test_a_sheet_that_is_refused_is_left_out_with_its_reason() -> None:
     text = (GALLERY / "shaper.toml").read_text("utf-8").replace("[sheet]", '[sheet]\napproved = "机构"')
-    found = session.session(parse_scene(text), Order((12,), 1, startup=False), lambda what: None)
+    found = sessions.session(parse_scene(text), Order((12,), 1, startup=False), lambda what: None)
     rows = {row.technique: row for row in found.rows}
-    for name in (sheet.MEASURED, sheet.PRINTED, sheet.BY_HAND.format(0.1)):
+    for name in (sheet.MEASURED, sheet.PRINTED, hands.BY_HAND.format(0.1)):
         assert rows[name].times is None
         assert rows[name].note.startswith("left out: ")
     assert rows[CONSTRUCTION[2]].times is not None
@@ -204,7 +203,7 @@ def test_the_program_of_the_start_up_is_plandraft() -> None:
 @pytest.fixture(scope="module")
 def loaded() -> Bench:
     """Run a short session on a shaper whose forces are asked for."""
-    return session.session(of_forces(), Order((12, 360), 1, startup=False, drawn=12), lambda what: None)
+    return sessions.session(of_forces(), Order((12, 360), 1, startup=False, drawn=12), lambda what: None)
 
 
 def of_forces() -> Scene:
@@ -255,11 +254,9 @@ def test_a_force_sheet_that_is_refused_leaves_its_hands_out_with_the_reason(monk
     def refused(*_: Any) -> Any:
         raise DraftError("no room for the lever")
 
-    monkeypatch.setattr(force_sheet.sheets, "sheets", refused)
+    monkeypatch.setattr(hands.sheets, "sheets", refused)
     study = prepared(of_forces(), 12)
-    with TemporaryDirectory() as folder:
-        drawn = sheet.draw(study, Path(folder))
-    rows = session._forces_by_hand(study, drawn, sizes(study))
+    rows = hands.of_forces(study, sheet.draw(study), sizes(study))
     assert [row.note for row in rows] == ["left out: no room for the lever"] * 2
 
 
@@ -292,7 +289,7 @@ def test_the_command_prints_and_keeps_a_bench(run: Run, tmp_path: Path) -> None:
 
 @pytest.mark.rest
 def test_json_alone_stands_on_stdout(run: Run, tmp_path: Path, quick: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(session, "session", lambda *_: quick)
+    monkeypatch.setattr(sessions, "session", lambda *_: quick)
     code, out, err = run(GALLERY / "shaper.toml", *SHORT, "--json", "-o", tmp_path)
     assert code == 0
     assert json.loads(out)["scene"] == quick.title
@@ -336,7 +333,7 @@ def test_without_matplotlib_a_plot_is_refused_before_anything_is_measured(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(plot, "find_spec", lambda name: None)
-    monkeypatch.setattr(session, "session", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(sessions, "session", lambda *_: pytest.fail("measured"))
     code, _, err = run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path)
     assert code == 7
     assert "Fix: python -m pip install '.[bench]'" in err
@@ -345,7 +342,7 @@ def test_without_matplotlib_a_plot_is_refused_before_anything_is_measured(
 def test_a_folder_that_cannot_be_written_is_told_before_anything_is_measured(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(session, "session", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(sessions, "session", lambda *_: pytest.fail("measured"))
     (tmp_path / "file").write_text("", "utf-8")
     assert run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path / "file")[0] == 7
 
@@ -356,7 +353,7 @@ def test_an_old_plot_outlives_a_failure_of_the_new_one(
 ) -> None:
     old = tmp_path / "shaper-bench.svg"
     old.write_text("old", "utf-8")
-    monkeypatch.setattr(session, "session", lambda *_: invented())
+    monkeypatch.setattr(sessions, "session", lambda *_: invented())
 
     def full(handle: int, content: bytes) -> None:
         raise OSError(28, "No space left on device")
@@ -384,4 +381,4 @@ def test_a_hand_is_held_against_the_books(quick: Bench) -> None:
     assert len(told) == len(draughtsman.SLIPS)
     medians = [float(word.split(": ")[1].partition("%")[0]) for word in told]
     assert medians[1] / medians[0] == pytest.approx(2.0, rel=0.05)
-    assert np.all(np.array(medians) < session.BOOKS_MEDIAN)  # books are smaller than this sheet
+    assert np.all(np.array(medians) < hands.BOOKS_MEDIAN)  # books are smaller than this sheet

@@ -11,14 +11,14 @@ from xml.etree import ElementTree
 
 import pytest
 
-from drawings.bench import plot, record, sheet, table
-from plans.bench import cam_laws, cam_path, cam_profile, cyclogram
+from drawings.bench import hands, plot, record, sheet, table
+from plans.bench import cams, cyclogram
 from plans.bench.clock import Times
-from plans.bench.computer import Computer
 from plans.bench.error import Errors
-from plans.bench.peers import MECHANISM, NOT_INSTALLED, PYLINKAGE
-from plans.bench.result import Bench, Goal, Ratio, Row
+from plans.bench.peers import MECHANISM, PYLINKAGE
+from plans.bench.result import Bench, Computer, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
+from plans.bench.trial import NOT_INSTALLED
 from plans.bench.truth import KINDS
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -26,7 +26,7 @@ MACHINE = Computer("Abacus 9", 4, 0.5, "Linux x86_64", "3.11.7", "2.4.6")
 TECHNIQUES = (*CONSTRUCTION, REPLAY, *map(newton, TOLERANCES), ROUNDING, sheet.MEASURED, sheet.PRINTED)
 
 
-OTHERS = (*cam_laws.WAYS.values(), cam_profile.INVERSION, cam_profile.OFFSET, cam_path.PIECES, cyclogram.NOTCHED)
+OTHERS = (*cams.LAWS.values(), cams.INVERSION, cams.OFFSET, cams.PIECES, cyclogram.NOTCHED)
 ONCE = Times((1e-3,))
 
 
@@ -38,7 +38,7 @@ def invented() -> Bench:
             errors = Errors({}) if name == REPLAY else Errors({"r": 10.0**-k / 2, "v": 10.0**-k}, "v_B")
             rows.append(Row(name, count, count, errors, times=Times((count * 1e-6, count * 2e-6, count * 3e-6))))
     rows.append(Row(PYLINKAGE, 10_000, note=NOT_INSTALLED))
-    rows += [Row(sheet.BY_HAND.format(slip), None, 2, Errors({}, "", slip / 10), slip / 5) for slip in (0.1, 0.2)]
+    rows += [Row(hands.BY_HAND.format(slip), None, 2, Errors({}, "", slip / 10), slip / 5) for slip in (0.1, 0.2)]
     reached = Ratio("this / that", 360, Times((9.0, 8.0, 7.0)), Times((1.0, 1.0, 1.0)), Goal(5.0))
     missed = Ratio("part / whole", 12, Times((9.0,)), Times((10.0,)), Goal(0.5, least=False))
     unknown = Ratio("peer / ours", 360, goal=Goal(2.0), note=NOT_INSTALLED)

@@ -11,10 +11,10 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
+from drawings.due.coordinates import enclosures, faults, turns
 from drawings.figures.cam.coordinate_table import read, written
 from drawings.files.enclosure import Enclosure
 from drawings.paper.strokes import SheetError
-from drawings.sheets.cam_coordinates import enclosures, faults, turns
 from drawings.sheets.table import SHEETS
 from geometry.errors import LimitError
 from plans.cam.course import Course
@@ -160,11 +160,11 @@ def test_enclosure_is_of_the_set(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert "fan-masses.csv" in {entry["name"] for entry in listed}
 
 
-def test_nothing_is_written_where_an_enclosure_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_enclosure_that_is_wrong_is_withheld(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     enclosed(monkeypatch, "wrong")
     with pytest.raises(SelfCheckFailed, match="the column 1 of it"):
         draw(SHAFT, tmp_path)
-    assert list(tmp_path.iterdir()) == []
+    assert not (tmp_path / "fan-masses.csv").exists()
 
 
 def test_as_many_coordinates_as_the_scene_asks_for_up_to_a_limit() -> None:

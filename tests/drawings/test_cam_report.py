@@ -66,9 +66,9 @@ def test_a_face_that_is_long_enough_is_no_complaint() -> None:
 
 def test_crossings_and_corners_are_told_for_what_they_are() -> None:
     notes = notes_of(Study(parse_scene(one())))
-    told = [notes.flaw(Flaw("crossing", 1.0, 1.1, Extreme(lost, 1.0))) for lost in (1e-3, 0.0, float("nan"))]
+    told = [notes.flaw(0, Flaw("crossing", 1.0, 1.1, Extreme(lost, 1.0))) for lost in (1e-3, 0.0, float("nan"))]
     assert [text.rpartition("cut away")[2][:11] for text in told] == [", and up to", ", but none ", ", and on wh"]
-    corner = notes.flaw(Flaw("undercut", 0.0, 0.0, Extreme(0.0, 0.0)))
+    corner = notes.flaw(0, Flaw("undercut", 0.0, 0.0, Extreme(0.0, 0.0)))
     assert corner.startswith("Corner at φ = 0° (hard shock)")
 
 

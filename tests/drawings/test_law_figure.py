@@ -21,7 +21,7 @@ from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import INK, Circle, Leaf, Line
-from drawings.paper.walk import texts
+from drawings.paper.walk import flat, texts
 from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY
 from drawings.report.cam_notes import CamNotes
 from plans.cam.diagrams import LawDiagrams
@@ -127,7 +127,7 @@ def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
     assert slope.after[0] == slope.before[8] > 0 > slope.after[9] == slope.before[17]
     frame = framed("hard")
     lines = graph_part(top, frame.plate, frame.axes(top), ()).lines
-    arrows = [one for one in lines if isinstance(one, Line) and one.style == frame.plate.hand.result]
+    arrows = [one for one in flat(lines) if isinstance(one, Line) and one.style == frame.plate.hand.result]
     assert [math.copysign(1, (one.end - one.start).imag) for one in arrows] == [1, -1, -1, 1]
     told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
     assert told.count("∞") == 4 and "жёсткие удары: 0, 8, 9, 17" in told

@@ -10,7 +10,7 @@ from tests.plans.balanced import ENGINE, asked, study
 
 def test_its_rows_tell_each_way_and_the_best_share() -> None:
     its = study(ENGINE, asked(SHARE, Place(1, mass=5)))
-    rows, words = balance.rows(its, [prepared(its.linkage.scene, 12)], 1, 0.1)
+    rows, words, *_ = balance.centres(its, [prepared(its.linkage.scene, 12)], 1)
     ways = (balance.MAIN_POINTS, balance.LINKS, balance.SUMS)
     assert [(row.technique, row.positions) for row in rows] == [
         *((way, 12) for way in ways),
@@ -23,6 +23,6 @@ def test_its_rows_tell_each_way_and_the_best_share() -> None:
 def test_it_sees_a_wrong_way() -> None:
     its = study(ENGINE)
     on = balance.ground(prepared(its.linkage.scene, 12), its.points())
-    right = balance.ways(on)[balance.LINKS]()
+    right = next(road.run() for road in balance.roads(on) if balance.LINKS in road.judged)
     wrong = on.judge(right._replace(force=right.force * (1 + 1e-9)))
     assert 0.9e-9 < wrong.kinds[balance.SHAKING] < 1.1e-9

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from plans.bench.bank import FEW, errors, truth, ways
+from plans.bench.unbalance import FEW, bank_roads
 from plans.model.balance.bank import Member
 from tests.plans.drawn_banks import task
 
@@ -16,8 +16,8 @@ MEMBERS = (
 
 def test_roads_are_judged_by_their_ordinates() -> None:
     bank = task(MEMBERS, orders=(1, 2, 6))
-    true = truth(bank)
-    found = {(name, count): errors(run(), true, bank.members).largest for name, count, run in ways(bank)}
-    few, *_, enough, series = found.values()
-    assert [count for _, count in found][:3] == list(FEW)
+    assert bank.unit is not None
+    roads = bank_roads(bank, bank.unit)
+    few, *_, enough, series = (judge(road.run()).largest for road in roads for judge in road.judged.values())
+    assert [road.positions for road in roads][:3] == list(FEW)
     assert few > 1e-6 and max(enough, series) < 1e-14

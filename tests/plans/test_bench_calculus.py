@@ -7,11 +7,14 @@ import pytest
 
 from geometry.meet import EPS
 from geometry.strips import middles
-from plans.bench import calculus
-from plans.bench.calculus import CONSTANT, COUNTS, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, rows
-from plans.bench.convergence import order
+from plans.bench.chords import CONSTANT, DEFINED, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, STRIPS, integration
+from plans.bench.trial import order
 
 BY_NAME = {one.name: one for one in DIAGRAMS}
+
+
+def error(name: str, count: int) -> float:
+    return BY_NAME[name].errors(count, BY_NAME[name].values(count)).kinds["A"]
 
 
 LEFT = [pytest.param(name, 2.0, marks=pytest.mark.rest) for name in (SMOOTH, ON_EDGES)]
@@ -20,15 +23,14 @@ LEFT = [pytest.param(name, 2.0, marks=pytest.mark.rest) for name in (SMOOTH, ON_
 @pytest.mark.rest
 @pytest.mark.parametrize(("name", "known"), [(INSIDE, 1.0), *LEFT])
 def test_chords_are_of_the_order_that_is_known_of_them(name: str, known: float) -> None:
-    errors = [BY_NAME[name].error(count) for count in COUNTS]
-    assert order(errors, COUNTS) == pytest.approx(known, abs=0.1)
+    assert order([error(name, count) for count in STRIPS], STRIPS) == pytest.approx(known, abs=0.1)
 
 
 @pytest.mark.rest
 def test_a_constant_load_with_its_jumps_on_edges_is_exact() -> None:
     """Beside the sum's roundings those of the edges, of a whole turn, in shares of the stroke's angle."""
-    for count in COUNTS:
-        assert BY_NAME[CONSTANT].error(count) <= (count + 16) * EPS
+    for count in STRIPS:
+        assert error(CONSTANT, count) <= (count + 16) * EPS
 
 
 @pytest.mark.parametrize("name", list(BY_NAME))
@@ -42,10 +44,10 @@ def test_the_integral_in_closed_form_is_that_of_the_diagram(name: str) -> None:
 
 
 def test_a_row_stands_for_every_diagram_and_number_of_strips() -> None:
-    found, words = rows(1, 0.0, (12, 48))
+    found, words, *_ = integration(1, (12, 48))
     assert [(row.technique, row.positions) for row in found] == [(name, n) for name in BY_NAME for n in (12, 48)]
     assert all(row.times and row.error is not None for row in found)
     assert {row.note for row in found if row.technique == INSIDE} == {NOT_SO}
-    assert words[0] == calculus.DEFINED
+    assert words[0] == DEFINED
     assert "order 2.0" in next(word for word in words if SMOOTH in word)
     assert "exact" in next(word for word in words if CONSTANT in word)

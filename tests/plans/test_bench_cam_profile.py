@@ -6,33 +6,34 @@ import math
 
 import pytest
 
-from plans.bench.cam_profile import ENVELOPE, INVERSION, OFFSET, Judged, rows
+from plans.bench.cams import ENVELOPE, INVERSION, OFFSET, Judged, profiles
 from plans.cam.course import Course
 from tests.plans.textbook_cams import cam, offset_sizes, pivot, rocker
 
 ROLLER = 0.013
 
 
-def judged(count: int, sense: int = 1) -> Judged:
-    return Judged(Course(cam(end="roller", sense=sense)), offset_sizes(), ROLLER, count)
+def error(way: str, count: int, sense: int = 1) -> float:
+    roads = Judged(Course(cam(end="roller", sense=sense)), offset_sizes(), ROLLER, count).roads()
+    return next(road.judged[way](road.run()).kinds["Q"] for road in roads if way in road.judged)
 
 
 @pytest.mark.parametrize("way", [INVERSION, OFFSET])
 def test_chords_are_of_the_second_order(way):
     """Shapely's offset is of the polygon that it is given: no better than its chords."""
-    errors = [judged(count).errors(way).kinds["Q"] for count in (90, 720)]
+    errors = [error(way, count) for count in (90, 720)]
     assert math.log(errors[0] / errors[1], 8) == pytest.approx(2.0, abs=0.1)
 
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_the_envelope_is_exact(sense):
-    assert judged(72, sense).errors(ENVELOPE).kinds["Q"] < 2e-15
-    assert judged(720, sense).errors(OFFSET).kinds["Q"] < 1e-4
+    assert error(ENVELOPE, 72, sense) < 2e-15
+    assert error(OFFSET, 720, sense) < 1e-4
 
 
 def test_a_row_stands_for_every_way_and_number():
     own = rocker("roller")
-    found, ratios, words = rows(Course(own), pivot(own), ROLLER, 1, 0.0, (24, 48))
+    found, words, ratios, _ = profiles(Course(own), pivot(own), ROLLER, 1, (24, 48))
     assert [(row.technique, row.positions) for row in found] == [
         (name, count) for count in (24, 48) for name in (INVERSION, ENVELOPE, OFFSET)
     ]

@@ -18,14 +18,13 @@ from plans.bench.roads import (
     ROUNDING,
     TOLERANCES,
     Ground,
-    Road,
     ground,
     newton,
     prepared,
     roads,
-    timed,
     with_positions,
 )
+from plans.bench.trial import Road, timed
 from plans.linkage import study as studies
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.reading.form import LinkageForm
@@ -115,7 +114,7 @@ def test_a_road_that_refuses_says_why_and_the_others_are_timed() -> None:
 
     ways = [Road(refuse, 3, {"one": lambda _: Errors({}), "two": lambda _: Errors({})})]
     ways.append(Road(lambda: 5, 3, {"three": lambda result: Errors({"r": result}, "r_B")}))
-    one, two, three = timed(ways, 3, 2, 1.0)
+    one, two, three = timed(ways, 2, 1.0)
     assert [row.note for row in (one, two)] == ["left out: no room on the sheet"] * 2
     assert one.times is None
     assert one.error is None

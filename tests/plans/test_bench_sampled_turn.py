@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from plans.bench.sampled_turn import MEAN, POINTS, by_points, mean_error, rows
+from plans.bench.machine import MEAN, POINTS, by_points, by_positions, mean_error
 from plans.study import Study
 from tests.plans.dynamics_scenes import PLANING, PUSHED, study
 
@@ -30,6 +30,6 @@ def test_extremes_at_edges_come_to_the_book_s_flywheel_from_below() -> None:
 
 def test_rows_of_both() -> None:
     made = study()
-    found, _ = rows(exact(made), made["dynamics"].task, 1, 0.0, (12, 24))
+    found = by_positions(exact(made), made["dynamics"].task, 1, (12, 24)).rows
     assert [row.technique for row in found] == [MEAN] * 3 + [POINTS] * 2
     assert all(row.note for row in found[:3]) and all(row.times is not None for row in found[3:])

@@ -116,10 +116,9 @@ def test_a_motion_is_judged_by_what_it_gives() -> None:
 
 
 def test_joined_errors_keep_the_larger_of_each_kind() -> None:
-    first, second = Errors({"v": 2.0, "a": 1.0}, "v_B"), Errors({"a": 3.0, "r": 0.5}, "a_D")
-    assert first.joined(second) == Errors({"v": 2.0, "a": 3.0, "r": 0.5}, "a_D")
-    assert Errors({}).joined(first) == first
-    assert first.joined(Errors({})) == first
+    shares = [("v", "v_B", 2.0), ("a", "a_B", 1.0), ("a", "a_D", 3.0), ("r", "r_B", 0.5)]
+    assert Errors.joined(shares) == Errors({"v": 2.0, "a": 3.0, "r": 0.5}, "a_D")
+    assert Errors.joined([]) == Errors({})
 
 
 def test_links_that_do_not_turn_have_no_rate_to_be_wrong() -> None:

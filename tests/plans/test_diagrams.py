@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plans.bench import diagrams as bench
+from plans.bench.chords import kinematic
 from plans.diagrams.marks import marks
 from plans.explanation import Explanation, UnknownMark
 from plans.model.diagrams import Diagrams
@@ -175,13 +175,13 @@ def test_the_error_of_chords_is_of_second_order() -> None:
 
 
 def test_the_bench_tells_the_second_order_of_chords() -> None:
-    made, told = bench.rows(study_of(f"{ROCKER}positions = 12").scene, 1, 0.01, (24, 48, 96))
+    made, told, *_ = kinematic(study_of(f"{ROCKER}positions = 12").scene, 1, (24, 48, 96))
     errors = [row.errors.kinds for row in made]
     assert errors[0]["v"] / errors[1]["v"] == pytest.approx(4, rel=0.1)
     orders = [float(line.partition("order ")[2].split()[0]) for line in told[1:]]
     assert orders == pytest.approx([2, 2], abs=0.1)
     still = study_of(f"{YOKE}speed = 0\npositions = 12").scene
-    assert bench.rows(still, 1, 0.01, (12,))[0][0].note == "left out: the crank is at rest"
+    assert kinematic(still, 1, (12,)).rows[0].note == "left out: the crank is at rest"
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,8 @@ import pytest
 
 from geometry.board import Board
 from geometry.calculus import derivative_by_tangents, derivative_scale, integral_scale
-from plans.bench.cam_laws import order, rows
+from plans.bench.cams import laws
+from plans.bench.trial import order
 from plans.cam.course import Course, positions
 from plans.cam.diagrams import derivative_diagrams, law_diagrams, strips_of
 from plans.model.cam import DWELL, RETURN, RISE, SHAPE, TABLE, TURN, Cam, Law
@@ -145,7 +146,7 @@ def test_every_step_says_why_in_every_language() -> None:
 
 
 def test_the_bench_tells_errors_and_orders() -> None:
-    found, words = rows(usual(Law("3-4-5")), 1, 0.0, (8, 16))
+    found, words, *_ = laws(usual(Law("3-4-5")), 1, (8, 16))
     assert [row.positions for row in found] == [8, 16] * 3
     assert found[0].error == pytest.approx(law_diagrams(usual(Law("3-4-5"))).slope_departure.share, rel=1)
     assert found[4].error is not None and found[4].error < 1e-13

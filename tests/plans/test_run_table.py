@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.dynamics.run import run as solved
-from plans.bench.run import order, rows, step_errors, ways
+from plans.bench.machine import by_steps, step_errors
 from plans.dynamics.link import curve
 from plans.dynamics.run import mean_resistance, run, step_of
 from plans.dynamics.steps import ANGLE, ROWS_MOST, SPEED, STOP, Acting, Ends, by_acceleration, by_energy
@@ -88,10 +88,11 @@ def test_in_a_steady_stage_the_account_closes_whatever_the_step() -> None:
 
 @pytest.mark.parametrize("motor", some([Motor(Linear(600.0, 20.0)), Motor(Constant(100.0)), MOTOR], 3))
 def test_the_table_is_of_the_first_order(motor: Motor) -> None:
-    errors = step_errors(slider_crank(4.0), motor, RunTask(12.0))
-    assert order(errors) == pytest.approx(1.0, abs=0.1)
-    assert [one.error for one in errors] == sorted((one.error for one in errors), reverse=True)
-    assert rows(errors)[-1].note.startswith("order")
+    given = slider_crank(4.0), motor, RunTask(12.0)
+    errors = list(step_errors(*given).values())
+    assert errors == sorted(errors, reverse=True)
+    name, order = by_steps(*given).rows[-1].note.split()
+    assert name == "order" and float(order) == pytest.approx(1.0, abs=0.1)
 
 
 @pytest.mark.rest
@@ -131,12 +132,6 @@ def test_the_tables_failures_are_plain() -> None:
     for found in (weak, stops, stiff):
         assert found.failure is not None
         assert len({found.failure.message.worded(language) for language in ("en", "ru")}) == 2
-
-
-@pytest.mark.rest
-def test_both_ways_are_timed_anew() -> None:
-    for _, way in ways(steady(5.0), MOTOR, RunTask(12.0, 1)):
-        assert way() is not way()
 
 
 def test_a_curve_goes_through_its_ordinates_and_its_slope_is_its_own() -> None:

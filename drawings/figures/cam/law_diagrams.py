@@ -14,7 +14,7 @@ from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Slot, telling
+from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.statement import Kind, Statement
@@ -100,11 +100,11 @@ class _Drawing:
         part = graph_part(row, plate, self.frame.axes(row), self._numbered)
         field = self.frame.fields[row.key]
         over = field._replace(top=field.top + plate.over)
-        head = caption(_title(row, plate), ";  ".join(self._scales(row)), over, plate.hand)
+        head = caption(_title(row, plate), joined(";  ", self._scales(row)), over, plate.hand)
         low = complex(over.centre.real, over.top - plate.hand.title - APART * plate.hand.text)
-        texts = (Text(low, text, plate.hand.text, "middle", True) for text in _said(row, plate))
-        said = (telling(plate.named(row.key), text) for text in texts)
-        return part._replace(lines=(Group((head, *said)), *part.lines))
+        said = (Text(low, text, plate.hand.text, "middle", True) for text in _said(row, plate))
+        above, under = (tuple(telling(part.name, one) for one in own) for own in (head.strokes, said))
+        return part._replace(lines=(Group((Group(above), *under)), *part.lines))
 
     def _scales(self, row: LawRow) -> Iterator[str]:
         """Write the scale of a row, with that of the turn or with the pole distance that it comes from."""
@@ -115,7 +115,7 @@ class _Drawing:
             yield drafting.scale(self.frame.spot.scale)
         elif distance is not None:
             letter = POLES[row.key == VELOCITY][1]
-            yield f"{letter} = {drafting.number(distance)} {drafting.word('mm')}"
+            yield joined("", (f"{letter} = ", drafting.slot(Slot("H", distance)), f" {drafting.word('mm')}"))
 
     def _poles(self) -> Iterator[Part]:
         for row in self.plate.rows:
