@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +15,12 @@ TOPS = ("geometry", "plans", "drawings")
 FILES = sorted(file.relative_to(ROOT).as_posix() for top in TOPS for file in (ROOT / top).rglob("*.py"))
 
 EITHER = ("geometry", "plans.analytic", "plans.linkage", "plans.scene")
+# Where the board is drawn on: no value of it may be what a sheet is held to.
+CONSTRUCTIONS = (
+    *("geometry.board", "geometry.meet", "plans.linkage.drafts", "plans.linkage.position", "plans.linkage.velocity"),
+    *("plans.linkage.acceleration", "plans.forces.force_drawing", "plans.forces.polygon", "plans.forces.lever"),
+    *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.steps", "plans.balance.sums", "plans.bank.polygons"),
+)
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
@@ -38,6 +43,9 @@ FORBIDDEN = {
         "drawings.sheets",
         "plans",
     ),
+    # What must stand on a sheet is told by the analysis alone.
+    "drawings/due/": ("drawings.figures", "drawings.sheets", *CONSTRUCTIONS),
+    "drawings/checks/": ("drawings.figures", "drawings.sheets", "drawings.due", "plans.analytic", *CONSTRUCTIONS),
     # Loads are put on either road's motion.
     "plans/forces/loading.py": EITHER,
     "plans/forces/stroke.py": EITHER,
@@ -134,6 +142,9 @@ def test_all_three_layers_are_examined() -> None:
         ("drawings/eye/letters.py", "from drawings.lettering.curves import curves"),
         ("drawings/eye/observer.py", "def f():\n    from drawings.pens.letters import HUNDREDTH"),
         ("drawings/eye/sheet.py", "from plans.words import words"),
+        ("drawings/due/rotor.py", "from drawings.figures.rotor.along import measure"),
+        ("drawings/due/linkage.py", "def f():\n    from plans.linkage.drafts import Drafts"),
+        ("drawings/checks/hold.py", "from drawings.due import rotor"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),
         ("plans/checks/compare.py", "def f():\n    import mpmath"),
@@ -196,7 +207,9 @@ ROOMS = (
     ("drawings.figures.forces", "drawings.figures.dynamics", "drawings.figures.cam", "drawings.figures.cyclogram"),
     ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
     ("drawings.note", "drawings.figures.workings"),
-    ("drawings.checks", "drawings.sheets"),
+    ("drawings.checks",),
+    ("drawings.due",),
+    ("drawings.sheets",),
     ("drawings.original",),
     ("drawings.form",),
     ("drawings.grading",),
@@ -208,7 +221,6 @@ ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}
 UPWARD = {
     ("drawings/gallery/__main__.py", "drawings.commands.draw"): "the gallery is redrawn as a user would draw it",
 }
-MOST = 25  # files in a room: more are not known by heart
 
 
 def module_of(path: str) -> str:
@@ -260,11 +272,6 @@ def test_an_exception_that_is_no_longer_needed_is_taken_off(path: str, module: s
 def test_every_file_stands_in_a_room() -> None:
     halls = {"plans/__init__.py", "drawings/__init__.py", "drawings/figures/__init__.py"}
     assert {path for path in FILES if room_of(module_of(path)) is None} == halls
-
-
-def test_a_room_can_be_known_by_heart() -> None:
-    counts = Counter(path.rpartition("/")[0] for path in FILES if not path.endswith("__init__.py"))
-    assert {folder: count for folder, count in counts.items() if count > MOST} == {}
 
 
 def test_no_file_knows_itself_again_through_others() -> None:

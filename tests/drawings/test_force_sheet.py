@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
@@ -26,7 +25,8 @@ from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
-from tests.drawings.memo import verify_loaded
+from tests.drawings.held import faults_on, measured
+from tests.drawings.memo import loaded_memo
 from tests.drawings.slips import Change, changed, dropped, in_part, rewritten, stretched
 from tests.parts import first
 from tests.plans.force_cases import text_of
@@ -90,34 +90,23 @@ FAULTS: dict[str, Change] = {
 }
 
 
-@pytest.mark.rest
-def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> None:
-    _study, comparison, statics, leaf = checked
-    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
-    assert verify_loaded(tmp_path / "sheet.svg", leaf, statics, comparison).vectors
-
-
 @pytest.mark.parametrize("fault", first(FAULTS.values(), FAULTS))
-def test_a_fault_withholds_the_force_sheet(checked: Checked, tmp_path: Path, fault: Change) -> None:
+def test_a_fault_is_told_on_the_force_sheet(checked: Checked, fault: Change) -> None:
     _study, comparison, statics, leaf = checked
-    wrong = changed(leaf, fault)
+    wrong, study = changed(leaf, fault), loaded_memo(statics, comparison)
     assert wrong != leaf, "the fault must be there to be seen"
-    (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
-    with pytest.raises(SelfCheckFailed):
-        verify_loaded(tmp_path / "sheet.svg", wrong, statics, comparison)
+    assert set(faults_on(study, "forces", [wrong])) - set(faults_on(study, "forces", [leaf]))
 
 
 # With a ruler
 
 
 def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_scale(
-    checked: Checked, tmp_path: Path
+    checked: Checked,
 ) -> None:
     """Lay the ruler on every side of group 4-5: its millimetres times mu_F are the newtons of the equations."""
     leaf = checked[3]
-    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
-    measured = measure_file(tmp_path / "sheet.svg")
-    sides = {one.name: one for one in measured.vectors if one.plan == "forces-4-5"}
+    sides = {one.name: one for one in measured(leaf).vectors if one.plan == "forces-4-5"}
     told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts((group,)))
     for name, plain in (("F_us", "Fus"), ("G_5", "G5"), ("R_05", "R05"), ("R_34", "R34"), ("R_54", "R54")):
         found = re.search(rf"{plain} = ([\d.]+) N", told)
@@ -228,14 +217,11 @@ def test_a_position_without_forces_is_refused_with_those_that_have_them() -> Non
 
 @pytest.mark.rest
 @pytest.mark.parametrize("name", first(["kind-1", "kind-2", "kind-3", "kind-4", "kind-5"]))
-def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_path: Path) -> None:
+def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str) -> None:
     study = LinkageStudy(parse_scene(text_of(name)))
     comparison, statics, leaves = sheets_of(study)
-    for k, leaf in enumerate(leaves):
-        assert collisions(leaf) == []
-        path = tmp_path / f"{k}.svg"
-        path.write_bytes(svg(lettered(leaf)))
-        verify_loaded(path, leaf, statics, comparison)
+    assert [found for leaf in leaves for found in collisions(leaf)] == []
+    assert faults_on(loaded_memo(statics, comparison), "forces", leaves) == []
 
 
 def test_every_force_on_a_scheme_has_one_arrow(checked: Checked) -> None:
@@ -266,7 +252,7 @@ def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() 
 
 
 @pytest.mark.rest
-def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Checked, tmp_path: Path) -> None:
+def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Checked) -> None:
     study, comparison, statics, whole = checked
     gone = np.arange(len(study.turn.phi)) == 5
     one, other = (without(road, gone) for road in (comparison.construction, comparison.analysis))
@@ -274,9 +260,10 @@ def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Ch
     leaf = forces.sheets(study, less, statics)[0]
 
     def ordinates(shown: Leaf, against: ForceComparison) -> set[int | None]:
-        (tmp_path / "sheet.svg").write_bytes(svg(lettered(shown)))
-        told = verify_loaded(tmp_path / "sheet.svg", shown, statics, against)
-        return {vector.position for vector in told.vectors if vector.plan == "balancing"}
+        assert faults_on(loaded_memo(statics, against), "forces", [shown]) == faults_on(
+            loaded_memo(statics, comparison), "forces", [whole]
+        )
+        return {vector.position for vector in measured(shown).vectors if vector.plan == "balancing"}
 
     assert ordinates(whole, comparison) - ordinates(leaf, less) == {5}
 

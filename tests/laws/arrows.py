@@ -1,0 +1,74 @@
+"""The law of arrows: a head lies at the end of its line, looks along it, and is as sharp as all (стрелки)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.walk import flat, groups
+
+LONG, SHARP = 5.0, math.radians(20)  # mm of a straight head on A1, and its angle
+SHARE = 1.5  # lengths of its head that a vector has at the least: a shorter one has a smaller head
+FINE = 0.02  # mm: less than a twentieth of the thinnest line
+MARKS = ("vector", "force")
+
+
+def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
+    """Name the arrows whose heads stand elsewhere, look elsewhere or have another shape."""
+    for group in groups(leaf.groups):
+        own = [*flat((group,))] if _is_arrow(group) else []
+        lines = [one for one in own if isinstance(one, Line)]
+        for head in own:
+            if isinstance(head, Fill | Polyline) and len(head.points) == 3 and lines:
+                wrong = _wrong(lines[0], head)
+                if wrong:
+                    yield f"{group.data.get('plan', '')} {group.data.get('name') or group.states}: its head {wrong}"
+        arc = next((one for one in own if isinstance(one, Arc)), None)
+        if arc is not None and not lines and not any(_on(arc, head) for head in own if _is_head(head)):
+            yield f"{group.states or group.data}: no head at an end of its arc"
+
+
+def _is_arrow(group: Group) -> bool:
+    stated = group.states is not None and group.states.kind in (Kind.DIRECTION, Kind.AXIS)
+    return stated or group.data.get("kind") in MARKS
+
+
+def _is_head(stroke: Stroke) -> bool:
+    return isinstance(stroke, Fill | Polyline) and len(stroke.points) == 3
+
+
+def _wrong(line: Line, head: Fill | Polyline) -> str:
+    """Say what is wrong with a head of a line that ends in its arrow."""
+    tip, back, half = _parts(head)
+    run = line.end - line.start
+    if not abs(run) > FINE:
+        return ""
+    if min(abs(tip - line.end), abs(tip - line.start)) > FINE:
+        return "is not at its end"
+    away = line.start if abs(tip - line.end) <= FINE else line.end
+    if abs(((back - tip) * run.conjugate()).imag) > FINE * abs(run):
+        return "does not lie along it"
+    long = abs(tip - back)
+    if long > min(LONG, abs(run) / SHARE) + FINE and ((tip - back) * (tip - away).conjugate()).real > 0:
+        return "is too large"
+    return "" if abs(half - long * math.tan(SHARP / 2)) <= 2 * FINE else "has another angle"
+
+
+def _parts(head: Fill | Polyline) -> tuple[complex, complex, float]:
+    """Give the tip of a head, the middle of its back, and half its width."""
+    points = head.points
+    far = [abs(2 * one - sum(points) + one) for one in points]
+    tip = points[far.index(max(far))]
+    wings = [one for one in points if one != tip]
+    return tip, sum(wings) / 2, abs(wings[0] - wings[-1]) / 2
+
+
+def _on(arc: Arc, head: Stroke) -> bool:
+    """Tell whether a head goes on from an end of an arc, or ends there, along its circle."""
+    assert isinstance(head, Fill | Polyline)
+    tip, back, _ = _parts(head)
+    round_ = all(abs(abs(spot - arc.centre) - arc.radius) <= FINE for spot in (tip, back))
+    return round_ and min(abs(spot - arc.at(share)) for spot in (tip, back) for share in (0.0, 1.0)) <= FINE
