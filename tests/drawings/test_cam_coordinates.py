@@ -27,7 +27,7 @@ from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
 from tests.drawings.planting import DrawingFault, planted
-from tests.drawings.rolling import apart
+from tests.drawings.nearness import apart
 from tests.gallery import GALLERY
 from tests.parts import first
 from tests.plans import cam_cases as cases
