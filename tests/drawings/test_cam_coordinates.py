@@ -26,8 +26,8 @@ from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
-from tests.drawings.planting import DrawingFault, planted
 from tests.drawings.nearness import apart
+from tests.drawings.planting import DrawingFault, planted
 from tests.gallery import GALLERY
 from tests.parts import first
 from tests.plans import cam_cases as cases
