@@ -12,10 +12,9 @@ from drawings.measure.measure import Measured
 from drawings.sheets import forces as sheets
 from geometry.draughtsman import DRAWINGS, Draughtsman
 from geometry.errors import DraftError
-from plans.bench.draughtsman import SLIPS, Toll, toll
-from plans.bench.error import Errors
-from plans.bench.forces import prepared
-from plans.bench.result import Row
+from plans.bench.error import SLIPS, Errors, Toll, toll
+from plans.bench.roads import statics_of
+from plans.bench.trial import Row
 from plans.bench.truth import Replay, replay
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
@@ -51,7 +50,7 @@ def of_forces(study: LinkageStudy, drawn: DrawnSheets, largest: Mapping[str, flo
     try:
         coarsest = _polygons(study, statics, drawn)
         positions = [k for k in coarsest if np.isfinite(statics.forces.balancing.moment[k])]
-        ready = prepared(study)
+        ready = statics_of(study)
         if ready is None or not positions:
             raise DraftError("no position of a force sheet has forces")
         scales = _scales(drawn.measured, positions) | {FORCES: np.array([coarsest[k] for k in positions])}

@@ -1,23 +1,28 @@
-"""A linkage and its forces at several numbers of positions, on paper and by hand, then the ratios (испытание)."""
+"""A linkage with its forces and its machine's motion: rows, paper, hands and ratios (испытание механизма)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from drawings.bench import hands, sheet
 from drawings.bench.startup import startup
 from geometry.draughtsman import SEED
 from geometry.errors import DraftError
-from plans.bench.draughtsman import SLIPS
-from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, TRUE, sizes
-from plans.bench.forces import FORCES_ANALYSED, FORCES_CONSTRUCTED, asked
+from plans.bench import machine, roads
+from plans.bench.chords import STRIPS, integration
+from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, SLIPS, TRUE, sizes
 from plans.bench.peers import MECHANISM, PYLINKAGE
-from plans.bench.result import Goal, Ratio, Row
-from plans.bench.roads import CONSTRUCTION, ROUNDING, NothingToMeasure, compared, ground, prepared, roads
-from plans.bench.trial import BUDGET, DRAWN, Found, Order, terms, timed
+from plans.bench.trial import BUDGET, DRAWN, Found, Goal, Order, Ratio, Row, terms, timed
+from plans.checks.compare import compare
+from plans.checks.dynamics_comparison import exact_turn
+from plans.dynamics.link import reduced_link
+from plans.dynamics.study import DynamicsStudy
 from plans.linkage.study import LinkageStudy
+from plans.model.order import VELOCITIES
 from plans.scene.scene import Scene
+from plans.study import Study
 from plans.words.words import message, placed
 
 SAMPLE = 24  # positions at which the truth is found: each takes 10 ms and more, and more of them show no other error
@@ -25,19 +30,19 @@ STARTS = 5  # cold starts at most: each takes the better part of a second, and t
 
 # Half of the work of three plans is the positions'; what a compiled loop and three fsolves a position cost more.
 GOALS: Mapping[tuple[str, int], Goal] = {
-    (CONSTRUCTION[0], 360): Goal(0.5, least=False),
-    (CONSTRUCTION[0], 100_000): Goal(0.5, least=False),
+    (roads.CONSTRUCTION[0], 360): Goal(0.5, least=False),
+    (roads.CONSTRUCTION[0], 100_000): Goal(0.5, least=False),
     (PYLINKAGE, 360): Goal(2.0),
     (PYLINKAGE, 100_000): Goal(8.0),
     (MECHANISM, 360): Goal(1000.0),
     # Forces take about as many acts as the motion that they rest on, and are read and judged besides.
-    (FORCES_CONSTRUCTED, 360): Goal(3.0, least=False),
+    (roads.FORCES_CONSTRUCTED, 360): Goal(3.0, least=False),
 }
 PAIRS = (
-    (CONSTRUCTION[0], CONSTRUCTION[-1], "construction: positions / all"),
-    *((name, CONSTRUCTION[-1], f"{name} / construction: all") for name in (PYLINKAGE, MECHANISM, ROUNDING)),
-    (FORCES_CONSTRUCTED, CONSTRUCTION[-1], "construction: forces, kinematics in them / all"),
-    (FORCES_ANALYSED, FORCES_CONSTRUCTED, f"{FORCES_ANALYSED} / {FORCES_CONSTRUCTED}"),
+    (roads.CONSTRUCTION[0], roads.CONSTRUCTION[-1], "construction: positions / all"),
+    *((name, roads.CONSTRUCTION[-1], f"{name} / construction: all") for name in (PYLINKAGE, MECHANISM, roads.ROUNDING)),
+    (roads.FORCES_CONSTRUCTED, roads.CONSTRUCTION[-1], "construction: forces, kinematics in them / all"),
+    (roads.FORCES_ANALYSED, roads.FORCES_CONSTRUCTED, f"{roads.FORCES_ANALYSED} / {roads.FORCES_CONSTRUCTED}"),
 )
 PENS, PENS_GOAL = "writing the sheet: svgwrite's defaults / ours", Goal(5.0)
 NO_SHEET = f"a sheet shows at most {DRAWN} positions"
@@ -46,10 +51,10 @@ NO_SHEET = f"a sheet shows at most {DRAWN} positions"
 def linkage(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
     """Time and judge every technique of a scene's linkage, and of its forces."""
     if not LinkageStudy(scene).mechanism.drive.turns:
-        raise NothingToMeasure(placed(scene.file, message("refused.bench_stroke")))
-    first = prepared(scene, SIZED)
+        raise roads.NothingToMeasure(placed(scene.file, message("refused.bench_stroke")))
+    first = roads.prepared(scene, SIZED)
     if first.lost.all():
-        raise NothingToMeasure.of(scene)
+        raise roads.NothingToMeasure.of(scene)
     largest, rows = sizes(first), list[Row]()
     for count in order.positions:
         tell(f"{count} positions")
@@ -60,15 +65,15 @@ def linkage(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
     if order.startup:
         tell("start-up")
         ratios += _startup(scene, order)
-    words = (*_words(order), *told, *((FORCES_DEFINED, hands.SCALED) if asked(first) else ()))
+    words = (*_words(order), *told, *((FORCES_DEFINED, hands.SCALED) if roads.asked(first) else ()))
     return Found([*rows, *drawn], words, ratios, bool(LinkageStudy(scene).lost.any()))
 
 
 def _at(scene: Scene, count: int, order: Order, largest: Mapping[str, float]) -> list[Row]:
     """Give the rows of one number of positions."""
-    found = ground(scene, count, SAMPLE, largest)
-    peers, left_out = compared(found)
-    ways = [*roads(found), *peers]
+    found = roads.ground(scene, count, SAMPLE, largest)
+    peers, left_out = roads.compared(found)
+    ways = [*roads.roads(found), *peers]
     if count <= order.drawn:
         ways.append(sheet.road(found))
     else:
@@ -82,14 +87,14 @@ def _paper(scene: Scene, order: Order, largest: Mapping[str, float]) -> tuple[Se
     count = min(order.positions)
     if count > DRAWN:
         return hands.left_out(hands.BY_HAND, NO_SHEET), Ratio(PENS, None, goal=PENS_GOAL, note=NO_SHEET), ()
-    study = prepared(scene, count)
+    study = roads.prepared(scene, count)
     try:
         drawn = sheet.draw(study)
         rows, told = hands.of_motion(study, drawn, largest)
     except DraftError as error:
         why = f"left out: {error}"
         return hands.left_out(hands.BY_HAND, why), Ratio(PENS, None, goal=PENS_GOAL, note=why), ()
-    if asked(study):
+    if roads.asked(study):
         rows += hands.of_forces(study, drawn, largest)
     first, second = sheet.pens(max(drawn.leaves, key=lambda leaf: len(leaf.groups)), order.rounds)
     return rows, Ratio(PENS, count, first, second, PENS_GOAL), told
@@ -127,3 +132,20 @@ def _words(order: Order) -> tuple[str, ...]:
         f"{' and '.join(f'{slip:g}' for slip in SLIPS)} mm out to either side in x and in y (evenly spread, seed "
         f"{SEED}): pricked points, ruled lines, a compass's opening, vectors carried; not timed",
     )
+
+
+def dynamics(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
+    """Time and judge the motion of a scene's machine: graphical integration, flywheel, run."""
+    found: DynamicsStudy = Study(scene)["dynamics"]
+    rounds, counts = min(order.rounds, machine.ROUNDS), STRIPS if order.startup else STRIPS[:4]
+    tell("graphical integration")
+    parts = [integration(rounds, counts)]
+    tell("the flywheel")
+    exact = partial(exact_turn, found, compare(found.linkage, VELOCITIES.number))
+    asked = found.task.delta is not None
+    parts.append(machine.by_strips(found, exact, rounds, counts) if asked else Found([], [machine.NO_FLYWHEEL]))
+    parts.append(machine.by_positions(exact(), found.task, rounds, counts))
+    tell("the run")
+    if found.motor is not None and found.run is not None and found.run.failure is None:
+        parts.append(machine.by_steps(reduced_link(found.works, found.constant), found.motor, found.run_task))
+    return Found([row for part in parts for row in part.rows], [word for part in parts for word in part.words])

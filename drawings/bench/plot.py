@@ -15,23 +15,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from drawings.bench.hands import BY_HAND, FORCES_BY_HAND
 from drawings.bench.sheet import MEASURED, PRINTED
 from geometry.meet import EPS
-from plans.bench.draughtsman import SLIPS
-from plans.bench.forces import ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, POWER
+from plans.bench import roads
+from plans.bench.error import SLIPS
 from plans.bench.peers import MECHANISM, PYLINKAGE
-from plans.bench.result import Bench, Row
-from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
+from plans.bench.trial import Bench, Row
 from plans.bench.truth import NotInstalled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 SIZE = (9.6, 5.0)  # inches: two thirds of an A4 page across; the legend and the foot stand below
-TITLE, FOOT, UNDER, LINE = (
-    0.46,
-    1.6,
-    0.36,
-    0.17,
-)  # inches above the axes, below them, from them to the legend, of a line
+TITLE, FOOT, UNDER, LINE = 0.46, 1.6, 0.36, 0.17  # inches above the axes, below, from them to the legend, of its line
 COLUMNS, LEGEND = 3, 3  # of the legend, and its lines that the foot has room for
 GREY = "#707070"
 LOWEST, HIGHEST = 1e-17, 1.0  # from under a rounding of float64, where the truth stands, to no likeness at all
@@ -54,36 +48,20 @@ class Series(NamedTuple):
     line: str
 
 
-class PlotPoint(NamedTuple):
-    """Where a row stands: time of one position, error, and its number of positions."""
-
-    time: float
-    error: float
-    positions: int
-
-
+Spot = tuple[float, float, int]  # time of one position, error, number of positions
+NAMED = (
+    *roads.CONSTRUCTION, *map(roads.newton, roads.TOLERANCES), roads.ROUNDING, MEASURED, PRINTED, PYLINKAGE, MECHANISM,
+    roads.FORCES_CONSTRUCTED, roads.FORCES_ANALYSED, roads.LEVER, roads.POWER, roads.ENERGY,
+)  # fmt: skip
+MARKERS = "osO^vTDBPXSV<>d"  # a capital for a filled one that is hollow elsewhere
+SHAPES = {"O": "o", "T": "^", "B": "D", "S": "s", "V": "v"}
+RULES = (":", "--", "-", ":", "--", "-", "-.", "-.", "-", "-", "-", "-", ":", "--", "-.")
 LOOKS = {
-    CONSTRUCTION[0]: Series("o", False, ":"),
-    CONSTRUCTION[1]: Series("s", False, "--"),
-    CONSTRUCTION[2]: Series("o", True, "-"),
-    newton(TOLERANCES[0]): Series("^", False, ":"),
-    newton(TOLERANCES[1]): Series("v", False, "--"),
-    ROUNDING: Series("^", True, "-"),
-    MEASURED: Series("D", False, "-."),
-    PRINTED: Series("D", True, "-."),
-    PYLINKAGE: Series("P", False, "-"),
-    MECHANISM: Series("X", True, "-"),
-    FORCES_CONSTRUCTED: Series("s", True, "-"),
-    FORCES_ANALYSED: Series("v", True, "-"),
-    LEVER: Series("<", False, ":"),
-    POWER: Series(">", False, "--"),
-    ENERGY: Series("d", False, "-."),
+    name: Series(SHAPES.get(marker, marker), marker in (*SHAPES, "X"), rule)
+    for name, marker, rule in zip(NAMED, MARKERS, RULES, strict=True)
 }
 # Looks of the techniques that have none of their own, in the order of their rows.
-SPARE = (
-    *(Series(marker, True, "-") for marker in "Pp*<>dh"),
-    *(Series(marker, False, ":") for marker in "Xp*h+x"),
-)
+SPARE = [Series(marker, True, "-") for marker in "Pp*<>dh"] + [Series(marker, False, ":") for marker in "Xp*h+x"]
 STYLE: Any = {  # matplotlib's own settings, named as it names them
     "svg.hashsalt": "plandraft",  # the same numbers, the same bytes
     "svg.fonttype": "path",
@@ -97,9 +75,8 @@ STYLE: Any = {  # matplotlib's own settings, named as it names them
 def ready() -> None:
     """Say before anything is measured that the plot could not be drawn."""
     if find_spec("matplotlib") is None:
-        raise NotInstalled(
-            "-o draws a plot by matplotlib, which is not installed. Fix: python -m pip install '.[bench]'"
-        )
+        why = "-o draws a plot by matplotlib, which is not installed. Fix: python -m pip install '.[bench]'"
+        raise NotInstalled(why)
 
 
 def svg(bench: Bench) -> bytes:
@@ -109,9 +86,9 @@ def svg(bench: Bench) -> bytes:
     from matplotlib.figure import Figure  # noqa: PLC0415
 
     counts = sorted({row.positions for row in bench.rows if row.positions})
+    looks = {name: look for name, look in looks_of(bench.rows).items() if _spots(bench.rows, name)}
     with mpl.rc_context(STYLE):
-        looks = looks_of(bench.rows)
-        foot = FOOT + LINE * max(math.ceil(_shown(bench.rows, looks) / COLUMNS) - LEGEND, 0)
+        foot = FOOT + LINE * max(math.ceil(len(looks) / COLUMNS) - LEGEND, 0)
         whole = SIZE[1] + foot
         figure = Figure(figsize=(SIZE[0], whole))
         FigureCanvasSVG(figure)
@@ -137,9 +114,8 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int], looks: Mapping[str, 
     axes.set_yscale("log")
     axes.set_ylim(LOWEST, HIGHEST)
     for name, look in looks.items():
-        if spots := _spots(bench.rows, name):
-            _series(axes, name, look, spots, counts)
-    _truth(axes, [row.each for row in bench.rows if row.technique == REPLAY and row.each])
+        _series(axes, name, look, _spots(bench.rows, name), counts)
+    _truth(axes, [row.each for row in bench.rows if row.technique == roads.REPLAY and row.each])
     _level(axes, bench.accepted, "accepted", 4)
     _level(axes, EPS, "eps of float64", -9)
     low, high = axes.get_xlim()
@@ -152,34 +128,28 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int], looks: Mapping[str, 
 
 def looks_of(rows: Sequence[Row]) -> dict[str, Series]:
     """Give how every technique is drawn: those of linkages alike on every plot, others as they come."""
-    known = {*LOOKS, REPLAY}  # the truth has no place: an arrow points to it
+    known = {*LOOKS, roads.REPLAY}  # the truth has no place: an arrow points to it
     others = dict.fromkeys(row.technique for row in rows if row.technique not in known and row.each)
     return LOOKS | dict(zip(others, itertools.cycle(SPARE), strict=False))
 
 
-def _shown(rows: Sequence[Row], looks: Mapping[str, Series]) -> int:
-    return sum(bool(_spots(rows, name)) for name in looks)
-
-
-def _series(axes: Axes, name: str, look: Series, spots: Sequence[PlotPoint], counts: Sequence[int]) -> None:
+def _series(axes: Axes, name: str, look: Series, spots: Sequence[Spot], counts: Sequence[int]) -> None:
     """Draw a technique's line, its markers growing along it, and one of each for the legend."""
     face = "black" if look.filled else "white"
-    axes.plot([s.time for s in spots], [s.error for s in spots], look.line, color="black", linewidth=0.8)
-    for spot in spots:
-        size = SMALLEST + GROWTH * counts.index(spot.positions)
-        axes.plot(spot.time, spot.error, look.marker, markersize=size, markerfacecolor=face, markeredgecolor="black")
+    axes.plot([time for time, *_ in spots], [error for _, error, _ in spots], look.line, color="black", linewidth=0.8)
+    for time, error, positions in spots:
+        size = SMALLEST + GROWTH * counts.index(positions)
+        axes.plot(time, error, look.marker, markersize=size, markerfacecolor=face, markeredgecolor="black")
     axes.plot([], [], look.line, marker=look.marker, color="black", markerfacecolor=face, label=name)
 
 
 def _truth(axes: Axes, times: Sequence[float]) -> None:
     """Point down to the truth: its error is none, so it has no place on a logarithmic axis."""
-    if times:
-        at = sorted(times)[len(times) // 2]
-        arrow = {"arrowstyle": "-|>", "color": "black", "shrinkB": 0.0}
-        text = "replay in 50 digits:\nthe truth, error 0"
+    for at in sorted(times)[len(times) // 2 :][:1]:
         axes.annotate(
-            text, (at, LOWEST), (at, LOWEST * 12), ha="center", va="bottom", fontsize=7, arrowprops=arrow, bbox=PAPER
-        )
+            "replay in 50 digits:\nthe truth, error 0", (at, LOWEST), (at, LOWEST * 12), ha="center", va="bottom",
+            fontsize=7, arrowprops={"arrowstyle": "-|>", "color": "black", "shrinkB": 0.0}, bbox=PAPER,
+        )  # fmt: skip
 
 
 def _level(axes: Axes, error: float, text: str, above: float) -> None:
@@ -208,21 +178,17 @@ def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
     axes.set_axisbelow(True)
 
 
-def _spots(rows: Sequence[Row], name: str) -> list[PlotPoint]:
+def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
     """Find a technique's spots: where it has both a time and a finite error."""
-    found = [(row, row.each, row.error) for row in rows if row.technique == name and row.positions]
-    return [
-        PlotPoint(time, max(error, LOWEST), row.positions or 0)
-        for row, time, error in found
-        if time and error is not None and math.isfinite(error)
-    ]
+    found = ((row.each, row.error, row.positions) for row in rows if row.technique == name)
+    return [(time, max(e, LOWEST), k) for time, e, k in found if time and k and e is not None and math.isfinite(e)]
 
 
 def _foot(bench: Bench, counts: Sequence[int]) -> str:
     told = ", ".join(f"{count:,}".replace(",", " ") for count in counts)
     techniques = {row.technique for row in bench.rows if row.each}
-    forces = OF_FORCES if FORCES_CONSTRUCTED in techniques else ""
-    if not techniques <= {*LOOKS, REPLAY}:
+    forces = OF_FORCES if roads.FORCES_CONSTRUCTED in techniques else ""
+    if not techniques <= {*LOOKS, roads.REPLAY}:
         forces += OF_OTHERS
     return (
         f"{ERROR}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "

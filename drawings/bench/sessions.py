@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Final
 
-from plans.bench.result import Bench, machine
-from plans.bench.trial import Found, Order
+from plans.bench.trial import Bench, Found, Order, machine
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.techniques import named
@@ -16,7 +15,7 @@ SESSIONS: Final[Mapping[str, str]] = {
     "linkage": "drawings.bench.linkage:linkage",
     "diagrams": "plans.bench.chords:diagrams",
     "forces": "drawings.bench.linkage:linkage",
-    "dynamics": "plans.bench.machine:dynamics",
+    "dynamics": "drawings.bench.linkage:dynamics",
     "balance": "drawings.bench.balance_sheet:balance",
     "bank": "plans.bench.unbalance:bank",
     "rotor": "drawings.bench.balance_sheet:rotor",

@@ -17,10 +17,9 @@ from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
 from drawings.sheets import kinematics
-from plans.bench.clock import Times, interleaved
 from plans.bench.error import Errors, errors
 from plans.bench.roads import Ground
-from plans.bench.trial import BUDGET, Road
+from plans.bench.trial import BUDGET, Road, Times, interleaved
 from plans.bench.truth import Exact, Truth, replay
 from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy

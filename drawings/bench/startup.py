@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from plans.bench.clock import Times, interleaved
+from plans.bench.trial import Times, interleaved
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not
 DRAW = "from drawings.commands.process import run; run()"
@@ -34,10 +34,10 @@ def _process(folder: str, *arguments: str) -> Callable[[], object]:
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     environment |= {"PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONPYCACHEPREFIX": folder}
     command = [sys.executable, "-c", *arguments]
-    return lambda: _made(subprocess.run(command, env=environment, capture_output=True, check=False))
 
+    def run() -> None:
+        ended = subprocess.run(command, env=environment, capture_output=True, check=False)
+        if ended.returncode not in MADE:  # no time is told of a run that made nothing
+            ended.check_returncode()
 
-def _made(ended: subprocess.CompletedProcess[bytes]) -> None:
-    """Let no time be told of a run that made nothing."""
-    if ended.returncode not in MADE:
-        ended.check_returncode()
+    return run

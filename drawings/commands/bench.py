@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from drawings.bench import plot, record, sessions, table
+from drawings.bench import plot, report, sessions
 from drawings.files import atomic_files
 from geometry.errors import LimitError
 from plans.bench.trial import ACCEPTED, DRAWN, Order
@@ -26,10 +26,10 @@ def run(options: argparse.Namespace) -> int:
         plot.ready()
         atomic_files.prepare(options.output)
     found = sessions.session(scene, order(options), _tell)
-    print(record.json_text(found) if options.json else table.written(found))
+    print(report.json_text(found) if options.json else report.written(found))
     if options.output is not None:
         stem = options.output / f"{Path(scene.file).stem}-bench"
-        written = {stem.with_suffix(".csv"): record.csv_bytes(found), stem.with_suffix(".svg"): plot.svg(found)}
+        written = {stem.with_suffix(".csv"): report.csv_bytes(found), stem.with_suffix(".svg"): plot.svg(found)}
         for path, content in written.items():
             atomic_files.write(path, content)
             print(path, file=sys.stderr if options.json else sys.stdout)

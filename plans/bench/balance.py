@@ -97,7 +97,7 @@ def roads(on: Ground) -> list[Road]:
         found: MassCentre = mass_centre(study.mechanism, list(points.bodies.values()), road.motion(study.turn.phi))
         return Centre(found.r, found.force)
 
-    ways = {
+    ways: dict[str, Callable[[], Centre]] = {
         MAIN_POINTS: partial(drawn, by_main_points, 1.0, -points.mass),
         LINKS: partial(drawn, by_links, 1 / points.mass, 1.0),
         SUMS: summed,

@@ -16,8 +16,7 @@ import numpy as np
 from geometry.replay import exact
 from plans.analytic.cam.contour import Curve, mirrored
 from plans.bench.error import Errors
-from plans.bench.result import Goal, Ratio, Row
-from plans.bench.trial import NOT_INSTALLED, Found, Order, Road, orders, timed
+from plans.bench.trial import NOT_INSTALLED, Found, Goal, Order, Ratio, Road, Row, orders, timed
 from plans.cam.course import Course
 from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
 from plans.cam.path import ProfilePath, path

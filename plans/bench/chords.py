@@ -16,9 +16,8 @@ from geometry.board import Board
 from geometry.calculus import integral
 from geometry.strips import departure, middles, strips
 from plans.bench.error import Errors
-from plans.bench.result import Row
 from plans.bench.roads import prepared
-from plans.bench.trial import Found, Order, Road, orders, timed
+from plans.bench.trial import Found, Order, Road, Row, orders, timed
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Diagrams, chord_error
 from plans.model.motion import Floats
@@ -75,7 +74,7 @@ def _load(x: Floats) -> Floats:
 
 
 def _work(x: Floats) -> Floats:
-    return LOAD * (np.cos(JUMPS[0]) - np.cos(np.clip(x, *JUMPS)))
+    return np.asarray(LOAD * (np.cos(JUMPS[0]) - np.cos(np.clip(x, *JUMPS))))
 
 
 DIAGRAMS: Sequence[Diagram] = (

@@ -14,23 +14,16 @@ from plans.analytic.dynamics import run as solver
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
 from plans.analytic.dynamics.exact import Exact
 from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
-from plans.bench import chords
 from plans.bench.error import Errors
-from plans.bench.result import Row
-from plans.bench.trial import Found, Order, Road, order, orders, timed
-from plans.checks.compare import compare
-from plans.checks.dynamics_comparison import exact_turn
+from plans.bench.trial import Found, Road, Row, order, orders, timed
 from plans.dynamics import run as table
 from plans.dynamics.cycle import Turn
-from plans.dynamics.link import reduced_link
 from plans.dynamics.loop import loop
 from plans.dynamics.study import DynamicsStudy
 from plans.model.dynamics import TURN, Task
+from plans.model.motion import Floats
 from plans.model.motor import Motor
-from plans.model.order import VELOCITIES
 from plans.model.run import RUN_UP, ReducedLink, Run, RunTask
-from plans.scene.scene import Scene
-from plans.study import Study
 
 ROUNDS = 5  # at most: a turn of thousands of strips takes the better part of a second
 CHORDS, SAMPLED, EXACT = "construction: chords, loop", "analysis: the same strips", "analysis: exact turn"
@@ -52,22 +45,6 @@ SAMPLED_DEFINED = (
 RUN_DEFINED = "error of a run: the time of its run-up, in shares of it; the truth is the solver's, to its tolerance"
 
 
-def dynamics(scene: Scene, wanted: Order, tell: Callable[[str], None]) -> Found:
-    """Time and judge the motion of a scene's machine."""
-    found: DynamicsStudy = Study(scene)["dynamics"]
-    rounds, counts = min(wanted.rounds, ROUNDS), chords.STRIPS if wanted.startup else chords.STRIPS[:4]
-    tell("graphical integration")
-    parts = [chords.integration(rounds, counts)]
-    tell("the flywheel")
-    exact = partial(exact_turn, found, compare(found.linkage, VELOCITIES.number))
-    parts.append(by_strips(found, exact, rounds, counts) if found.task.delta is not None else Found([], [NO_FLYWHEEL]))
-    parts.append(by_positions(exact(), found.task, rounds, counts))
-    tell("the run")
-    if found.motor is not None and found.run is not None and found.run.failure is None:
-        parts.append(by_steps(reduced_link(found.works, found.constant), found.motor, found.run_task))
-    return Found([row for part in parts for row in part.rows], [word for part in parts for word in part.words])
-
-
 def by_strips(study: DynamicsStudy, exact: Callable[[], Exact], rounds: int, counts: Sequence[int]) -> Found:
     """Time and judge the flywheel by chords over strips, and by the exact turn over the same ordinates."""
     turn, task = exact(), study.task
@@ -85,7 +62,7 @@ def _chords(study: DynamicsStudy, count: int) -> float:
     return loop(Turn(study.reduction, count).works.cycle, study.task).flywheel.whole
 
 
-def _sampled(turn: Exact, task: Task, edges: chords.Floats) -> float:
+def _sampled(turn: Exact, task: Task, edges: Floats) -> float:
     return flywheel_of_points(sampled_cycle(turn, edges), task).whole
 
 

@@ -9,10 +9,9 @@ import cmath
 import math
 import warnings
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from importlib.metadata import version
 from importlib.util import find_spec
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -30,8 +29,7 @@ NOT_FOUR_BAR = "left out: no four-bar (a crank and one RRR dyad on the frame)"
 GAPPED = "left out: some positions cannot be assembled, at which a peer stops"
 
 
-@dataclass(frozen=True)
-class FourBar:
+class FourBar(NamedTuple):
     """A crank OA, a coupler AB with its points, a rocker CB; places from O, lengths m, points in the coupler's frame.
 
     `coupler` is the coupler's vector AB in its own frame, `rocker` the rocker's CB in its own.
@@ -46,8 +44,7 @@ class FourBar:
     points: Mapping[str, complex]  # from A, in the direction of AB
 
 
-@dataclass(frozen=True)
-class Peer:
+class Peer(NamedTuple):
     """A peer ready to run: `run` is timed, `motion` reads its results and is not."""
 
     name: str
@@ -74,15 +71,13 @@ def four_bar(study: LinkageStudy) -> FourBar | None:
         return None
     own = links[coupler].points
     span = own[b] - own[a]
+    points = {name: (place - own[a]) / span * abs(span) for name, place in own.items() if name not in (a, b)}
     return FourBar(
-        letters=(drive.pivot, a, b, c),
-        links=(drive.link, coupler, rocker),
-        crank=links[drive.link].points[a] - links[drive.link].points[drive.pivot],
-        coupler=span,
-        rocker=links[rocker].points[b] - links[rocker].points[c],
-        base=links[FRAME].points[c] - links[FRAME].points[drive.pivot],
-        points={name: (place - own[a]) / span * abs(span) for name, place in own.items() if name not in (a, b)},
-    )
+        (drive.pivot, a, b, c), (drive.link, coupler, rocker),
+        links[drive.link].points[a] - links[drive.link].points[drive.pivot], span,
+        links[rocker].points[b] - links[rocker].points[c],
+        links[FRAME].points[c] - links[FRAME].points[drive.pivot], points,
+    )  # fmt: skip
 
 
 def peers(study: LinkageStudy) -> tuple[list[Peer], dict[str, str]]:
@@ -109,7 +104,8 @@ def _pylinkage(study: LinkageStudy, bar: FourBar) -> Peer:
     from pylinkage.dyads import FixedDyad, RRRDyad  # noqa: PLC0415
     from pylinkage.simulation import Linkage  # noqa: PLC0415
 
-    count, drive, first = len(study.turn), study.mechanism.drive, _first(study, bar)
+    count, drive = len(study.turn), study.mechanism.drive
+    first = complex(study.motion(0).points[bar.letters[2]].r[0])  # pylinkage must be shown the assembly
     o, c = Ground(0.0, 0.0, name="O"), Ground(bar.base.real, bar.base.imag, name="C")
     step, start = study.sense * 2 * math.pi / count, float(study.turn.phi[0])
     crank = Crank(anchor=o, radius=abs(bar.crank), angular_velocity=step, initial_angle=start, name="A")
@@ -164,11 +160,6 @@ def _mechanism(study: LinkageStudy, bar: FourBar) -> Peer:
         return Motion(MECHANISM, phi, points, links, ())
 
     return Peer(MECHANISM, run, read)
-
-
-def _first(study: LinkageStudy, bar: FourBar) -> complex:
-    """Give the place of B in the first position: pylinkage must be shown the assembly."""
-    return complex(study.motion(0).points[bar.letters[2]].r[0])
 
 
 def _guess(study: LinkageStudy, bar: FourBar) -> tuple[Floats, ...]:

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from drawings import VERSION
-from drawings.bench import hands, plain_pen, plot, record, sessions, sheet, startup
+from drawings.bench import hands, plain_pen, plot, report, sessions, sheet, startup
 from drawings.bench.hands import FORCES_BY_HAND
 from drawings.commands import bench as command
 from drawings.commands import cli
@@ -26,12 +26,11 @@ from drawings.lettering.lettering import lettered, outline
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
 from geometry.errors import DraftError
-from plans.bench import draughtsman, forces
-from plans.bench.error import sizes
+from plans.bench import roads as forces
+from plans.bench.error import SLIPS, sizes
 from plans.bench.peers import PYLINKAGE
-from plans.bench.result import Bench, Goal
 from plans.bench.roads import CONSTRUCTION, Ground, ground, newton, prepared
-from plans.bench.trial import Order
+from plans.bench.trial import Bench, Goal, Order
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
 from tests.drawings.test_commands import GAPPED
@@ -53,7 +52,7 @@ def quick() -> Bench:
 def test_a_session_has_a_row_for_every_technique(quick: Bench) -> None:
     rows = {row.technique: row for row in quick.rows}
     assert set(TECHNIQUES) <= set(rows)
-    assert {hands.BY_HAND.format(slip) for slip in draughtsman.SLIPS} <= set(rows)
+    assert {hands.BY_HAND.format(slip) for slip in SLIPS} <= set(rows)
     assert all(rows[name].times and len(rows[name].times.seconds) == 1 for name in TECHNIQUES)
     assert "no four-bar" in rows[PYLINKAGE].note
 
@@ -218,7 +217,7 @@ def test_a_scene_of_forces_has_rows_for_them(loaded: Bench) -> None:
         assert all(rows[name].times and rows[name].error is not None for name in forces.TECHNIQUES)
         assert rows[forces.FORCES_CONSTRUCTED].error < 1e-14
     hands = {row.technique: row for row in loaded.rows if row.positions is None}
-    one, two = (hands[FORCES_BY_HAND.format(slip)] for slip in draughtsman.SLIPS)
+    one, two = (hands[FORCES_BY_HAND.format(slip)] for slip in SLIPS)
     assert one.error is not None and two.error == pytest.approx(2 * one.error, rel=0.1)
     assert 1e-4 < one.error < one.often < 0.05
 
@@ -243,7 +242,7 @@ def test_the_plot_and_the_csv_show_the_forces(loaded: Bench) -> None:
     drawn = plot.svg(loaded).decode("utf-8")
     for text in (*forces.TECHNIQUES, "F"):
         assert f"<!-- {text} -->" in drawn
-    found = {line["technique"]: line for line in lines(record.csv_bytes(loaded)) if line["positions"] == "360"}
+    found = {line["technique"]: line for line in lines(report.csv_bytes(loaded)) if line["positions"] == "360"}
     row = found[forces.FORCES_CONSTRUCTED]
     assert 0 < float(row["error_R"]) < 1e-14 and 0 < float(row["error_M"]) < 1e-14
     assert row["error_v"] == "" and row["accepted"] == "True"
@@ -378,7 +377,7 @@ def test_words_of_the_command_line_go_before_those_of_quick() -> None:
 
 def test_a_hand_is_held_against_the_books(quick: Bench) -> None:
     told: Any = [word for word in quick.words if word.startswith("  by hand")]
-    assert len(told) == len(draughtsman.SLIPS)
+    assert len(told) == len(SLIPS)
     medians = [float(word.split(": ")[1].partition("%")[0]) for word in told]
     assert medians[1] / medians[0] == pytest.approx(2.0, rel=0.05)
     assert np.all(np.array(medians) < hands.BOOKS_MEDIAN)  # books are smaller than this sheet

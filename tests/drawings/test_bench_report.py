@@ -11,14 +11,12 @@ from xml.etree import ElementTree
 
 import pytest
 
-from drawings.bench import hands, plot, record, sheet, table
+from drawings.bench import hands, plot, report, sheet
 from plans.bench import cams, cyclogram
-from plans.bench.clock import Times
 from plans.bench.error import Errors
 from plans.bench.peers import MECHANISM, PYLINKAGE
-from plans.bench.result import Bench, Computer, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
-from plans.bench.trial import NOT_INSTALLED
+from plans.bench.trial import NOT_INSTALLED, Bench, Computer, Goal, Ratio, Row, Times
 from plans.bench.truth import KINDS
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -50,9 +48,9 @@ def lines(content: bytes) -> list[dict[str, str]]:
 
 
 def test_every_line_of_the_csv_has_its_error_its_times_and_its_machine() -> None:
-    found = lines(record.csv_bytes(invented()))
+    found = lines(report.csv_bytes(invented()))
     assert len(found) == len(invented().rows)
-    assert tuple(found[0]) == record.COLUMNS
+    assert tuple(found[0]) == report.COLUMNS
     assert {f"error_{kind}" for kind in KINDS} <= set(found[0])
     first = found[0]
     assert (first["technique"], first["positions"], first["worst"]) == (CONSTRUCTION[0], "12", "v_B")
@@ -65,7 +63,7 @@ def test_every_line_of_the_csv_has_its_error_its_times_and_its_machine() -> None
 
 
 def test_the_json_is_plain_and_whole() -> None:
-    told = json.loads(record.json_text(invented()))
+    told = json.loads(report.json_text(invented()))
     assert told["machine"]["processor"] == "Abacus 9"
     assert [ratio["reached"] for ratio in told["ratios"]] == [True, False, None]
     assert (told["ratios"][0]["ratio"], told["ratios"][0]["goal"]) == (8.0, 5.0)
@@ -75,13 +73,13 @@ def test_the_json_is_plain_and_whole() -> None:
 
 def test_an_infinite_error_is_a_word_in_the_json() -> None:
     rows = (Row("lost", 12, 12, Errors({"v": math.inf}, "v_B"), times=Times((1.0,))),)
-    told = json.loads(record.json_text(replace(invented(), rows=rows)))
+    told = json.loads(report.json_text(replace(invented(), rows=rows)))
     assert told["rows"][0]["error"] == "infinite"
     assert told["rows"][0]["accepted"] is False
 
 
 def test_the_table_tells_goals_and_verdicts() -> None:
-    text = table.written(invented())
+    text = report.written(invented())
     assert "Abacus 9, 4 cores" in text
     (reached,) = (line for line in text.splitlines() if line.startswith("this / that"))
     assert reached.split()[-3:] == [">=", "5", "yes"]
@@ -137,7 +135,7 @@ def test_a_plot_of_gaps_alone_is_still_a_plot() -> None:
 
 def test_a_title_like_a_formula_is_written_as_text() -> None:
     for title in ('=HYPERLINK("http://x","y")', "+1", "-1", "@SUM(1)"):
-        lines = csv.DictReader(io.StringIO(record.csv_bytes(replace(invented(), title=title)).decode("utf-8")))
+        lines = csv.DictReader(io.StringIO(report.csv_bytes(replace(invented(), title=title)).decode("utf-8")))
         assert {line["scene"] for line in lines} == {f"'{title}"}
-    plain = next(csv.DictReader(io.StringIO(record.csv_bytes(invented()).decode("utf-8"))))
+    plain = next(csv.DictReader(io.StringIO(report.csv_bytes(invented()).decode("utf-8"))))
     assert plain["scene"] == invented().title

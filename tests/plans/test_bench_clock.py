@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import pytest
 
-from plans.bench import clock
-from plans.bench.clock import LEAST_ROUNDS, Times, interleaved
+from plans.bench import trial as clock
+from plans.bench.trial import LEAST_ROUNDS, Times, interleaved
 
 
 @pytest.fixture

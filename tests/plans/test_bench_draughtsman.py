@@ -12,8 +12,7 @@ from geometry import draughtsman, precision
 from geometry.draughtsman import Draughtsman
 from geometry.hand_error import EDGE
 from geometry.meet import EPS
-from plans.bench.draughtsman import Toll, drawn, toll
-from plans.bench.error import sizes
+from plans.bench.error import Toll, drawn, sizes, toll
 from plans.bench.truth import replay
 from plans.model.mechanism import Mechanism
 from tests.parts import some

@@ -13,11 +13,22 @@ import pytest
 from geometry.draughtsman import Draughtsman
 from geometry.errors import DraftError
 from geometry.meet import EPS
-from plans.bench import forces
-from plans.bench.draughtsman import drawn, toll
-from plans.bench.error import Errors, errors, sizes
-from plans.bench.forces import CHECKS, ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, TECHNIQUES, ForceGround
-from plans.bench.roads import Ground, ground, prepared, roads, with_positions
+from plans.bench import roads as forces
+from plans.bench.error import Errors, drawn, errors, sizes, toll
+from plans.bench.roads import (
+    CHECKS,
+    ENERGY,
+    FORCES_ANALYSED,
+    FORCES_CONSTRUCTED,
+    LEVER,
+    TECHNIQUES,
+    ForceGround,
+    Ground,
+    ground,
+    prepared,
+    roads,
+    with_positions,
+)
 from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
 from plans.checks.compare import notches
 from plans.forces.force_template import ForcePattern
@@ -90,7 +101,7 @@ def test_the_three_checks_give_the_balancing_moment() -> None:
 def test_the_truth_is_the_worked_example() -> None:
     """The book's six-link machine at 60 degrees, ten digits."""
     study = prepared(scene(), 6)
-    truth = replay(study, [0], forces.prepared(study)).truth()
+    truth = replay(study, [0], forces.statics_of(study)).truth()
     for key, (x, y) in ((key, WORKED["shaper"][key]) for key in ("0-3", "3-4", "4-5")):
         assert complex(truth.values["R", key].near[0]) == pytest.approx(complex(x, y), rel=1e-9)
     assert truth.values["M", "bal"].near[0] == pytest.approx(WORKED["shaper"]["moment"], rel=1e-9)
@@ -101,7 +112,7 @@ def test_the_true_forces_on_the_ram_are_in_balance_to_thirty_digits() -> None:
     mp = mpmath.mp.clone()
     mp.dps = 40
     study = prepared(scene(), 12)
-    statics = forces.prepared(study)
+    statics = forces.statics_of(study)
     assert statics is not None
     truth = replay(study, range(12), statics).truth()
 
@@ -123,7 +134,7 @@ def test_the_true_forces_on_the_ram_are_in_balance_to_thirty_digits() -> None:
 @pytest.mark.rest
 def test_true_loads_are_the_constructed_ones_but_for_roundings() -> None:
     study = prepared(scene(SPRUNG), 36)
-    wanted = replay(study, range(36), forces.prepared(study))
+    wanted = replay(study, range(36), forces.statics_of(study))
     truth, loads = wanted.truth(), wanted.loads
     assert loads is not None
     mp = mpmath.mp.clone()
@@ -186,7 +197,7 @@ def test_a_balancing_moment_that_is_not_judged_has_no_error() -> None:
 
 def by_hand(slip: float, drawings: int = 400) -> tuple[Any, Truth, dict[str, float]]:
     study = prepared(scene(), 12)
-    wanted = replay(study, [0, 4, 8], forces.prepared(study))
+    wanted = replay(study, [0, 4, 8], forces.statics_of(study))
     largest = sizes(prepared(scene(), 360))
     scales = {"positions": np.full(3, 0.002), "forces": np.full(3, largest["R"] / 150)}
     scales |= {"velocities": np.full(3, largest["v"] / 150), "accelerations": np.full(3, largest["a"] / 150)}
@@ -208,7 +219,7 @@ def test_twice_the_slip_is_about_twice_the_error_of_forces() -> None:
 
 def test_a_hand_reads_every_reaction_in_the_sense_in_which_it_is_told() -> None:
     study = prepared(scene(), 12)
-    statics = forces.prepared(study)
+    statics = forces.statics_of(study)
     wanted = replay(study, [0], statics)
     scales = {plan: np.ones(1) for plan in ("positions", "velocities", "accelerations", "forces")}
     found = drawn(wanted.only_forces, Draughtsman(0.0, scales, 1))

@@ -10,8 +10,7 @@ import pytest
 
 from geometry.meet import EPS
 from plans.bench.error import sizes
-from plans.bench.forces import ForceGround
-from plans.bench.roads import ground, prepared
+from plans.bench.roads import ForceGround, ground, prepared
 from plans.checks.compare import notches
 from plans.model.machine import Force
 from plans.scene.faults import SceneError, dotted

@@ -1,13 +1,18 @@
-"""A bench as text: rows of error and time, ratios with their goals, and the words that make them mean something."""
+"""A bench reported: as text with goals and verdicts, as CSV and as JSON (протокол испытания)."""
 
 from __future__ import annotations
 
+import csv
+import io
+import json
 import math
 import textwrap
 from collections.abc import Iterator
+from dataclasses import asdict, fields
+from typing import Any
 
-from plans.bench.clock import Times
-from plans.bench.result import Bench, Ratio, Row
+from plans.bench.trial import Bench, Computer, Ratio, Row, Times
+from plans.bench.truth import KINDS
 
 WIDTH = 118
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "us"), (1e-9, "ns"))
@@ -96,3 +101,71 @@ def short(number: float) -> str:
     places = max(2 - math.floor(math.log10(abs(number))), 0)
     text = f"{number:.{places}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+def csv_bytes(bench: Bench) -> bytes:
+    """Write the rows as CSV (UTF-8, comma, point), empty where there is nothing to say."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for row in bench.rows:
+        told = (bench.title, *_row(row, bench.accepted).values(), *asdict(bench.machine).values())
+        writer.writerow(map(_as_text, told))
+    return text.getvalue().encode("utf-8")
+
+
+def _as_text(value: Any) -> Any:
+    """Mark a text that a table program would take for a formula."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(FORMULA) else value
+
+
+def json_text(bench: Bench) -> str:
+    """Write the whole bench as JSON, null where there is nothing to say."""
+    told = {
+        "scene": bench.title,
+        "machine": asdict(bench.machine),
+        "words": list(bench.words),
+        "accepted": bench.accepted,
+        "rows": [_row(row, bench.accepted) for row in bench.rows],
+        "ratios": [_held(ratio) for ratio in bench.ratios],
+    }
+    return json.dumps(told, allow_nan=False, ensure_ascii=False)
+
+
+def _row(row: Row, accepted: float) -> dict[str, Any]:
+    kinds = row.errors.kinds if row.errors else {}
+    return {
+        "technique": row.technique, "positions": row.positions, "of": row.of, "error": _finite(row.error),
+        "error_95": row.often, "worst": row.errors.worst if row.errors else None,
+        "accepted": None if row.error is None else bool(row.error <= accepted),
+        **{f"error_{kind}": _finite(kinds.get(kind)) for kind in KINDS},
+        **_times(row.times), "position_s": row.each, "note": row.note,
+    }  # fmt: skip
+
+
+def _finite(error: float | None) -> float | str | None:
+    """A value that should be there and is not is infinitely wrong; JSON has no number for it."""
+    return "infinite" if error == float("inf") else error
+
+
+def _times(times: Times | None) -> dict[str, Any]:
+    names = ("median_s", "quartile_1_s", "quartile_3_s", "least_s")
+    values = (times.median, *times.quartiles, times.least) if times else (None,) * 4
+    return {"repetitions": len(times.seconds) if times else 0, **dict(zip(names, values, strict=True))}
+
+
+def _held(ratio: Ratio) -> dict[str, Any]:
+    times, goal = _times(ratio.times), ratio.goal
+    return {
+        "name": ratio.name, "positions": ratio.positions, "ratio": times["median_s"],
+        "quartile_1": times["quartile_1_s"], "quartile_3": times["quartile_3_s"], "rounds": times["repetitions"],
+        "goal": goal.bound if goal else None, "at_least": goal.least if goal else None, "reached": ratio.reached,
+        "note": ratio.note,
+    }  # fmt: skip
+
+
+# The machine stands in every line, so that files of several machines can be laid together.
+COLUMNS = ("scene", *_row(Row("", None), 0.0), *(field.name for field in fields(Computer)))
