@@ -27,9 +27,9 @@ from drawings.grading import told
 from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import MARKED, grade
-from drawings.grading.hints import hints
 from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask, sheet_task
+from drawings.grading.told import hints
 from drawings.original.originals import Originals
 from drawings.original.sheet_check import check
 from tests.forgeries.chance_edits import CHANGES, HANDED_IN

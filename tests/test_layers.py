@@ -169,7 +169,7 @@ def test_a_planted_fault_is_seen(path: str, text: str) -> None:
         ("geometry/replay.py", "def exact():\n    import mpmath"),
         (
             "plans/analytic/closure.py",
-            "from plans.analytic.constraints import X\nfrom geometry.errors import DraftError",
+            "from plans.analytic.points import X\nfrom geometry.errors import DraftError",
         ),
         ("plans/analytic/closure.py", "from plans.model.mechanism import FRAME\nfrom plans.model.motion import Motion"),
         ("drawings/pens/svg.py", "import svgwrite\nfrom svgwrite import shapes"),

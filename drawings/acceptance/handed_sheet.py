@@ -2,16 +2,138 @@
 
 from __future__ import annotations
 
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
-from drawings.acceptance.assignment import FAIR_HAND, Assignment, FilePath, assignment
-from drawings.acceptance.read_plan import NotDrawnError, ReadPlan, chosen, named
-from drawings.acceptance.reading import alone, by_its_marks
+from drawings.acceptance.assignment import FAIR_HAND, Assignment, FilePath, alone, assignment, by_its_marks
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.graded import Graded
-from plans.words.words import ENGLISH, message
+from drawings.grading.graded import Graded, plan_named
+from drawings.grading.seeing.spelling import spelled
+from drawings.grading.told import plan_told
+from geometry.errors import DraftError
+from plans.words.words import ENGLISH, Message, languages, message, term
+
+
+class NotDrawnError(DraftError, AssertionError):
+    """A plan or a vector that is asked of a sheet and is not on it."""
+
+
+class ReadVector(NamedTuple):
+    """A vector of a sheet, or a point of its plan of positions: its value in true units."""
+
+    name: str
+    value: complex
+    unit: str
+
+    @property
+    def size(self) -> float:
+        """How long it is."""
+        return abs(self.value)
+
+    @property
+    def angle(self) -> float:
+        """Its direction, degrees from x, counter-clockwise, from 0 to 360."""
+        return math.degrees(cmath.phase(self.value)) % 360
+
+    @property
+    def x(self) -> float:
+        """Its share along x."""
+        return self.value.real
+
+    @property
+    def y(self) -> float:
+        """Its share along y, which goes up."""
+        return self.value.imag
+
+
+@dataclass(frozen=True)
+class ReadPlan:
+    """A plan of a sheet as it was read: found by its marks or by its letters, measured by the scale written on it."""
+
+    drawn: DrawnPlan
+    language: str
+
+    @property
+    def name(self) -> str:
+        """What plan it is."""
+        return self.drawn.asked.plan
+
+    @property
+    def position(self) -> int | None:
+        """Of what position it is."""
+        return self.drawn.asked.position
+
+    @property
+    def scale(self) -> float:
+        """True units a mm."""
+        return self.drawn.scale
+
+    def vector(self, name: str) -> ReadVector:
+        """Give a vector by its name ("v_B"), by the letters of its ends ("a b"), or from the pole to a letter ("b")."""
+        __tracebackhide__ = True
+        start, end = self._letters(name)
+        value = self.drawn.value((start, end))
+        if value is None:
+            value = self.drawn.between(start, end)
+        if value is None:
+            there = tuple(f"{one.name}" for one in self.drawn.asked.vectors if one.letters in self.drawn.arrows)
+            where = plan_told(self.name, self.position)
+            raise NotDrawnError(message("accept.no_vector", plan=where, name=name, names=there).worded(self.language))
+        return ReadVector(name, value, self.drawn.asked.unit)
+
+    def _letters(self, name: str) -> tuple[str, str]:
+        """Give the letters of the ends of a vector."""
+        named = [one.letters for one in self.drawn.asked.vectors if one.name == name]
+        if named:
+            return named[0]
+        known = {spelled(letter): letter for letter in self.drawn.places}
+        start, _, end = name.rpartition(" ")
+        return known.get(spelled(start), start) if start else self._pole, known.get(spelled(end), end)
+
+    @property
+    def _pole(self) -> str:
+        """The letter that arrows begin at, and none ends at."""
+        begins, ends = ({letters[k] for letters in self.drawn.arrows} for k in (0, 1))
+        return next(iter(sorted(begins - ends)), "")
+
+
+def chosen(plans: Sequence[DrawnPlan], name: str, position: int | None, language: str) -> ReadPlan:
+    """Give the plan of a name in anybody's words: "velocity", "velocities", "план скоростей"."""
+    __tracebackhide__ = True
+    own = named(plans, name, position)
+    if len(own) == 1:
+        return ReadPlan(own[0], language)
+    there = tuple(_told(own or plans)) or (message("accept.nothing"),)
+    parts = {"name": name, "names": there} if position is None else {"name": name, "names": there, "position": position}
+    key = f"accept.{'no' if not own else 'several'}_plan{'' if position is None else '_at'}"
+    raise NotDrawnError(message(key, **parts).worded(language))
+
+
+def named(plans: Sequence[DrawnPlan], name: str, position: int | None) -> list[DrawnPlan]:
+    """Give the plans that are called so, of that position if one is said."""
+    return [plan for plan in plans if _called(plan.asked.plan, name) and position in (None, plan.asked.position)]
+
+
+def _called(plan: str, name: str) -> bool:
+    """Tell whether a plan is called so, in any language, one or many."""
+    wanted = name.casefold().replace("_", " ")
+    known = {plan, plan.removesuffix("s"), *(term(language, "plan", plan) for language in languages())}
+    known |= {plan_named(plan).worded(language) for language in languages()}
+    known |= {f"{own.removesuffix('ies')}y" for own in known if own.endswith("ies")}
+    return wanted in {own.casefold().replace("_", " ") for own in known}
+
+
+def _told(plans: Iterable[DrawnPlan]) -> Iterator[Message]:
+    """Name plans, each once with all its positions."""
+    positions: dict[str, list[str]] = {}
+    for plan, position in (plan.asked.place for plan in plans):
+        positions.setdefault(plan, []).extend([] if position is None else [str(position)])
+    yield from (plan_told(plan, ", ".join(own) if own else None) for plan, own in positions.items())
 
 
 @dataclass(frozen=True)

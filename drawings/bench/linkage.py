@@ -17,8 +17,7 @@ from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.trial import BUDGET, DRAWN, Found, Goal, Order, Ratio, Row, terms, timed
 from plans.checks.compare import compare
 from plans.checks.dynamics_comparison import exact_turn
-from plans.dynamics.link import reduced_link
-from plans.dynamics.study import DynamicsStudy
+from plans.dynamics.study import DynamicsStudy, reduced_link
 from plans.linkage.study import LinkageStudy
 from plans.model.order import VELOCITIES
 from plans.scene.scene import Scene

@@ -14,8 +14,7 @@ from drawings.checks.seen.differences import differences
 from drawings.checks.seen.plain import plain
 from drawings.checks.written import marked_scales
 from drawings.checks.wrong import Wrong, on
-from drawings.collation.edit import lone
-from drawings.collation.figures import Figures
+from drawings.collation.edit import Figures, lone
 from drawings.collation.items import items
 from drawings.eye.covering import COVERED, OUTSIDE, small, veiled
 from drawings.eye.sheet import SeenSheet, see

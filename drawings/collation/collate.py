@@ -6,21 +6,37 @@ import json
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from drawings.collation import edit
-from drawings.collation.edit import Edit
-from drawings.collation.figures import STILL, Figures
-from drawings.collation.items import BEARERS, Item, items
+from drawings.collation.edit import STILL, Edit, Figures
+from drawings.collation.items import BEARERS, Ink, Item, items
 from drawings.collation.matching import lies, match
 from drawings.collation.pairing import Pairing
-from drawings.collation.patch import covered
-from drawings.collation.spots import brought
+from drawings.collation.spots import brought, middle, spots
+from drawings.eye.covering import crosses
 from drawings.measure.transform import STAY, Affine, placing
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Circle, Group, Leaf
+from drawings.paper.strokes import Circle, Group, Leaf, Text
 from drawings.paper.walk import groups
 from plans.words.words import Message, message
+
+
+def covered(patch: Ink, drawn: Sequence[Item]) -> list[Item]:
+    """List what has its middle under an area; nothing is under what is not filled."""
+    if isinstance(patch, Text) or patch.style.fill == "none":
+        return []
+    return [item for item in drawn if _holds(patch, middle(item.stroke))]
+
+
+def _holds(patch: Ink, spot: complex) -> bool:
+    """Tell whether a place lies within an outline: a ray to the right of it crosses that an odd number of times."""
+    if isinstance(patch, Circle):
+        return abs(spot - patch.centre) < patch.radius
+    own = spots(patch)
+    return sum(crosses(a - spot, b - spot) for a, b in pairwise((*own, own[0]))) % 2 == 1
+
 
 CORNERS = 3
 SIGNED = ("scene", "plandraft", "format")  # who drew a sheet and from what, which is looked at by itself

@@ -6,8 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterator, Sequence
 
 from drawings.collation import edit
-from drawings.collation.edit import Edit
-from drawings.collation.figures import Figures
+from drawings.collation.edit import Edit, Figures
 from drawings.collation.items import Item
 from drawings.collation.matching import alike_in_style, lies, reversed_lies
 from drawings.collation.similarity import looks_alike, shift_of, stretch_of

@@ -9,8 +9,7 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.commands.stderr import tell
-from drawings.commands.talk import noted
+from drawings.commands.talk import noted, tell
 from drawings.commands.trace import Trace
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest
@@ -18,7 +17,7 @@ from drawings.files.sheet_set import output_folder, publish
 from drawings.lettering.lettering import lettered
 from drawings.original.sheet_paths import placed_sheets, sheet_path, stem_of
 from drawings.report.report import headlines, lines, remarks, summary, written
-from drawings.sheets.admission import of_scales, of_title
+from drawings.sheets.documents import of_scales, of_title
 from drawings.sheets.table import SHEETS
 from plans.scene.demand import resting
 from plans.scene.scene import Scene, read_scene

@@ -12,7 +12,7 @@ from hashlib import sha256
 from itertools import chain, count
 from pathlib import Path
 
-from drawings.commands.stderr import tell
+from drawings.commands.talk import tell
 from drawings.files.atomic_files import write
 from drawings.files.json_text import print_json
 from drawings.grading.allowance import Allowances
@@ -20,14 +20,13 @@ from drawings.grading.asked import ungraded
 from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
-from drawings.grading.hints import curve_hints, hints
 from drawings.grading.idle_keys import idle_keys
 from drawings.grading.marking import Marking, MarkingError, read_marking
 from drawings.grading.own_sheets import grade_own
 from drawings.grading.records import RECORDS
 from drawings.grading.roll import grade_all
 from drawings.grading.sheet_task import sheet_task
-from drawings.grading.told import HEAD, Hints, lines, plain, plain_name, row
+from drawings.grading.told import HEAD, Hints, curve_hints, hints, lines, plain, plain_name, row
 from drawings.grading.tolerance_text import allowance, written
 from drawings.original.originals import Originals
 from drawings.paper.limits import SHEET_BYTES

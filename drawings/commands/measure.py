@@ -8,13 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from drawings.commands.stderr import tell
+from drawings.commands.talk import tell
 from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
-from drawings.measure.measure import Measured, check, measure_file
+from drawings.measure.measure import Measured, MeasuredProfile, check, measure_file
 from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
 from drawings.measure.measured_lines import lines, plan_name
-from drawings.measure.measured_profile import MeasuredProfile
 from drawings.paper.limits import SheetRefused
 from geometry.curve import CubicPiece, Piece
 from plans.words.words import ENGLISH, message, placed, word

@@ -2,15 +2,158 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple, TypeAlias
 
-from drawings.eye.letters import NEAR, Reading, Trail, readings
+from drawings.eye.alike import picked
+from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
 from drawings.eye.tracks import Track, tracks
-from drawings.eye.writing import SeenLetter
 from drawings.measure.transform import Affine
-from drawings.paper.strokes import LineStyle
+from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
+
+# Of letters' places, which are written in thousandths of a millimetre: half of one in x and in y, twice.
+EVEN = 0.002
+# d of the smaller letter: between letters, and what a thin space adds; half of the gap where lines are not parallel.
+_GAP, _THIN = 2.0, 2.0
+# Thin spaces: across an A0 sheet in the smallest letters are under 4,000; more is no line of writing.
+_WIDEST = 4000
+_RISES = {0: 0.0, -1: -LOWERED, 1: RAISED}
+
+
+class SeenLetter(NamedTuple):
+    """A letter on paper: its first point (mm, y up), the width of its pen, mm, its trail, and what it may be."""
+
+    place: complex
+    unit: float
+    trail: Trail
+    readings: tuple[Reading, ...]
+
+
+class _Set(NamedTuple):
+    """A letter set on a line: what it is, how far along and how high, its width, its pen, mm, and its level."""
+
+    letter: str
+    along: float
+    rise: float
+    width: float
+    unit: float
+    level: int = 0
+
+
+_Line: TypeAlias = tuple[Stance, list[_Set]]
+
+
+def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
+    """Read letters as one text; those that are none are unread in it."""
+    size = 10 * max(letter.unit for letter in letters)
+    stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
+    spaces = (0, *_spaces(row, size))
+    seen = [(one.letter if space >= 0 else UNREAD, one.level) for one, space in zip(row, spaces, strict=True)]
+    runs = picked(seen, [max(space, 0) for space in spaces], said)
+    low = next((one.rise for one in row if one.level == 0), 0.0)
+    at = stance.turn * complex(row[0].along, low)
+    return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation, ink)
+
+
+def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
+    """Set letters on one line of writing along or up a sheet, the most usual first."""
+    for stance in STANCES:
+        options = [_options(one, stance) for one in letters]
+        if not all(options):
+            continue
+        fewest = min((own for own in options if own[0].unit * 10 == size), key=len)
+        for rise in (one.rise for one in fewest):
+            row = [_levelled(own, rise, size, stance, even) for own in options]
+            if all(row):
+                return stance, sorted((one for one in row if one is not None), key=lambda one: one.along)
+    return None
+
+
+def _askew(letters: Sequence[SeenLetter], size: float) -> _Line | None:
+    """Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
+    # As far as any two are apart: a lowered letter may be written last and stand between.
+    loose = ASKEW * max(abs(one.place - other.place) for one in letters for other in letters) + EVEN
+    for angle in angles([(one.trail, one.unit) for one in letters]):
+        rough = _straight([_turned_back(one, angle, 2 * NEAR) for one in letters], size, loose)
+        if rough is None or rough[0].rotation:
+            continue
+        finer = angle + _slope(rough[1], size)
+        line = _straight([_turned_back(one, finer, 2 * NEAR) for one in letters], size, 4 * EVEN)
+        if line is not None and line[0].rotation == 0:
+            return Stance(math.degrees(finer) % 360, line[0].slanted), line[1]
+    return None
+
+
+def _turned_back(letter: SeenLetter, angle: float, near: float) -> SeenLetter:
+    """Turn a letter by an angle (rad) against its direction, and look it up again."""
+    turn = cmath.rect(1, -angle)
+    trail = Trail(letter.trail.signature, tuple(turn * point for point in letter.trail.points))
+    return SeenLetter(turn * letter.place, letter.unit, trail, readings(trail, letter.unit, near))
+
+
+def _slope(row: Sequence[_Set], size: float) -> float:
+    """Give the angle (rad) by which a line of writing rises yet: between its first letter and its last."""
+    low = [one.rise - _RISES[one.level] * size for one in row]
+    return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
+
+
+def _options(letter: SeenLetter, stance: Stance) -> list[_Set]:
+    back = stance.turn.conjugate()
+    found = []
+    for reading in letter.readings:
+        if reading.stance is stance:
+            corner = (letter.place + reading.corner) * back
+            found.append(_Set(reading.letter, corner.real, corner.imag, reading.width, letter.unit))
+    return found
+
+
+def _levelled(options: list[_Set], low: float, size: float, stance: Stance, even: float) -> _Set | None:
+    """Set a letter on a line of writing: the first that it may be, on the level where it stands."""
+    for one in options:
+        for level, share in _RISES.items():
+            if abs(one.rise - low - share * size) <= even and (level or one.unit * 10 == size):
+                lean = LEAN * share * size if stance.slanted else 0.0
+                return one._replace(level=level, along=one.along - lean)
+    return None
+
+
+def _unread(letters: Sequence[SeenLetter]) -> _Line:
+    """Set letters that do not stand on one line: those that are one, wherever it is, and the others unread."""
+    stance = next((one.readings[0].stance for one in letters if one.readings), STANCES[0])
+    row = []
+    for letter in letters:
+        place = letter.place * stance.turn.conjugate()
+        none = _Set(UNREAD, place.real, place.imag, 0.0, letter.unit)
+        row.append(next(iter(_options(letter, stance)), none))
+    return stance, sorted(row, key=lambda one: one.along)
+
+
+def _spaces(row: Sequence[_Set], size: float) -> Iterator[int]:
+    """Give how many thin spaces are between letters; below 0, where a letter runs into the one before it."""
+    for one, after in pairwise(row):
+        gap = _GAP * min(one.unit, after.unit)
+        free = after.along - one.along - one.width
+        if free <= gap + EVEN:
+            yield 0 if free >= gap / 2 - EVEN else -1
+        else:
+            # A space has the width of its level, which may be that of either letter or of the text.
+            off, count = min(_space(free, one.unit, after.unit, unit) for unit in (one.unit, after.unit, size / 10))
+            yield count if off <= EVEN and count <= _WIDEST else -1
+
+
+def _space(free: float, before: float, after: float, unit: float) -> tuple[float, int]:
+    """Give how far a gap is from being spaces written by a pen, and how many thin ones they are."""
+    thin = _THIN * unit
+    count = (free - _GAP * (min(before, unit) + min(unit, after))) / thin + 1 if thin else math.inf
+    if not math.isfinite(count):  # of letters that are as small as a point
+        return math.inf, 0
+    return abs(count - round(count)) * thin, round(count)
+
 
 # Letters as a plain pen writes them: where each begins, and from there by steps.
 _NUMBER = r"(-?[0-9]{1,7}(?:\.[0-9]{1,12})?)"

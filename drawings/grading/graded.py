@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
@@ -22,7 +23,6 @@ from drawings.grading.form_places import form_places
 from drawings.grading.judgement import Judge
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
 from drawings.grading.own_places import left_out, own_places, scales_of
-from drawings.grading.plan_names import plan_named
 from drawings.grading.polygons.free_plan import free_plans
 from drawings.grading.polygons.scheme_arcs import arc_verdicts
 from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
@@ -38,6 +38,40 @@ from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from drawings.grading.sheet_task import SheetTask
+
+# By what the data of a figure are called: the key of its name, and what of it is a part of that.
+_NAMED: Final = tuple(
+    (re.compile(pattern), key)
+    for pattern, key in (
+        (r"velocities", "velocities"),
+        (r"accelerations", "accelerations"),
+        (r"positions", "positions"),
+        (r"forces-(?P<of>\d+)", "forces_of_link"),
+        (r"forces-(?P<of>.+)", "forces_of_group"),
+        (r"scheme (?P<of>\d+)", "scheme_of_link"),
+        (r"scheme (?P<of>.+)", "scheme_of_group"),
+        (r"diagrams-(?P<of>\w+)", "diagram"),
+        (r"load_diagram-(?P<of>.+)", "load"),
+        (r"circle", "rings"),
+        (r"law-(?P<cam>.+)-(?P<of>\w+)", "law"),
+        (r"order_(?P<of>forces|moments)-(?P<order>\d+)", "order"),
+        (r"order_(?P<of>forces|moments)-(?P<order>\d+)-back", "order_back"),
+        (r"compensator-(?P<order>\d+)", "compensator"),
+    )
+)  # fmt: skip
+
+
+def plan_named(plan: str) -> Message:
+    """Name a plan as a draughtsman does; one that has no name of its own by the words for figures.
+
+    >>> str(plan_named("forces-4-5")), str(plan_named("loop"))
+    ('force plan of group 4-5', "Wittenbauer's loop")
+    """
+    for pattern, key in _NAMED:
+        if (found := pattern.fullmatch(plan)) is not None:
+            return message(f"grade.named.{key}", **found.groupdict())
+    return message("grade.named.other", of=plan)
+
 
 PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
 PART = "incomplete"  # nothing is wrong, and something that is due is not read

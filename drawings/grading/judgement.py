@@ -11,9 +11,8 @@ import numpy as np
 
 from drawings.grading import verdict
 from drawings.grading.asked import Asked
-from drawings.grading.continuation import continued, mirrored, turned_over
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.moments import mistaken
+from drawings.grading.moments import continued, mirrored, mistaken, turned_over
 from drawings.grading.records import Slip
 from drawings.grading.verdict import Verdict
 from geometry.board import Mark

@@ -11,9 +11,9 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture, Rung
+from drawings.layout.room import Stock
 from drawings.layout.slicing import SAME, Piece, Size, Tree, pieces
 from drawings.layout.standing import natural
-from drawings.layout.units import Stock
 from drawings.page.scale import Scale
 from drawings.paper.ties import tied
 

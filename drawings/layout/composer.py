@@ -20,10 +20,9 @@ from drawings.layout.filling import filled
 from drawings.layout.parting import SheetRun, fewest, partings
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.request import Request, request
-from drawings.layout.room import corner_of, ends_of, head_of
+from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nested
 from drawings.layout.slicing import Cuts, Slicing, Tree, pieces
 from drawings.layout.stood import Stood, size_of
-from drawings.layout.units import Order, Shape, nested
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from drawings.paper.ties import tied

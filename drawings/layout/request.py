@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from drawings.layout.common_scales import State, Steps, rungs_of, steps_of
 from drawings.layout.contents import Contents
 from drawings.layout.picture import Picture, Rung
-from drawings.layout.room import corner_of, head_of, room_of
+from drawings.layout.room import Order, Shape, Stock, Unit, corner_of, further, groups, head_of, orders, room_of
 from drawings.layout.slicing import Cuts, Piece, Slicing
 from drawings.layout.table import RuledTable
-from drawings.layout.units import Order, Shape, Stock, Unit, further, groups, orders
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from drawings.paper.ties import tied

@@ -2,12 +2,162 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from typing import NamedTuple, TypeAlias
 
-from drawings.layout.slicing import Size
-from drawings.layout.units import CORNER, HEAD
+from drawings.layout.block import Notes, TextBlock
+from drawings.layout.contents import Contents, Panel
+from drawings.layout.picture import Picture, Rung
+from drawings.layout.slicing import GAP, Cut, Cuts, Piece, Size, Slicing, Tree, pieces
+from drawings.layout.table import RuledTable
 from drawings.page.page import Field, Page
+
+Shown: TypeAlias = Picture | TextBlock | RuledTable | Notes
+CORNER, HEAD = -1, -2  # the numbers of the title block, and of what stands in the upper left corner
+CLEAR = 3.0  # mm from that to a heading
+Unit: TypeAlias = int | tuple["Unit", ...]
+Order: TypeAlias = tuple[Unit, ...]
+
+
+class Shape(NamedTuple):
+    """A size mm that a unit can take, and how it stands then."""
+
+    size: Size
+    tree: Tree
+
+
+@dataclass(frozen=True)
+class Stock:
+    """All that a set of sheets shows, by its numbers, and the room mm of a sheet.
+
+    `workings` are the numbers of what may be written beside a figure, by its name.
+    """
+
+    shown: tuple[Shown, ...]
+    room: Size
+    workings: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+
+    def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
+        """Give what sizes a unit can take where pictures have some scales."""
+        if isinstance(unit, int):
+            return [Shape(size, Piece(unit, k)) for k, size in enumerate(self.sizes(unit, rungs))]
+        inner = [self.shapes(one, rungs) for one in unit]
+        slicing = Slicing([[shape.size for shape in own] for own in inner], Cuts(self.room))
+        last = len(unit) - 1
+        return [
+            Shape((float(wide), float(high)), nested(slicing.run(0, last).tree(k), inner, tied=self.close(unit)))
+            for k, (wide, high) in enumerate(slicing.run(0, last).sizes)
+        ]
+
+    def opening(self, shapes: Sequence[Shape], head: Size | None) -> list[Shape]:
+        """Give what sizes a unit takes that begins a sheet: under the corner, unless it is a figure that leaves it."""
+        return [shape if head is None or self._leaves(shape, head) else under(shape, head) for shape in shapes]
+
+    def _leaves(self, shape: Shape, head: Size) -> bool:
+        """Tell whether a figure's heading is clear of the upper left corner."""
+        one = self.shown[next(pieces(shape.tree)).unit]
+        alone = isinstance(shape.tree, Piece) or shape.tree.tied
+        return alone and isinstance(one, Picture) and one.open and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
+
+    def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
+        """Give the sizes that one thing can have."""
+        one = self.shown[k]
+        return [(rungs[one.name].wide, rungs[one.name].high)] if isinstance(one, Picture) else self._lettered[k]
+
+    @cached_property
+    def _lettered(self) -> Mapping[int, Sequence[Size]]:
+        """The sizes of all lettering, by its numbers."""
+        return {k: self._written(one) for k, one in enumerate(self.shown) if not isinstance(one, Picture)}
+
+    def _written(self, one: TextBlock | RuledTable | Notes) -> Sequence[Size]:
+        if isinstance(one, TextBlock):
+            return one.sizes
+        if isinstance(one, RuledTable):
+            return [one.size(setting) for setting in one.settings()]
+        return one.sizes(self.room[0])
+
+    def close(self, unit: tuple[Unit, ...]) -> bool:
+        """Tell whether all lettering of a unit belongs to its picture."""
+        return all(isinstance(one, int) and isinstance(self.shown[one], TextBlock) for one in unit[1:])
+
+
+def under(shape: Shape, head: Size) -> Shape:
+    """Stand a unit under the upper left corner."""
+    wide, high = shape.size
+    return Shape((max(wide, head[0]), high + GAP + head[1]), Cut(False, Piece(HEAD, 0), shape.tree))
+
+
+def nested(
+    tree: Tree, inner: Sequence[Sequence[Shape]], opening: Sequence[Sequence[Shape]] | None = None, tied: bool = False
+) -> Tree:
+    """Put the trees of units in the tree that they are the pieces of: one opens a sheet, behind them is the corner."""
+    if isinstance(tree, Piece):
+        own = inner if opening is None else opening
+        return own[tree.unit][tree.choice].tree if tree.unit < len(inner) else Piece(CORNER, 0)
+    first, second = nested(tree.first, inner, opening, tied), nested(tree.second, inner, None, tied)
+    return Cut(tree.beside, first, second, tied and not tree.beside)
+
+
+def groups(contents: Contents) -> list[Unit]:
+    """Give the units of the panels."""
+    numbers = {id(panel): k for k, panel in enumerate(contents.panels)}
+    return [_unit([(numbers[id(panel)], panel) for panel in group]) for group in contents.groups]
+
+
+def _unit(group: Sequence[tuple[int, Panel]]) -> Unit:
+    """Put lettering close to the picture before it."""
+    piles: list[list[int]] = []
+    for k, panel in group:
+        if piles and isinstance(panel.item, TextBlock):
+            piles[-1].append(k)
+        else:
+            piles.append([k])
+    units: list[Unit] = [pile[0] if len(pile) == 1 else tuple(pile) for pile in piles]
+    return units[0] if len(units) == 1 else tuple(units)
+
+
+def orders(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit]) -> list[Order]:
+    """List the orders to read units in: tables and notes behind all figures or behind the first.
+
+    >>> orders([0, 1], [2], [])
+    [(0, 1, 2), (0, 2, 1)]
+    """
+    first, rest = figures[:1], figures[1:]
+    ways = [
+        [*figures, *tables, *notes],
+        [*figures, *notes, *tables],
+        [*first, *notes, *rest, *tables],
+        [*first, *tables, *rest, *notes],
+        [*first, *tables, *notes, *rest],
+        [*first, *notes, *tables, *rest],
+    ]
+    return list(dict.fromkeys(map(tuple, ways)))
+
+
+def further(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit]) -> list[Order]:
+    """List more orders, for sets of some sheets: tables and notes behind any of the figures.
+
+    >>> further([0, 1, 2], [], [3])
+    [(0, 1, 3, 2)]
+    """
+    ways = [
+        way
+        for k in range(1, len(figures))
+        for way in (
+            (*_behind(figures, k, notes), *tables),
+            (*_behind(figures, k, tables), *notes),
+            _behind(figures, k, (*tables, *notes)),
+        )
+    ]
+    known = orders(figures, tables, notes)
+    return [way for way in dict.fromkeys(ways) if way not in known]
+
+
+def _behind(units: Sequence[Unit], k: int, some: Sequence[Unit]) -> Order:
+    return *units[:k], *some, *units[k:]
+
 
 PAD = 6.0  # mm between the frame and what stands inside it
 

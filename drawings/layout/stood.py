@@ -12,11 +12,10 @@ from drawings.layout.bareness import bareness
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.picture import Picture, Rung, Spot
-from drawings.layout.room import ends_of, room_of
+from drawings.layout.room import Shown, Stock, ends_of, room_of
 from drawings.layout.slicing import Size, Tree, pieces
 from drawings.layout.standing import Occupant, Standing
 from drawings.layout.table import RuledTable
-from drawings.layout.units import Shown, Stock
 from drawings.page.page import Field, Page
 
 BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
-from drawings.measure.foreign import foreign
 from drawings.measure.marks import LINES, LONGEST, SheetMark, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import about, transform
@@ -20,6 +19,23 @@ from drawings.measure.witness import Frame, Witness
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
 from plans.words.words import Message, message
+
+_BEGINNINGS = {
+    b"%PDF": "pdf", b"PK\x03\x04": "zip", b"\x89PNG": "png", b"\xff\xd8": "jpeg", b"AC10": "dwg", b"%!PS": "postscript",
+    b"\xd0\xcf\x11\xe0": "office", b"{\\rtf": "rtf", b"0SECTION": "dxf", b"999": "dxf",
+}  # fmt: skip
+_LOOKED_AT = 40  # bytes
+
+
+def foreign(source: bytes) -> str | None:
+    """Tell what a file is that is no sheet.
+
+    >>> foreign(b"  0\\r\\nSECTION\\r\\n"), foreign(b"<svg/>")
+    ('dxf', None)
+    """
+    begins = b"".join(source[:_LOOKED_AT].split())  # a DXF indents its numbers as it likes
+    return next((what for beginning, what in _BEGINNINGS.items() if begins.startswith(beginning)), None)
+
 
 _SVG = "http://www.w3.org/2000/svg"
 _CHUNK = 64 * 1024

@@ -9,9 +9,13 @@ from __future__ import annotations
 import cmath
 import json
 import math
+import sys
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import lru_cache
+from importlib import import_module
 from itertools import groupby
+from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
 
@@ -35,12 +39,36 @@ from drawings.paper.strokes import (
 )
 from drawings.paper.ties import tied
 from drawings.paper.walk import unstated
-from drawings.pens.deferred import deferred
 from drawings.pens.fonts import EM, FONTS, longest, pieces
 from drawings.pens.letters import lettering
 from drawings.pens.names import Attributes, data_of, legal, own_ids
-from drawings.pens.numerals import number, numbers
-from drawings.pens.paths import Plain, commands, curve
+from drawings.pens.paths import Plain, commands, curve, number, numbers
+
+
+class _Waiting(ModuleType):
+    """Stands for a module while another is imported: its functions import it when they are called."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+
+        def late(*given: Any, **named: Any) -> Any:
+            return getattr(import_module(self.__name__), name)(*given, **named)
+
+        return late
+
+
+@contextmanager
+def deferred(*names: str) -> Iterator[None]:
+    """Import inside the block without these modules, unless they are there already."""
+    waiting = {name: _Waiting(name) for name in names if name not in sys.modules}
+    sys.modules.update(waiting)
+    try:
+        yield
+    finally:
+        for name in waiting:
+            del sys.modules[name]
+
 
 # A sheet fetches no fonts from the web, and its paths are not checked by svgwrite: half of its import is for these.
 with deferred("urllib.request", "svgwrite.data.svgparser"):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from drawings.sheets.admission import letter
+from drawings.sheets.documents import letter
 from plans.cam.reading.form import CamForm
 from plans.scene.scene import Scene
 

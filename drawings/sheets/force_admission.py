@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.sheets.admission import letter
+from drawings.sheets.documents import letter
 from drawings.sheets.linkage_admission import of_linkage
 from plans.forces.reading.form import ForceForm
 from plans.scene.faults import Path

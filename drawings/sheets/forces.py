@@ -13,10 +13,9 @@ import numpy as np
 from drawings.figures.dynamics import load_diagram
 from drawings.figures.dynamics.load_course import courses
 from drawings.figures.forces import force_detail, force_polygon, force_table, lever_plan, loading_scheme
-from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_kinds import LAID
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.forces.lever_equation import LeverEquation
+from drawings.figures.forces.lever_equation import Equations, LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.figures.linkage.vector_plan import diagram
 from drawings.figures.workings import force_working, link_working, plan_working, segment_working
@@ -28,11 +27,11 @@ from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
-from drawings.sheets.admission import unknown
-from drawings.sheets.choice import force_positions
+from drawings.sheets.documents import unknown
 from drawings.sheets.draft import Caption, Draft, Exhibit, captions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.positions import force_positions
 from drawings.sheets.stated_scales import see_ordinates
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.sheets.admission import letter
+from drawings.sheets.documents import letter
 from geometry.errors import LimitError
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import Path

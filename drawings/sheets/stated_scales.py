@@ -14,7 +14,7 @@ from drawings.layout.slicing import GAP, Size
 from drawings.page.page import Page
 from drawings.page.scale import Scale
 from drawings.paper.strokes import SheetError
-from drawings.sheets.admission import of_scale
+from drawings.sheets.documents import of_scale
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import Scene
 from plans.words.words import message

@@ -14,8 +14,8 @@ import numpy as np
 
 from plans.analytic.blocks import Block
 from plans.analytic.closure import Flags, close, closed, inverses, reciprocal_condition, settle, solutions
-from plans.analytic.constraints import TURN, Constraints, Indices, X, Y
 from plans.analytic.guess import Guess
+from plans.analytic.points import TURN, Constraints, Indices, X, Y
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Complexes, Floats
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.constraints import Constraints, Indices
+from plans.analytic.points import Constraints, Indices
 from plans.model.mechanism import StructureError
 from plans.model.motion import Floats
 from plans.words.words import message

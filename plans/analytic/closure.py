@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.points import TURN, Constraints
 from plans.model.motion import Floats
 
 Flags = npt.NDArray[np.bool_]

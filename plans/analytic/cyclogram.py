@@ -9,11 +9,9 @@ import numpy as np
 
 from plans.analytic.assembly import Shape, home
 from plans.analytic.closure import EPS
-from plans.analytic.constraints import TURN
-from plans.analytic.coordinate import Coordinate, coordinate_of
-from plans.analytic.extremes import extremes
+from plans.analytic.extremes import Coordinate, coordinate_of, extremes
 from plans.analytic.kinematics import Analysis
-from plans.analytic.points import place
+from plans.analytic.points import TURN, place
 from plans.analytic.turn import FULL, March, station, stations_at, whole_turn
 from plans.model.cyclogram import (
     ANALYSIS,

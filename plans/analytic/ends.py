@@ -14,7 +14,7 @@ import numpy as np
 
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, as_poses, closed
-from plans.analytic.constraints import Constraints
+from plans.analytic.points import Constraints
 from plans.analytic.sharpness import sharpness
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, PARALLEL_GUIDES, Floats
 

@@ -12,10 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from plans.analytic.closure import EPS
-from plans.analytic.constraints import TURN
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.analytic.points import place, speed
+from plans.analytic.points import TURN, place, speed
 from plans.analytic.power import reduced_moment, transfers
 from plans.model.group import Pair
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Reaction, Twist

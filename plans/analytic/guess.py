@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plans.analytic.constraints import TURN, Constraints, X, Y
+from plans.analytic.points import TURN, Constraints, X, Y
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide
 from plans.model.motion import Floats
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.analytic.constraints import TURN, Constraints
-from plans.analytic.points import acceleration, place, speed
+from plans.analytic.points import TURN, Constraints, acceleration, place, speed
 from plans.model.kinetostatics import Applied, Loading, Twist
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism

@@ -9,8 +9,8 @@ import numpy as np
 from plans.analytic.assembly import Assembly, Shape, home
 from plans.analytic.blocks import triangular
 from plans.analytic.closure import EPS, transfer
-from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.extremes import extremes
+from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.positions import Positions, along, blocks, find, wrapped
 from plans.analytic.turn import March, whole_turn
 from plans.model.mechanism import FRAME, Mechanism, Output

@@ -2,11 +2,192 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
-from plans.analytic.constraints import TURN, Constraints
-from plans.model.mechanism import Mechanism
+import numpy as np
+import numpy.typing as npt
+
+from plans.analytic import placement
+from plans.analytic.drive import DriveEquation, SlidingDrive, drive_equation
+from plans.analytic.placement import Placement
+from plans.model.mechanism import Mechanism, StructureError, Way
 from plans.model.motion import Complexes, Floats, Motion
+from plans.words.words import message
+
+Indices = npt.NDArray[np.intp]
+X, Y, TURN = placement.X, placement.Y, placement.TURN
+_SIGNS = np.array([[1.0], [-1.0]])  # a hinge is the first link's point less the second's
+
+
+class Constraints(NamedTuple):
+    """The joints of a mechanism, or of some of its links, as equations of the poses.
+
+    Rows: hinges x, hinges y, directions, lines, and the drive where it gives a pose that is sought.
+    """
+
+    size: float  # m, the unit of length
+    numbers: tuple[int, ...]  # the links in order of number, the frame first
+    hinges: int  # their number H; the joints after them are the S slides
+    links: Indices  # (2, joints): the two links of each joint, by place in `numbers`; of a slide slider and owner
+    points: Complexes  # (2, joints): the hinge, or a point of the common line, in either link's own frame
+    slide_ways: Complexes  # (2, S): unit directions of the common line in either
+    crank: int  # place of the primary link in `numbers`
+    drive: DriveEquation
+    driven: bool  # whether the drive's equation is among them
+    pattern: Floats  # (rows, 3 links): the entries of the Jacobian that never change
+    changing: Indices  # the places of those that do, in the order in which `jacobian` makes them
+    sought: Indices  # places of the links whose poses the equations are to give
+
+    @classmethod
+    def of(cls, mechanism: Mechanism) -> Constraints:
+        """Write down the equations of a mechanism of mobility 1."""
+        if mechanism.mobility != 1:
+            raise StructureError(message("structure.mobility"), found=mechanism.mobility)
+        numbers, size, drive = tuple(sorted(mechanism.links)), _size(mechanism), mechanism.drive
+        own = {number: mechanism.links[number].points for number in numbers}
+        pairs = [(links[0], link, point) for point, links in mechanism.hinges.items() for link in links[1:]]
+        slides, count = mechanism.slides, len(pairs)
+        joined = [(a, b) for a, b, _ in pairs] + [(s.slider, s.owner) for s in slides]
+        feet = [(_foot(s.on_slider), _foot(s.on_owner)) for s in slides]
+        links = _indices((numbers.index(a), numbers.index(b)) for a, b in joined)
+        ways = _places((s.on_slider.direction, s.on_owner.direction) for s in slides)
+        return cls(
+            size=size,
+            numbers=numbers,
+            hinges=count,
+            links=links,
+            points=_places([(own[a][p], own[b][p]) for a, b, p in pairs] + feet) / size,
+            slide_ways=ways / np.abs(ways),
+            crank=numbers.index(drive.link),
+            drive=drive_equation(mechanism, numbers, count, size),
+            driven=True,
+            pattern=_pattern(len(numbers), links, count),
+            changing=_changing(len(numbers), links, count),
+            sought=np.arange(1, len(numbers)),
+        )
+
+    def part(self, sought: Sequence[int], joints: Sequence[int], driven: bool) -> Constraints:
+        """Give the equations of some joints alone, perhaps of the drive, for some links; the others are given."""
+        chosen = np.array(sorted(joints), dtype=np.intp)
+        count, links = int((chosen < self.hinges).sum()), self.links[:, chosen]
+        drive, pattern = self.drive, _pattern(len(self.numbers), links, count)
+        if driven and isinstance(drive, SlidingDrive):
+            joint = int(np.searchsorted(chosen, drive.joint))
+            drive = drive._replace(slide=joint - count, joint=joint)
+        return self._replace(
+            hinges=count,
+            links=links,
+            points=self.points[:, chosen],
+            slide_ways=self.slide_ways[:, chosen[count:] - self.hinges],
+            drive=drive,
+            driven=driven,
+            pattern=pattern if driven else pattern[:-1],
+            changing=_changing(len(self.numbers), links, count),
+            sought=np.array(sorted(sought), dtype=np.intp),
+        )
+
+    @property
+    def columns(self) -> Indices:
+        """Places of the unknowns among the entries of all poses."""
+        return np.asarray((3 * self.sought[:, None] + np.arange(3)).ravel())
+
+    def moved(self, poses: Floats, step: Floats) -> Floats:
+        """Move poses (N, links, 3) by a step of the unknowns (N, 3 sought)."""
+        there = poses.reshape(len(poses), 3 * len(self.numbers)).copy()
+        there[:, self.columns] += step
+        return there.reshape(poses.shape)
+
+    def place(self, poses: Floats) -> Placement:
+        """Lay out the joints of N poses."""
+        turns = np.exp(1j * poses[:, :, TURN])
+        turned = turns[:, self.links]
+        arms = self.points * turned
+        points = (poses[:, :, X] + 1j * poses[:, :, Y])[:, self.links] + arms
+        return Placement(turns, arms, points[:, 0] - points[:, 1], self.slide_ways * turned[:, :, self.hinges :])
+
+    def residual(self, at: Placement, phi: Floats) -> Floats:
+        """Tell by how much every equation fails, (N, rows); angles rad, lengths in units of `size`."""
+        apart, off = at.apart[:, : self.hinges], at.apart[:, self.hinges :]
+        slider, owner = at.ways[:, 0], at.ways[:, 1].conj()
+        # The angle between the two directions, not its sine: a slider turned end for end is no solution.
+        askew = -np.angle(slider * owner)
+        joints = (apart.real, apart.imag, askew, (owner * off).imag)
+        if not self.driven:
+            return np.concatenate(joints, axis=1)
+        return np.concatenate((*joints, self.drive.lag(at, phi)[:, None]), axis=1)
+
+    def jacobian(self, at: Placement) -> Floats:
+        """Differentiate the equations by the poses that are sought, (N, rows, 3 sought)."""
+        count = len(at.turns)
+        hinged = (_SIGNS * at.arms[:, :, : self.hinges]).reshape(count, 2 * self.hinges)
+        arms, off, way = at.arms[:, :, self.hinges :], at.apart[:, self.hinges :], at.ways[:, 1]
+        levers = ((way.conj() * arms[:, 0]).real, -(way.conj() * (arms[:, 1] + off)).real)
+        full = np.empty((count, self.pattern.size))
+        full[:] = self.pattern.ravel()
+        # A vector that turns by a small angle moves by so much of itself, square to itself.
+        full[:, self.changing] = np.concatenate(
+            (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers), axis=1
+        )
+        shaped = full.reshape(count, *self.pattern.shape)
+        if self.driven:
+            shaped[:, -1] = self.drive.row(at, self.pattern.shape[1])
+        return shaped[:, :, 3:] if len(self.sought) == len(self.numbers) - 1 else shaped[:, :, self.columns]
+
+    def convective(self, at: Placement, rates: Floats) -> Floats:
+        """Give the part of the equations' second derivative that is quadratic in the rates, (N, rows)."""
+        spins, sliding = rates[:, :, TURN][:, self.links], self.links[:, self.hinges :]
+        bent = -(spins**2) * at.arms
+        apart = bent[:, 0] - bent[:, 1]
+        still, turning = apart[:, : self.hinges], spins[:, 1, self.hinges :]
+        moving = (rates[:, :, X] + 1j * rates[:, :, Y])[:, sliding] + 1j * (spins * at.arms)[:, :, self.hinges :]
+        off = at.apart[:, self.hinges :]
+        lines = apart[:, self.hinges :] - 2j * turning * (moving[:, 0] - moving[:, 1]) - turning**2 * off
+        bends = (at.ways[:, 1].conj() * lines).imag
+        rows = (still.real, still.imag, np.zeros_like(turning), bends)
+        return np.concatenate((*rows, self.drive.bend(at, lines)[:, None]) if self.driven else rows, axis=1)
+
+
+def _indices(pairs: Iterable[tuple[int, int]]) -> Indices:
+    return np.array(list(pairs), dtype=np.intp).reshape(-1, 2).T
+
+
+def _places(pairs: Iterable[tuple[complex, complex]]) -> Complexes:
+    return np.array(list(pairs), dtype=np.complex128).reshape(-1, 2).T
+
+
+def _foot(way: Way) -> complex:
+    """Give a line by its point nearest to its link's origin: the scene may name it by one that is far away."""
+    direction = way.direction / abs(way.direction)
+    return 1j * direction * (direction.conjugate() * way.through).imag
+
+
+def _size(mechanism: Mechanism) -> float:
+    """Take the power of two nearest to the largest distance of a point or line from the origin of its link."""
+    points = [abs(place) for link in mechanism.links.values() for place in link.points.values()]
+    lines = [abs(_foot(way)) for slide in mechanism.slides for way in (slide.on_slider, slide.on_owner)]
+    return float(2.0 ** round(np.log2(max(points + lines))))
+
+
+def _pattern(count: int, links: Indices, hinges: int) -> Floats:
+    slides = links[:, hinges:]
+    pattern = np.zeros((2 * links.shape[1] + 1, 3 * count))
+    rows, directions = np.arange(hinges), 2 * hinges + np.arange(slides.shape[1])
+    for side, sign in ((0, 1.0), (1, -1.0)):
+        pattern[rows, 3 * links[side, :hinges] + X] = sign
+        pattern[rows + hinges, 3 * links[side, :hinges] + Y] = sign
+        pattern[directions, 3 * slides[side] + TURN] = -sign
+    return pattern
+
+
+def _changing(count: int, links: Indices, hinges: int) -> Indices:
+    """Give the places of the entries that depend on the poses: hinges by either turn, lines by either pose."""
+    width, rows, turns = 3 * count, np.arange(hinges), 3 * links + TURN
+    across = (rows * width + turns[:, :hinges]).ravel()
+    lines = (2 * hinges + links.shape[1] - hinges + np.arange(links.shape[1] - hinges)) * width
+    slider, owner = 3 * links[:, hinges:]
+    poses = (slider + X, slider + Y, owner + X, owner + Y, slider + TURN, owner + TURN)
+    return np.concatenate((across, across + hinges * width, *(lines + place for place in poses)))
 
 
 def place(constraints: Constraints, poses: Floats, link: int, own: complex) -> Complexes:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from plans.analytic.closure import as_poses, inverses
-from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
-from plans.analytic.points import speed
+from plans.analytic.points import TURN, Constraints, speed
 from plans.analytic.positions import blocks
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Machine

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 from geometry.board import Board, Mark, at
 from geometry.steps import behind
 from plans.balance import mass_centre, sums
-from plans.balance.main_points import MAIN
-from plans.balance.mass_centre import Chain, Drawing
+from plans.balance.mass_centre import MAIN, Chain, Drawing
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING

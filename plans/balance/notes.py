@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 
-from plans.balance.carriers import guided
 from plans.balance.form import BalanceForm, BalanceTable
-from plans.balance.reading import masses
+from plans.balance.reading import guided, masses
 from plans.linkage.reading.survey import Survey
 from plans.model.balance.linkage import NONE, PARTIAL
 from plans.scene.faults import Fault, Path

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.balance.main_points import EMPTY, MainPoints
+from plans.balance.mass_centre import EMPTY, MainPoints
 from plans.balance.states import forces_around, mass_centre, positions_around
 from plans.balance.stems import Tree
 from plans.forces.statics import Statics

@@ -9,8 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.precision import condition
-from plans.balance.main_points import MainPoints
-from plans.balance.mass_centre import Drawing, centre_drawing
+from plans.balance.mass_centre import Drawing, MainPoints, centre_drawing
 from plans.forces.statics import Statics
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.crank_positions import CrankPositions

@@ -10,10 +10,9 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from plans.balance.main_points import EMPTY
-from plans.balance.refusals import CARRIED, FREE, NEEDED, NO_MASS, Refused
+from plans.balance.mass_centre import EMPTY
 from plans.balance.sums import Sums, Term
-from plans.balance.weights import weight_of
+from plans.balance.weights import CARRIED, FREE, NEEDED, NO_MASS, Refused, weight_of
 from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, Counterweight, Place, Task
 from plans.model.dyad import Dyad
 from plans.model.machine import Body

@@ -2,22 +2,122 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
 
 from geometry.board import Board
+from geometry.errors import ConstructionError
+from geometry.precision import errors
+from plans.balance.mass_centre import Drawing, MainPoints
+from plans.balance.states import drawing, turns
+from plans.balance.stems import tree_of
+from plans.balance.study import BalanceStudy
 from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_over
 from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, harmonics
-from plans.bank.linkage import linkage_of
 from plans.bank.polygons import Polygons, polygons
-from plans.bank.shaking import SliderCrank, Source
-from plans.bank.whole import Whole, whole
-from plans.model.balance.bank import CONSTRUCTION, BankBalance, BankTask
-from plans.words.words import placed
+from plans.bank.shaking import Shaking, SliderCrank, Source
+from plans.forces.statics import Statics
+from plans.linkage.crank_positions import even
+from plans.linkage.drafts import Drafts
+from plans.linkage.obstruction import obstruction
+from plans.linkage.study import LinkageStudy
+from plans.model.balance.bank import CONSTRUCTION, EPS, ROUNDING, STEPS, BankBalance, BankTask, Member
+from plans.model.balance.linkage import NONE
+from plans.model.motion import Complexes, Floats
+from plans.model.rates import Rates
+from plans.rotor.heading import heading
+from plans.words.words import message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
+
+LOOKS = 72  # positions of a turn over which the size of the forces is taken
+
+
+class NoTurn(ConstructionError):  # noqa: N818  (the exception tree's own word)
+    """A bank is asked of a linkage whose crank does not turn fully."""
+
+
+class Linkage:
+    """A linkage whose crank turns evenly at an angular speed rad/s, with its masses or those after balancing."""
+
+    def __init__(self, study: LinkageStudy, points: MainPoints, speed: float) -> None:
+        self.study, self.points, self.speed = study, points, speed
+
+    @cached_property
+    def scale(self) -> float:
+        """The largest sum of the sizes of all inertia forces, N."""
+        sides = self._drawing(Fraction(0), LOOKS).shaking.sides
+        sizes = sum((np.abs(np.asarray(side.vector.point)) for side in sides), start=np.zeros(1))
+        return float(np.max(sizes))
+
+    def shaking(self, start: Fraction, count: int) -> Shaking:
+        """Draw the linkage over a turn, its velocities and accelerations, and its main-point vectors."""
+        force = self._drawing(start, count).force
+        slack = np.broadcast_to(errors(force)[force].place, count)
+        return Shaking(np.array(np.broadcast_to(force.point, count)), slack, force)
+
+    def _drawing(self, start: Fraction, count: int) -> Drawing:
+        turn = even(start, count, +1).paced(self._steady)
+        return drawing(self.points, Drafts(self.study, turn))
+
+    def _steady(self, phi: Floats) -> Rates:
+        return Rates(self.speed, 0.0)
+
+
+def linkage_of(study: Study, speed: float) -> Linkage:
+    """Take the scene's linkage, with its counterweights where the scene asks for them, for one mechanism of a bank."""
+    linkage: LinkageStudy = study["linkage"]
+    if not turns(linkage):
+        line, _ = study.scene.place(("bank",))
+        raise NoTurn(placed(f"{study.scene.file}:{line}", message("bank.no_turn", why=obstruction(linkage.sweep))))
+    if study.scene.has(("balance",)):
+        balance: BalanceStudy = study["balance"]
+        return Linkage(linkage, balance.points(after=balance.task.aim != NONE), speed)
+    statics: Statics = study["forces"]
+    return Linkage(linkage, MainPoints(tree_of(linkage.mechanism), statics.machine.bodies), speed)
+
+
+class Whole(NamedTuple):
+    """Force N and moment N*m of the bank over STEPS + 1 even positions of a turn, and how far each can be out."""
+
+    phi: Floats  # (STEPS + 1,) rad
+    force: Complexes
+    moment: Complexes
+    force_slack: float
+    moment_slack: float
+    largest: float  # N: of one mechanism
+    largest_moment: float  # N*m: of one mechanism
+
+
+def whole(source: Source, members: Sequence[Member]) -> Whole:
+    """Add the forces of all mechanisms, and their moments about the plane of place 0."""
+    found = {phase: source.shaking(phase, STEPS) for phase in {one.phase % 360 for one in members}}
+    shares = [found[one.phase % 360] for one in members]
+    force = [heading(one.axis) * share.force for one, share in zip(members, shares, strict=True)]
+    places = [float(one.place) for one in members]
+    moment = [place * each for place, each in zip(places, force, strict=True)]
+    slacks = [_slack(source, share) for share in shares]
+    lever = sum(abs(place) * slack for place, slack in zip(places, slacks, strict=True))
+    phi = 2 * np.pi * np.arange(STEPS + 1) / STEPS
+    largest = [float(np.max(np.abs(rows))) for rows in (force, moment)]
+    return Whole(phi, _round(force), _round(moment), sum(slacks), lever, *largest)
+
+
+def _slack(source: Source, share: Shaking) -> float:
+    """Give how far one mechanism's force can be out anywhere, with the roundings of a sum."""
+    largest = max(source.scale, float(np.max(np.abs(share.force))))
+    return float(np.max(share.slack)) + ROUNDING * EPS * largest
+
+
+def _round(terms: Sequence[Complexes]) -> Complexes:
+    """Add the terms and close the turn."""
+    total = np.sum(terms, axis=0)
+    return np.concatenate([total, total[:1]])
 
 
 class BankStudy:

@@ -16,8 +16,7 @@ from geometry.board import Mark
 from geometry.replay import digits, exact
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis
-from plans.balance.main_points import MainPoints
-from plans.balance.mass_centre import by_links, by_main_points
+from plans.balance.mass_centre import MainPoints, by_links, by_main_points
 from plans.balance.shares import Superposition
 from plans.balance.study import BalanceStudy
 from plans.bench.error import Errors

@@ -11,7 +11,7 @@ import numpy as np
 
 from geometry.strips import SLIVER
 from plans.cam.laws import law_of
-from plans.cam.pieces import Pieces, bends
+from plans.cam.tables import Pieces, bends
 from plans.model.cam import CUBICS, TABLE, Cam, Phase
 from plans.model.cam_motion import Shock, Travel
 from plans.model.motion import Floats

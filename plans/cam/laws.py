@@ -8,8 +8,7 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import Final
 
-from plans.cam.pieces import Push, Shares, shares
-from plans.cam.tables import table
+from plans.cam.tables import Push, Shares, shares, table
 from plans.model.cam import SHAPE, TABLE, Law
 
 EIGHTH: Final = 1 / 8  # of the phase: a ramp of the trapezoids and of the modified sine

@@ -8,14 +8,23 @@ from functools import partial
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import pressure_bounds
+from plans.cam.centre.bounds import Touch, pressure_bounds, touch
 from plans.cam.centre.flat_sizes import flat_sizing, rocking_face_sizing
-from plans.cam.centre.instants import stretches
-from plans.cam.centre.region import Choice, Place, nearest, on_line, place
 from plans.cam.centre.rocker_sizes import rocker_sizing
-from plans.cam.centre.slope_diagram import SlopeDiagram
-from plans.cam.centre.support import Touch, touch
-from plans.cam.centre.tangents import axis, bound_by, met, required, tangents, touched
+from plans.cam.centre.slope_diagram import SlopeDiagram, stretches
+from plans.cam.centre.tangents import (
+    Choice,
+    Place,
+    axis,
+    bound_by,
+    met,
+    nearest,
+    on_line,
+    place,
+    required,
+    tangents,
+    touched,
+)
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam, limits_of

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import Bound, PressureBound
-from plans.cam.centre.support import Touch
+from plans.cam.centre.bounds import Bound, PressureBound, Touch
 from plans.model.cam import Cam, Limits
 from plans.model.cam_motion import Sizes
 from plans.model.motion import Floats

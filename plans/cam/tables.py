@@ -6,15 +6,145 @@ solved for; between two points they go straight. Of springs in place of the poin
 
 from __future__ import annotations
 
-from functools import lru_cache
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
-from plans.cam.pieces import Piece, Shares
 from plans.model.cam import LINES, SOFTNESSES, Law
 from plans.model.motion import Floats
+
+CORNER = 1e-9  # of the largest value of a derivative: what is less is the rounding of a law's coefficients
+Pieces = npt.NDArray[np.int_]  # numbers of pieces, (N,)
+
+
+class Push(NamedTuple):
+    """Acceleration over a share `length` of the phase: a polynomial in the share gone, size*sin(rate*share + phase)."""
+
+    length: float
+    powers: tuple[float, ...] = ()
+    size: float = 0.0
+    rate: float = 1.0
+    phase: float = 0.0
+
+
+class Piece(NamedTuple):
+    """A piece of a law: where it begins, and S as a polynomial in the share gone with a harmonic beside it."""
+
+    start: float
+    powers: tuple[float, ...]
+    size: float = 0.0
+    rate: float = 1.0
+    phase: float = 0.0
+
+    def at(self, gone: float, order: int) -> float:
+        """Give S or a derivative of it after a share of the phase from the start of the piece."""
+        return float(Shares((self,)).of(np.zeros(1, dtype=int), np.array([gone]), order)[0])
+
+
+@dataclass(frozen=True)
+class Shares:
+    """A law in shares of phase and lift, from 0 to 1 over the whole phase."""
+
+    pieces: tuple[Piece, ...]
+
+    @cached_property
+    def starts(self) -> tuple[float, ...]:
+        """Where its pieces begin."""
+        return tuple(piece.start for piece in self.pieces)
+
+    def at(self, share: Floats, order: int, before: bool = False) -> Floats:
+        """Give s, s' or s'' (order 0 to 2, (N,)); where pieces join that of the later one, or of the one before.
+
+        >>> law = shares([Push(0.5, (1.0,)), Push(0.5, (-1.0,))])
+        >>> law.at(np.array([0.25, 0.5]), 0).tolist(), law.at(np.array([0.5]), 2, before=True).tolist()
+        ([0.125, 0.5], [4.0])
+        """
+        k = np.asarray(share, dtype=float)
+        starts = np.array(self.starts)
+        own = np.clip(np.searchsorted(starts, k, side="left" if before else "right") - 1, 0, len(starts) - 1)
+        return self.of(own, k - starts[own], order)
+
+    def of(self, own: Pieces, gone: Floats, order: int) -> Floats:
+        """Give s or a derivative, the third at most, of pieces by numbers, after shares from their starts, (N,)."""
+        size, rate, phase = (column[own] for column in self._waves)
+        wave = size * rate**order * np.sin(rate * gone + phase + order * np.pi / 2)
+        return np.asarray(_horner(self._powers[order][:, own], gone) + wave)
+
+    def gross(self, order: int) -> float:
+        """Give what the terms of s or a derivative add up to at the most, whatever their signs: rounding is a share."""
+        widths = np.diff([*self.starts, 1.0])
+        size, rate, _ = self._waves
+        return float(np.max(_horner(np.abs(self._powers[order]), widths) + np.abs(size) * rate**order))
+
+    @cached_property
+    def _waves(self) -> Floats:
+        return np.array([(one.size, one.rate, one.phase) for one in self.pieces]).T
+
+    @cached_property
+    def _powers(self) -> tuple[Floats, ...]:
+        """The coefficients of s and its derivatives by the power of the share gone, each (powers, pieces)."""
+        most = max(3, *(len(one.powers) for one in self.pieces))
+        rows = np.array([(*one.powers, *(0.0,) * (most - len(one.powers))) for one in self.pieces]).T
+        return tuple(np.polynomial.polynomial.polyder(rows, order) if order else rows for order in range(4))
+
+
+def _horner(powers: Floats, x: Floats) -> Floats:
+    """Sum powers of x, each with coefficients of its own, (powers, N)."""
+    total = np.zeros_like(x)
+    for row in powers[::-1]:
+        total = total * x + row
+    return total
+
+
+def shares(pushes: Iterable[Push], slope: float = 0.0) -> Shares:
+    """Integrate pieces of acceleration twice from rest, or from a slope, and scale them to a lift of 1.
+
+    >>> shares([Push(1.0)], slope=2.0).at(np.array([0.5]), 1).tolist()
+    [1.0]
+    """
+    pieces: list[Piece] = []
+    start, level = 0.0, 0.0
+    for push in pushes:
+        piece = _integrated(push, start, slope, level)
+        pieces.append(piece)
+        level, slope = piece.at(push.length, 0), piece.at(push.length, 1)
+        start += push.length
+    return Shares(tuple(_scaled(pieces, 1 / level)))
+
+
+def _integrated(push: Push, start: float, slope: float, level: float) -> Piece:
+    """Integrate one piece twice, so that it begins with a slope and a level."""
+    size = -push.size / push.rate**2
+    own = Piece(start, (0.0,), size, push.rate, push.phase)
+    constants = (slope - own.at(0.0, 1), level - own.at(0.0, 0))
+    powers = np.polynomial.polynomial.polyint(push.powers or (0.0,), 2, list(constants))
+    return own._replace(powers=tuple(powers.tolist()))
+
+
+def _scaled(pieces: Sequence[Piece], by: float) -> Iterable[Piece]:
+    return (one._replace(powers=tuple(by * c for c in one.powers), size=by * one.size) for one in pieces)
+
+
+def bends(law: Shares) -> Iterator[float]:
+    """Give where pieces of a law join with a jump of s' or s'', or a corner of s''.
+
+    >>> list(bends(shares([Push(0.25, (1.0,)), Push(0.25, (1.0,)), Push(0.5, (-1.0,))])))
+    [0.5]
+    """
+    joins = np.array(law.starts[1:])
+    numbers = np.arange(len(joins))
+    after, before = (
+        np.array([law.of(own, gone, order) for order in (1, 2, 3)])
+        for own, gone in ((numbers + 1, 0 * joins), (numbers, joins - np.array(law.starts[:-1])))
+    )
+    largest = np.maximum(np.abs(after), np.abs(before)).max(axis=1, initial=1.0, keepdims=True)
+    apart = np.abs(after - before) > CORNER * largest
+    yield from joins[apart.any(axis=0)].tolist()
 
 
 class Ruler(NamedTuple):

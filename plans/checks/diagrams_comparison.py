@@ -13,8 +13,7 @@ from geometry.meet import EPS
 from plans.analytic.diagrams import ExactCourse, diagrams
 from plans.checks.compare import ANALYSIS, MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
-from plans.diagrams.chords import DIAGRAMS
-from plans.diagrams.study import DiagramsStudy
+from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.diagrams import Diagrams

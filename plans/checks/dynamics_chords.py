@@ -9,8 +9,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.meet import EPS
-from plans.analytic.dynamics.exact import Exact
-from plans.analytic.dynamics.flywheel import book_slopes, flywheel_of_points
+from plans.analytic.dynamics.flywheel import Exact, book_slopes, flywheel_of_points
 from plans.analytic.dynamics.rim import wheel
 from plans.checks.compare import ANALYSIS, MotionComparison
 from plans.checks.comparison import Finding

@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING
 from geometry.strips import Departure, departure
 from plans.analytic.dynamics.corners import with_flywheel_of_points, without_flywheel_of_points
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
-from plans.analytic.dynamics.exact import Exact, exact
-from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import Exact, exact, flywheel, flywheel_of_points
 from plans.analytic.dynamics.link import reduced_link
 from plans.analytic.dynamics.methods import methods
 from plans.analytic.dynamics.reduction import Reduction as Reducing

@@ -2,18 +2,125 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from geometry.board import Mark
-from plans.cyclogram.backwards import circle, pivot_of
+from geometry.meet import Sizes, cross, dot
 from plans.linkage.groups import guide
 from plans.linkage.plan import Image, Plan
 from plans.linkage.travel import frame_slide
-from plans.model.mechanism import FRAME, Mechanism, Output
+from plans.model.dyad import Dyad
+from plans.model.group import Group
+from plans.model.mechanism import FRAME, Mechanism, Output, Slide
 from plans.model.motion import Floats
 from plans.words.words import because
+
+
+class Notch(NamedTuple):
+    """A group to go back through: which of its ends hangs on the host that is found, and the host's pivot."""
+
+    dyad: Dyad
+    end: int
+    pivot: str
+
+    @property
+    def host(self) -> int:
+        """The link that is found."""
+        return self.dyad.hosts[self.end]
+
+    @property
+    def pin(self) -> str:
+        """The hinge by which the group hangs on it."""
+        return self.dyad.hinge(self.end)
+
+
+def way_back(mechanism: Mechanism, groups: Sequence[Group], link: int) -> tuple[Notch, ...] | None:
+    """Give the groups from a link back to the crank; None where some link on the way turns about no fixed pivot."""
+    way: list[Notch] = []
+    while link != mechanism.drive.link:
+        notch = next((one for group in groups if (one := notch_of(mechanism, group, link))), None)
+        if notch is None:
+            return None
+        way.append(notch)
+        link = notch.host
+    return tuple(way)
+
+
+def notch_of(mechanism: Mechanism, group: Group, link: int) -> Notch | None:
+    """Give how a group is gone through from one of its links that hangs on the frame; None where it cannot be."""
+    if not isinstance(group, Dyad) or link not in group.links:
+        return None
+    end = 1 - group.links.index(link)
+    pivot = pivot_of(mechanism, group.hosts[end])
+    plain = group.hosts[1 - end] == FRAME and isinstance(group.outer[end], str) and pivot is not None
+    return Notch(group, end, pivot) if plain and pivot is not None else None
+
+
+def pivot_of(mechanism: Mechanism, link: int) -> str | None:
+    """Give the fixed hinge that a link turns about, if it has one."""
+    fixed = mechanism.links[FRAME].points
+    return next((name for name in mechanism.links[link].points if link != FRAME and name in fixed), None)
+
+
+def go_back(plan: Plan, way: Sequence[Notch], there: Plan) -> Mark:
+    """Notch from what stands on the plan back to the crank; its vector from pivot to end.
+
+    `there` is the plan of the linkage near each of the positions: it tells on which side the meetings are.
+    """
+    for notch in way:
+        found = _by_line(plan, notch, there) if isinstance(notch.dyad.inner, Slide) else _by_arc(plan, notch, there)
+        keep(plan, notch.host, notch.pivot, plan.name(notch.pin, found))
+    drive = plan.mechanism.drive
+    points = plan.mechanism.links[drive.link].points
+    arm = plan.vector(drive.link, points[drive.end] - points[drive.pivot], f"{drive.pivot}{drive.end}")
+    assert arm is not None  # a crank turns
+    if drive.end not in plan.letters:
+        end = plan.board.lay_off(drive.end, plan.point(drive.pivot), arm, because("crank_there"))
+        plan.name(drive.end, end)
+    return arm
+
+
+def keep(plan: Plan, link: int, pivot: str, pin: Mark) -> None:
+    """Keep a link by the vector from its fixed hinge to a pin of it."""
+    points = plan.mechanism.links[link].points
+    start = plan.point(pivot)
+    arm = plan.board.join(f"{pivot}{pin.name}", start, pin, because("link", link=link))
+    plan.images[link] = Image(start, arm, points[pivot], points[pin.name] - points[pivot])
+
+
+def circle(plan: Plan, link: int, pivot: str, pin: str) -> Mark:
+    """Strike the arc that a pin of a link describes about the link's fixed hinge."""
+    points = plan.mechanism.links[link].points
+    why = because("pin_circle", point=pin, link=link)
+    return plan.board.arc(f"{pivot}{pin}", plan.point(pivot), abs(points[pin] - points[pivot]), why)
+
+
+def _by_arc(plan: Plan, notch: Notch, there: Plan) -> Mark:
+    """Notch the rod's length from its known hinge on the arc that its other hinge describes."""
+    dyad, pin = notch.dyad, notch.pin
+    known = plan.point(dyad.pin)
+    points = plan.mechanism.links[dyad.links[notch.end]].points
+    rod = plan.board.arc(f"{dyad.pin}{pin}", known, abs(points[pin] - points[dyad.pin]), f"|{dyad.pin}{pin}|")
+    centre, end, start = (np.asarray(there.point(name).point) for name in (notch.pivot, pin, dyad.pin))
+    side = np.sign(cross(centre - start, end - start))
+    why = because("notched_back", point=pin, start=dyad.pin)
+    return plan.board.meet(pin, rod, circle(plan, notch.host, notch.pivot, pin), side, why)
+
+
+def _by_line(plan: Plan, notch: Notch, there: Plan) -> Mark:
+    """Meet the slot with the arc that the pin in it describes: far from the slot's pivot, or near it."""
+    dyad, pin = notch.dyad, notch.pin
+    slide, driven = dyad.slide(), dyad.links[1 - notch.end]
+    left = guide.offset(plan, slide, dyad.links[notch.end], pin).left
+    slot = guide.line(plan, slide, driven, left)
+    along = np.asarray(there.units[guide.key(slide)].point)  # type: ignore[union-attr]  # a plan of positions has all
+    centre, end = (np.asarray(there.point(name).point) for name in (notch.pivot, pin))
+    side: Sizes = np.sign(dot(along, end - centre))
+    why = because("slot_back", point=pin, link=driven)
+    return plan.board.meet(pin, slot, circle(plan, notch.host, notch.pivot, pin), side, why)
 
 
 def point_of(mechanism: Mechanism, out: Output) -> str | None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.meet import dot
-from plans.cyclogram.backwards import Notch, circle, go_back, keep, notch_of, way_back
+from plans.cyclogram.tool import Notch, circle, go_back, keep, notch_of, way_back
 from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
 from plans.model.cyclogram import Watched

@@ -9,8 +9,7 @@ import numpy as np
 from geometry.board import Mark
 from geometry.calculus import Derivative
 from geometry.steps import behind
-from plans.diagrams.chords import DIAGRAMS
-from plans.diagrams.study import DiagramsStudy
+from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
 from plans.model.motion import Floats

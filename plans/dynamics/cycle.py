@@ -2,21 +2,171 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from geometry.board import Board, Mark
 from geometry.calculus import Integral, integral
 from geometry.strips import middles, strips
-from plans.dynamics.breaks import breaks
 from plans.dynamics.reduction import Reducing, Reduction
-from plans.forces.stroke import ROUNDING
+from plans.forces.loading import working_of
+from plans.forces.stroke import ROUNDING, Stroke, asks
+from plans.linkage.assembly_limits import NODES, at_angles, changes_of_sign
 from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, settled
-from plans.model.motion import Floats
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
+from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 from plans.words.calculus import REASONS
 from plans.words.words import because
+
+# Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.
+SAME = 1e-7
+
+Height = Callable[[Motion], Floats]
+
+
+class Level(NamedTuple):
+    """What changes its sign at a break, and the load over a stroke that changes there, if it acts there."""
+
+    height: Height
+    load: Force | Moment | None = None
+    stroke: Stroke | None = None
+    point: str = ""  # that must be at rest there, and not only go square to the way that it had before
+
+    def counts(self, motion: Motion) -> npt.NDArray[np.bool_]:
+        """Tell at which positions of a motion the load changes: not on the stroke on which it rests."""
+        found = np.ones(len(motion.phi), dtype=bool)
+        if self.load is not None and self.stroke is not None and self.load.during != ALWAYS:
+            found &= working_of(self.load, self.stroke, motion) == (self.load.during in (WORKING, FORWARD))
+        if self.point:
+            fastest = max(float(np.nanmax(np.abs(one.v), initial=0.0)) for one in motion.points.values())
+            found &= np.abs(motion.points[self.point].v) <= ROUNDING * fastest
+        return found
+
+
+def breaks(reduction: Reduction) -> Floats:
+    """Give the angles turned since position 0, rad in [0, 2 pi), at which the reduced moment jumps or bends."""
+    zeros = _within([place for level in _levels(reduction) for place in _zeros(reduction, level)])
+    # An extreme position is known to half its digits: where a point reverses there, its own zero is known better.
+    ends = [end for end in _within(_ends(reduction)).tolist() if not np.any(_apart(zeros, end) <= SAME)]
+    return _distinct(np.append(zeros, ends))
+
+
+def _within(places: Iterable[float]) -> Floats:
+    """Bring angles into one turn."""
+    return np.asarray(np.mod(np.array([*places], dtype=np.float64), TURN))
+
+
+def _apart(places: Floats, place: float) -> Floats:
+    """Give how far angles of a turn are from one, rad."""
+    return np.asarray(np.abs(np.angle(np.exp(1j * (places - place)))))
+
+
+def _ends(reduction: Reduction) -> Iterator[float]:
+    """Give the ends of all strokes over which a load changes."""
+    sense = reduction.study.sense
+    for stroke in reduction.statics.strokes.values():
+        yield from (sense * (end - reduction.start) for end in (stroke.begin, stroke.end))
+
+
+def _levels(reduction: Reduction) -> Iterator[Level]:
+    machine, strokes = reduction.statics.machine, reduction.statics.strokes
+    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
+    for load in loads:
+        if asks(load):
+            stroke = strokes[load.stroke]
+            yield from (Level(_passing(stroke, share), load, stroke) for share in _shares(load))
+            if load.during in (FORWARD, BACKWARD):
+                yield Level(_going(load, stroke))
+        if isinstance(load, Moment) and load.against:
+            yield Level(_turning(load.link))
+        if isinstance(load, Force) and load.resists and load.other is not None:
+            yield Level(_parting(load))
+        elif isinstance(load, Force) and load.direction is None and load.line is None:
+            yield from _moving(reduction, load.point)
+
+
+def _shares(load: Force | Moment) -> list[float]:
+    """Give the shares of the stroke, inside it, at which a load changes its course."""
+    begin, end = load.overrun
+    places = {begin, 1.0 - end, *(load.diagram.travel if isinstance(load, Force) and load.diagram else ())}
+    return sorted(place for place in places if 0.0 < place < 1.0)
+
+
+def _going(load: Force | Moment, stroke: Stroke) -> Height:
+    return lambda motion: np.where(working_of(load, stroke, motion), 1.0, -1.0)
+
+
+def _passing(stroke: Stroke, share: float) -> Height:
+    return lambda motion: stroke.share(motion) - share
+
+
+def _turning(link: int) -> Height:
+    return lambda motion: _without_rounding(motion.links[link].omega, motion.links.values())
+
+
+def _parting(force: Force) -> Height:
+    """Tell the speed at which a point goes away from another along a line that both lie on."""
+    assert force.line is not None and force.other is not None  # of a force between two links
+    own, far, (start, end) = force.point, force.other.point, force.line
+
+    def height(motion: Motion) -> Floats:
+        along = motion.points[end].r - motion.points[start].r
+        parting = np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real)
+        return _without_rounding(parting / np.abs(along), motion.points.values())
+
+    return height
+
+
+def _without_rounding(speed: Floats, motions: Collection[PointMotion | LinkMotion]) -> Floats:
+    """Give no speed at all where it is but rounding over the whole turn: what does not move does not reverse."""
+    fastest = max(float(np.nanmax(np.abs(one[1]), initial=0.0)) for one in motions)
+    return speed if np.nanmax(np.abs(speed), initial=0.0) > ROUNDING * fastest else np.zeros_like(speed)
+
+
+def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
+    """Tell where a point reverses: its speed along the way that it had a node before changes its sign."""
+    speed = _nodes(reduction).points[point].v
+    with np.errstate(invalid="ignore"):
+        turns = np.flatnonzero((speed.conj() * np.roll(speed, -1)).real < 0)
+    for way in {complex(np.round(speed[k] / np.abs(speed[k]), 6)) for k in turns}:
+        yield Level(_along(point, way), point=point)
+
+
+def _along(point: str, way: complex) -> Height:
+    return lambda motion: np.asarray((way.conjugate() * motion.points[point].v).real)
+
+
+def _nodes(reduction: Reduction) -> Motion:
+    return _motion(reduction, TURN * np.arange(NODES) / NODES)
+
+
+def _motion(reduction: Reduction, turned: Floats) -> Motion:
+    return reduction.sweep.motion(at_angles(reduction.start + reduction.study.sense * turned), 2)
+
+
+def _zeros(reduction: Reduction, level: Level) -> Floats:
+    """Close in on all changes of sign of a level over the turn, by fans of crank angles between two neighbours."""
+    step = TURN / NODES
+    # Between the nodes of a turn that begins beside position 0: a break at position 0 itself is between two of them.
+    nodes = np.asarray(step * (np.arange(NODES + 1) - 0.5), dtype=np.float64)
+    above = level.height(_motion(reduction, nodes)) >= 0
+    low = nodes[:-1][above[1:] != above[:-1]]
+    found = changes_of_sign(lambda turned: level.height(_motion(reduction, turned)), low, low + step)
+    return found[level.counts(_motion(reduction, found))]
+
+
+def _distinct(places: Floats) -> Floats:
+    """Leave one of each that are the same; one that a rounding leaves short of a whole turn is at its beginning."""
+    within = np.sort(np.where(TURN - places < SAME, 0.0, places))
+    kept = [place for before, place in pairwise([-TURN, *within.tolist()]) if place - before > SAME]
+    return np.array(kept, dtype=np.float64)
+
 
 WORKS = "works"
 # Both sides of a jump are read off plans beside it, at this part of a strip, at twice and thrice it, and carried on to

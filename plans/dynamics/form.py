@@ -2,16 +2,181 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from decimal import Decimal
+from itertools import pairwise
+from typing import Any
 
 from plans.dynamics import fields as d
-from plans.dynamics.motor import MotorTable, RunTable
+from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
+from plans.model.run import RunTask
 from plans.scene import fields as f
+from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
-from plans.scene.readers import many
+from plans.scene.readers import Check, many, one
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
+
+SPEED, MOMENT = f.positive(units.SPEED), f.positive(units.MOMENT)
+TURNS_MOST = 100  # of steady motion that are shown: more are one black band
+SETTLED, START = "settled", "start"
+# The keys of each law, first the one that tells it from the others.
+LAWS: Mapping[str, tuple[str, ...]] = {
+    "starting": ("starting", "synchronous"),
+    "breakdown": ("breakdown", "slip", "synchronous"),
+    "speeds": ("speeds", "moments"),
+    "moment": ("moment",),
+}
+OWN = {name: lead for lead, names in LAWS.items() for name in names if name != "synchronous"}
+
+
+def turns(value: object) -> int:
+    """Read the turns of steady motion that are shown."""
+    found = f.whole(value, 1)
+    if found > TURNS_MOST:
+        raise wrong("too_many_turns", most=TURNS_MOST)
+    return found
+
+
+def _check_points(speeds: tuple[Decimal, ...]) -> None:
+    """See that the speeds of a table begin at rest and rise."""
+    if len(speeds) < 2 or speeds[0] != 0:
+        raise wrong("speeds_from_rest", found=f"{speeds[0]:f}" if speeds else "", at=(0,) if speeds else ())
+    for k, (before, after) in enumerate(pairwise(speeds), 1):
+        if after <= before:
+            raise wrong("speeds_rise", found=f"{after:f}", before=f"{before:f}", at=(k,))
+
+
+class MotorTable(Table):
+    """The motor: its rotor, its turns for one turn of the crank, and by one of four laws its moment over its speed."""
+
+    rotor: Decimal | None = key(d.INERTIA, None, meaning="Moment of inertia of the rotor.")
+    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Turns of the motor for one turn of the crank.")
+    starting: Decimal | None = key(
+        MOMENT,
+        None,
+        meaning="Starting moment; from it the moment falls in a straight line to 0 at the synchronous speed.",
+        missing=Missing("starting moment", 'starting = "60 N*m"'),
+    )
+    synchronous: Decimal | None = key(
+        SPEED,
+        None,
+        meaning="Speed of the motor at which it has no moment.",
+        missing=Missing("synchronous speed", 'synchronous = "1500 rpm"'),
+    )
+    breakdown: Decimal | None = key(
+        MOMENT,
+        None,
+        meaning="Greatest moment of an induction motor, by Kloss' formula (формула Клосса).",
+        missing=Missing("breakdown moment", 'breakdown = "60 N*m"'),
+    )
+    slip: Decimal | None = key(
+        d.SHARE, None, meaning="Critical slip, at which that moment is.", missing=Missing("critical slip", "slip = 0.2")
+    )
+    speeds: tuple[Decimal, ...] = key(
+        many(f.not_negative(units.SPEED), Check(_check_points, least=2), first=f.FEW),
+        (),
+        meaning="Speeds of the motor from 0 on, of a law by points; beyond the last its line goes on.",
+        missing=Missing("speeds of the motor", "speeds = [0, 120, 157]"),
+    )
+    moments: tuple[Decimal, ...] = key(
+        many(f.number(units.MOMENT), first=f.FEW),
+        (),
+        meaning="Moments at these speeds.",
+        missing=Missing("moments of the motor", "moments = [40, 60, 0]"),
+    )
+    moment: Decimal | None = key(MOMENT, None, meaning="Moment that does not depend on the speed.")
+
+    def check(self) -> None:
+        """See that there is at most one law, that it is whole, and that a law by points comes down at its end."""
+        told = [name for name in self.keys if name in self.given and name in OWN]
+        leads = list(dict.fromkeys(OWN[name] for name in told))
+        if len(leads) > 1:
+            second = next(name for name in told if OWN[name] == leads[1])
+            raise wrong("one_of_two", first=told[0], second=second, found="both", at=(second,))
+        names = LAWS[leads[0]] if leads else ()
+        for name in names:
+            if name not in self.given:
+                raise wrong("missing", at=(name,))
+        if "synchronous" in self.given and "synchronous" not in names:
+            self._refuse_synchronous(leads)
+        if leads == ["speeds"]:
+            self._check_moments()
+
+    def _refuse_synchronous(self, leads: list[str]) -> None:
+        if not leads:
+            raise wrong("missing", at=("starting",))
+        raise wrong("one_of_two", first=leads[0], second="synchronous", found="both", at=("synchronous",))
+
+    def _check_moments(self) -> None:
+        if len(self.moments) != len(self.speeds):
+            raise wrong("as_many_moments", found=len(self.moments), wanted=len(self.speeds), at=("moments",))
+        if self.moments[0] <= 0:
+            raise wrong("not_positive", kind="moment", at=("moments", 0))
+        if self.moments[-1] >= self.moments[-2]:
+            raise wrong("moments_fall", at=("moments", len(self.moments) - 1))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that there is at most one law, and that it is whole."""
+        every = {*OWN, "synchronous"}
+        laws = [{"required": list(names), **_none_of(every - set(names))} for names in LAWS.values()]
+        return {"oneOf": [_none_of(every), *laws]}
+
+    @property
+    def law(self) -> Law | None:
+        """The law; None where none is given."""
+        if self.starting is not None:
+            return Linear(*_floats(self.starting, self.synchronous))
+        if self.breakdown is not None:
+            return Kloss(*_floats(self.breakdown, self.slip, self.synchronous))
+        if self.speeds:
+            return Tabled(_floats(*self.speeds), _floats(*self.moments))
+        return None if self.moment is None else Constant(float(self.moment))
+
+
+class RunTable(Table):
+    """The run of the machine from rest: step of the table, turns of steady motion, resistance, brake."""
+
+    step: Decimal | None = key(
+        d.STEP,
+        None,
+        meaning="Step of the table; default: a strip of the turn at full speed, or less where the motor is stiff.",
+    )
+    turns: int = key(
+        one(turns, lambda: forms.whole(1) | {"maximum": TURNS_MOST}, "number"),
+        5,
+        meaning="Turns of steady motion that are shown.",
+    )
+    resistance: str = key(
+        f.words(SETTLED, START),
+        SETTLED,
+        meaning="When loads and weights begin to act: at full speed, or from the start.",
+    )
+    brake: Decimal | None = key(MOMENT, None, meaning="Moment at the crank that stops the machine; without it, no end.")
+
+
+def _none_of(names: set[str]) -> dict[str, Any]:
+    return {"not": {"anyOf": [{"required": [name]} for name in sorted(names)]}}
+
+
+def _floats(*values: Decimal | None) -> tuple[float, ...]:
+    return tuple(float(value) for value in values if value is not None)
+
+
+def motor_of(form: MotorTable | None) -> Motor | None:
+    """Make the motor; None where the scene gives no law of its moment."""
+    law = form.law if form else None
+    return Motor(law, float(form.ratio)) if form and law is not None else None
+
+
+def run_task(form: RunTable, speed: float) -> RunTask:
+    """Make the task of a run to a mean speed rad/s."""
+    brake = None if form.brake is None else float(form.brake)
+    step = None if form.step is None else float(form.step)
+    return RunTask(speed, form.turns, brake, form.resistance == START, step)
+
 
 DRIVE, DYNAMICS = "drive", "dynamics"  # where the speed of the crank comes from
 

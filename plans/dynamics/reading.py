@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from decimal import Decimal
 from typing import NamedTuple
 
-from plans.dynamics.form import DynamicsForm, DynamicsTable
-from plans.dynamics.motor import motor_of
+from plans.dynamics.form import DynamicsForm, DynamicsTable, motor_of
 from plans.linkage.reading.form import LinkageForm
 from plans.model.dynamics import Rim, Shaft, Task
 from plans.scene.faults import Fault

@@ -11,8 +11,7 @@ from geometry.board import Mark
 from geometry.meet import UNBORNE
 from plans.forces.cut import Support
 from plans.forces.force import ForcePlan
-from plans.forces.force_template import ForcePlans, reaction_of, row
-from plans.forces.groups import forces
+from plans.forces.force_template import ForcePlans, forces, reaction_of, row
 from plans.forces.lever import lever
 from plans.linkage.groups import guide
 from plans.linkage.plan import Plan

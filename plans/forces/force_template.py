@@ -13,9 +13,10 @@ from geometry.meet import UNBORNE
 from geometry.steps import behind
 from geometry.tracing import Tracing
 from plans.forces.cut import Support
+from plans.forces.dyads import GROUP_FORCES
 from plans.forces.force import ForcePlan
-from plans.forces.groups import forces
 from plans.forces.lever import Lever, lever
+from plans.forces.primary import primary
 from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate, resting
@@ -24,6 +25,19 @@ from plans.model.group import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
 from plans.model.motion import Floats
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+def forces(accelerations: Plan, groups: Sequence[Group], machine: Machine, loading: Loading) -> ForcePlan:
+    """Draw the force plan over the acceleration plan, the group attached last first (section 6.4.5, M5.7)."""
+    plan = ForcePlan(accelerations, machine, loading)
+    for group in reversed(groups):
+        cut = GROUP_FORCES[group.kind].cut(plan, group)
+        plan.cuts.append(cut)
+        for support in cut.supports:
+            plan.hand_over(support)
+    plan.cuts.append(primary(plan))
+    return plan
 
 
 class ForcePlans(NamedTuple):

@@ -5,20 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from geometry.board import Mark, at
 from geometry.meet import cross
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
-from plans.linkage.station import told_at
 from plans.linkage.study import LinkageStudy
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, Drive
 from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
+
+PLACES = 4  # decimals of degrees, and of millimetres
+
+
+def told_at(key: str, drive: Drive, phi: float, /, **parts: object) -> Message:
+    """Say something at a coordinate of the drive: by a key with its angle in degrees, or `key_way` with millimetres.
+
+    >>> told_at("explain.title", Drive(1, "O", "A", 1.0, 0.0), 0.5, mark="B", position=1).worded("en")
+    'B in position 1 (φ = 28.6479°)'
+    """
+    if not drive.pushed:
+        return message(key, angle=f"{np.degrees(phi):.{PLACES}f}", **parts)
+    return message(f"{key}_way", way=f"{1000 * drive.unit * phi:.{PLACES}f}", **parts)
+
 
 HOME = POSITIONS.plan
 UNITS = {order.plan: order.point.unit for order in ORDERS}

@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from plans.scene.faults import TWINS, Fault, dotted
-from plans.scene.guard import GUARD, STRING
-from plans.scene.places import Places, line_column
+from plans.scene.guard import GUARD, STRING, Places, line_column
 from plans.words.words import ENGLISH, Message, words
 from plans.words.words import message as said_by
 

@@ -15,8 +15,7 @@ from typing import Any
 from geometry.errors import LimitError
 from geometry.regular_file import regular_bytes
 from plans.scene.faults import Fault, Path, SceneError
-from plans.scene.guard import guard
-from plans.scene.places import Places, line_column
+from plans.scene.guard import Places, guard, line_column
 from plans.scene.units import decimal
 from plans.words.words import ENGLISH, languages, message, placed
 

@@ -12,10 +12,9 @@ from drawings.eye.alike import folded
 from drawings.form.blank_file import SEAL
 from drawings.form.task import table_of
 from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.asked_table import TableAsked
+from drawings.grading.cells.asked_table import Key, SeenCell, TableAsked, tables_seen
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.cells.ruling import ruling
-from drawings.grading.cells.seen_table import Key, SeenCell, tables_seen
 from drawings.measure.transform import STAY
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Group, Leaf, Stroke

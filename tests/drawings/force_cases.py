@@ -21,7 +21,7 @@ from drawings.paper.strokes import Leaf
 from plans.analytic.kinematics import solve
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.force import ForcePlan
-from plans.forces.groups import forces
+from plans.forces.force_template import forces
 from plans.forces.lever import Lever, lever
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction, pairs

@@ -12,12 +12,15 @@ from xml.etree import ElementTree
 
 import pytest
 
-from drawings.acceptance.assertions import assert_close_to_analysis, assert_sheet_matches, assert_well_drawn
-from drawings.acceptance.assignment import Assignment
-from drawings.acceptance.handed_sheet import HandedSheet, handed
-from drawings.acceptance.picture import Spot, picture
-from drawings.acceptance.read_plan import NotDrawnError
-from drawings.acceptance.reading import AcceptanceError
+from drawings.acceptance.assertions import (
+    Spot,
+    assert_close_to_analysis,
+    assert_sheet_matches,
+    assert_well_drawn,
+    picture,
+)
+from drawings.acceptance.assignment import AcceptanceError, Assignment
+from drawings.acceptance.handed_sheet import HandedSheet, NotDrawnError, handed
 from tests.drawings.students import TABLED, drawn, task, true_places
 from tests.drawings.test_grading import MISTAKES, bare, made
 from tests.parts import first

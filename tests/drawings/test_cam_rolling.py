@@ -7,11 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from drawings.figures.cam.profile_curve import profile_curve
+from drawings.figures.cam.outlines import profile_curve
 from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING
 from drawings.layout.place import Place
-from drawings.measure.measure import Measured, check, measure
-from drawings.measure.measured_profile import MeasuredProfile
+from drawings.measure.measure import Measured, MeasuredProfile, check, measure
 from drawings.page.scale import Scale
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Group, Leaf, LineStyle

@@ -8,12 +8,11 @@ import unicodedata
 import pytest
 
 from drawings.eye import alike
-from drawings.eye.lettered import any_letters
+from drawings.eye.lettered import SeenLetter, any_letters, written
 from drawings.eye.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.eye.shapes import notations, shape, shapes
 from drawings.eye.sheet import SeenSheet, see
 from drawings.eye.tracks import Track, tracks
-from drawings.eye.writing import SeenLetter, written
 from drawings.lettering.alphabet import glyph
 from drawings.lettering.lettering import lettered
 from drawings.measure.transform import MIRROR

@@ -16,7 +16,7 @@ from drawings.paper.strokes import Leaf, SheetError, Stroke, Text
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces, kinematics
-from drawings.sheets.choice import force_positions
+from drawings.sheets.positions import force_positions
 from plans.checks.compare import compare
 from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics, without

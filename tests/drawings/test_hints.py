@@ -7,7 +7,7 @@ import re
 import pytest
 
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.hints import Hint, curve_hints, hints, told
+from drawings.grading.told import Hint, curve_hints, hints, told
 from tests.drawings.students import task
 from tests.gallery import SCENES
 from tests.rows import over

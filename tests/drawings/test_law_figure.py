@@ -11,10 +11,9 @@ import pytest
 
 from drawings.checks.letters import unlettered
 from drawings.figures.cam import law_diagrams
-from drawings.figures.cam.law_frame import LawFrame, LawPlate
+from drawings.figures.cam.law_frame import LawFrame, LawPlate, rows
 from drawings.figures.cam.law_graph import graph_part
 from drawings.figures.cam.law_pole import pole_part
-from drawings.figures.cam.law_rows import rows
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

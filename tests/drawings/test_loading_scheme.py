@@ -25,7 +25,7 @@ from drawings.paper.walk import flat
 from geometry.board import at
 from plans.forces.cut import PART, Cut
 from plans.forces.force import ForcePlan
-from plans.forces.groups import forces
+from plans.forces.force_template import forces
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Applied, Loading, Twist
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission

@@ -17,8 +17,8 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
-from drawings.sheets.choice import position
 from drawings.sheets.kinematics import sheet, sheets
+from drawings.sheets.positions import position
 from plans.checks.compare import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as some
 
 from drawings.layout.bareness import bareness
-from drawings.layout.outline import BANDS, outline
 from drawings.layout.parting import fewest, partings
+from drawings.layout.picture import BANDS, outline
 from drawings.layout.slicing import GAP, Cuts, Piece, Size, Slicing, Tree, pieces
 from drawings.layout.standing import Occupant, Standing, natural
 from drawings.page.page import Field

@@ -20,14 +20,14 @@ from drawings.paper.strokes import SheetError
 from drawings.paper.walk import stated
 from drawings.pens.svg import svg
 from drawings.sheets import forces, kinematics
-from drawings.sheets.admission import of_scales
+from drawings.sheets.documents import of_scales
 from drawings.sheets.draft import Exhibit
 from drawings.sheets.table import SHEETS
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
-from plans.scene.scales import ScaleTable
 from plans.scene.scene import Scene, parse_scene
+from plans.scene.sheet import ScaleTable
 from plans.study import Study
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from drawings.collation.figures import Figures
+from drawings.collation.edit import Figures
 from drawings.collation.items import Item
 from drawings.collation.spots import middle
 from drawings.paper.strokes import Text

@@ -7,7 +7,7 @@ from dataclasses import replace
 from random import Random
 from typing import Any
 
-from drawings.collation.figures import Figures
+from drawings.collation.edit import Figures
 from drawings.collation.items import Item, items
 from drawings.collation.spots import brought, middle
 from drawings.measure.transform import Affine

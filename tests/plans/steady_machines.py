@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from hypothesis import strategies as st
 
-from plans.analytic.dynamics.exact import Exact, exact
+from plans.analytic.dynamics.flywheel import Exact, exact
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.kinematics import Analysis
 from plans.forces.loading import loading

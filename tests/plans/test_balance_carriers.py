@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from plans.balance.carriers import carriers, reciprocating
-from plans.balance.counterweights import counterweights, substituted
-from plans.balance.refusals import Refused
+from plans.balance.reading import carriers, reciprocating
+from plans.balance.study import counterweights, substituted
+from plans.balance.weights import Refused
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.linkage import FULL, PARTIAL, Place, Task
 from plans.model.machine import Body

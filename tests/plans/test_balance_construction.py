@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plans.balance.counterweights import substituted
-from plans.balance.study import BalanceStudy
+from plans.balance.study import BalanceStudy, substituted
 from plans.model.balance.linkage import EPS, FORCE, FULL, PARTIAL, REACTION, ROUNDING, SHARE, SHARES, Place, Task
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body, Transmission

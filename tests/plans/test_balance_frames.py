@@ -10,10 +10,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from plans.balance.counterweights import counterweights, substituted
-from plans.balance.refusals import Refused
 from plans.balance.shares import Superposition, largest
-from plans.balance.study import BalanceStudy
+from plans.balance.study import BalanceStudy, counterweights, substituted
+from plans.balance.weights import Refused
 from plans.checks.balance.comparison import compare_balance
 from plans.checks.compare import compare
 from plans.forces.statics import Statics

@@ -17,17 +17,15 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from plans.analytic.balance.counterweights import Found
+from plans.analytic.balance.counterweights import Found, sought
 from plans.analytic.balance.counterweights import counterweights as by_vectors
-from plans.analytic.balance.sought import sought
-from plans.balance.counterweights import counterweights, substituted
-from plans.balance.loaded import loaded as with_weights
-from plans.balance.main_points import MainPoints
-from plans.balance.refusals import Refused
+from plans.balance.mass_centre import MainPoints
 from plans.balance.states import mass_centre
 from plans.balance.stems import tree_of
-from plans.balance.study import BalanceStudy
+from plans.balance.study import BalanceStudy, counterweights, substituted
+from plans.balance.study import loaded as with_weights
 from plans.balance.substitution import Substitution
+from plans.balance.weights import Refused
 from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Counterweight, MassCentre, Place, Task
 from plans.model.group import Group
 from plans.model.machine import Body, Machine

@@ -13,10 +13,8 @@ import numpy as np
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from plans.balance.counterweights import substituted
-from plans.balance.refusals import Refused
-from plans.balance.study import BalanceStudy
-from plans.balance.weights import begins
+from plans.balance.study import BalanceStudy, substituted
+from plans.balance.weights import Refused, begins
 from plans.linkage.drafts import Drafts
 from plans.model.balance.linkage import FULL, NONE, PARTIAL, Counterweight, Place, Task
 from plans.model.machine import Body, Transmission

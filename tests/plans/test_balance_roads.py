@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.balance import counterweights as by_vectors
-from plans.balance.refusals import Refused
 from plans.balance.study import BalanceStudy
-from plans.balance.weights import begins
+from plans.balance.weights import Refused, begins
 from plans.checks.balance.comparison import BalanceComparison, compare_balance
 from plans.checks.compare import compare
 from plans.forces.statics import Statics

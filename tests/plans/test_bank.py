@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 
 from geometry.replay import exact
-from plans.analytic.balance.series import slider_harmonic
+from plans.analytic.balance.bank import slider_harmonic
 from plans.bank.engines import ENGINES
 from plans.bank.harmonics import NotSettled
 from plans.bank.letters import roman

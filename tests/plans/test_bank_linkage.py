@@ -12,8 +12,7 @@ from plans.analytic.balance.bank import bank_balance
 from plans.analytic.balance.mass_centre import bodies
 from plans.analytic.kinematics import Analysis
 from plans.balance.study import BalanceStudy
-from plans.bank.linkage import Linkage, NoTurn
-from plans.bank.study import BankStudy
+from plans.bank.study import BankStudy, Linkage, NoTurn
 from plans.checks.balance.bank_comparison import compare_bank
 from plans.model.balance.bank import Asked, BankTask, Member
 from plans.model.balance.linkage import FULL, PARTIAL, Place

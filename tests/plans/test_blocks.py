@@ -9,8 +9,8 @@ import pytest
 
 from geometry.precision import condition
 from plans.analytic.blocks import triangular
-from plans.analytic.constraints import Constraints
 from plans.analytic.kinematics import Analysis
+from plans.analytic.points import Constraints
 from plans.analytic.sharpness import least, sharpness
 from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.margin import meeting

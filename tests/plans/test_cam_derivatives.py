@@ -9,9 +9,9 @@ import pytest
 
 from plans.cam.course import Course
 from plans.cam.profile.contact import Contact
-from plans.cam.profile.curvature import curvature, curvature_slope
-from plans.cam.profile.extremes import pressure, pressure_slope
+from plans.cam.profile.outline import curvature, curvature_slope
 from plans.cam.profile.profile import slip, slip_slope
+from plans.cam.profile.remedy import pressure, pressure_slope
 from plans.cam.profile.stretches import Value
 from plans.cam.profile.tip import Tip
 from plans.cam.profile.touch import Touch

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.cam import shocks as seams
-from plans.analytic.cam.laws import limits, travel
-from plans.analytic.cam.tables import departure
+from plans.analytic.cam.laws import departure, limits, travel
 from plans.cam.course import Course
 from plans.cam.laws import law_of
 from plans.cam.tables import smoothing

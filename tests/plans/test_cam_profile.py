@@ -9,10 +9,9 @@ import pytest
 
 from geometry.meet import EPS
 from plans.cam.course import Course
-from plans.cam.profile.curvature import three_points
-from plans.cam.profile.extremes import Extremes
-from plans.cam.profile.profile import profile
-from plans.cam.profile.roller import roller_of
+from plans.cam.profile.outline import three_points
+from plans.cam.profile.profile import profile, roller_of
+from plans.cam.profile.remedy import Extremes
 from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip
 from plans.model.cam_motion import Sizes

@@ -15,8 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.calculus import Derivative
-from plans.diagrams.chords import Chords
-from plans.diagrams.study import DiagramsStudy
+from plans.diagrams.study import Chords, DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import Axis, Diagrams, axis_of, chord_error
 from plans.model.motion import Floats

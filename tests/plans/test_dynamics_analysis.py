@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.dynamics.cycle import exact_cycle
-from plans.analytic.dynamics.exact import Exact, exact
-from plans.analytic.dynamics.flywheel import book_slopes, flywheel, speed_slopes
+from plans.analytic.dynamics.flywheel import Exact, book_slopes, exact, flywheel, speed_slopes
 from plans.analytic.dynamics.methods import methods
 from plans.analytic.dynamics.reduction import Reduction, reduced
 from plans.analytic.dynamics.rim import wheel

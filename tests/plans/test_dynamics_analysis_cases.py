@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.dynamics.cycle import exact_cycle
-from plans.analytic.dynamics.exact import Exact, exact
-from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import Exact, exact, flywheel, flywheel_of_points
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.rim import wheel
 from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel

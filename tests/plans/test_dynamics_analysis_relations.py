@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from plans.analytic.dynamics.curve import wave
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
-from plans.analytic.dynamics.exact import Exact
-from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points
 from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel
-from plans.analytic.dynamics.wave import wave
 from plans.analytic.power import balancing_moment
 from plans.model.dynamics import Task
 from plans.model.machine import Force, Machine, Moment

@@ -6,8 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.dynamics.form import DynamicsForm
-from plans.dynamics.motor import motor_of, run_task
+from plans.dynamics.form import DynamicsForm, motor_of, run_task
 from plans.dynamics.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled

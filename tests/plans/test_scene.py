@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from geometry.errors import LimitError
 from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.guides import triangle
 from plans.linkage.reading.line import LineTable
 from plans.linkage.reading.linkage import mechanism_of
-from plans.linkage.reading.shapes import triangle
 from plans.model.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene.faults import SHOWN, Fault, SceneError
 from plans.scene.scene import parse_scene

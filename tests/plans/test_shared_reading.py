@@ -16,9 +16,8 @@ from plans.analytic.kinematics import Analysis
 from plans.forces.reading.inventory import machine_of
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
-from plans.linkage.reading.guides import direction
+from plans.linkage.reading.guides import direction, triangle
 from plans.linkage.reading.linkage import mechanism_of
-from plans.linkage.reading.shapes import triangle
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism

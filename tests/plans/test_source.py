@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from geometry.errors import LimitError
 from plans.scene import faults, source
 from plans.scene.faults import SceneError
-from plans.scene.places import Places
+from plans.scene.guard import Places
 from plans.scene.source import parse_source, read_source
 from tests.parts import examples, some
 

@@ -13,7 +13,6 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.figures.balance.lanes import lanes
 from drawings.figures.balance.scheme import AFTER, BalanceScheme, PlacedWeight
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.linkage.guides import frame_slides, grounds, travel
@@ -23,9 +22,8 @@ from drawings.figures.linkage.rotation import turnings
 from drawings.figures.linkage.ties import ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.outline import traced
-from drawings.layout.parallel_offsets import APART, Segment, offset
-from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.parallel_offsets import APART, Segment, merging, offset
+from drawings.layout.picture import Margins, Picture, Spot, picture, traced
 from drawings.layout.place import Place
 from drawings.lettering.balance_letters import CENTRE, counterweight, lowered
 from drawings.lettering.indices import with_index
@@ -41,6 +39,38 @@ from drawings.symbols.polygon import LaidVector, carriers, letters
 from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
 from drawings.symbols.trimming import trim
 from plans.model.motion import Complexes
+
+MOST = 4  # lanes on either side that are tried
+
+
+def lanes(segments: Sequence[Segment], bars: Sequence[Segment], toward: complex, apart: float) -> list[complex]:
+    """Give the shift of each vector, mm, that keeps it off bars and off those before it; most have none.
+
+    The nearest free lane is taken, of two the one on the side of a place `toward` which they go.
+
+    >>> lanes([(0j, 50 + 0j)], [(0j, 90 + 0j)], 50 + 20j, 3.0)
+    [3j]
+    """
+    kept, shifts = list(bars), list[complex]()
+    for segment in segments:
+        free = (shift for shift in _shifts(segment, toward, apart) if _clear(offset(segment, shift), kept))
+        shifts.append(next(free, 0j))
+        kept.append(offset(segment, shifts[-1]))
+    return shifts
+
+
+def _clear(segment: Segment, kept: Sequence[Segment]) -> bool:
+    return not any(merging(segment, other) for other in kept)
+
+
+def _shifts(segment: Segment, toward: complex, apart: float) -> Iterator[complex]:
+    start, end = segment
+    across = 1j * (end - start) / abs(end - start)
+    side = across if ((toward - (start + end) / 2) * across.conjugate()).real >= 0 else -across
+    yield 0j
+    for step in range(1, MOST + 1):
+        yield from (step * apart * side, -step * apart * side)
+
 
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes

@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 
-from drawings.figures.balance.told_positions import told
 from drawings.figures.graphs.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.lettering.balance_letters import MOMENT
 from drawings.page.drafting import Drafting
+from drawings.paper.limits import MANY
 from plans.model.balance.linkage import State
 from plans.model.motion import Floats
+
+ROOMY = 3 * MANY  # positions that all have room
+
+
+def told(count: int, shown: int) -> tuple[int, ...]:
+    """Choose the positions that are told.
+
+    >>> told(12, 2) == tuple(range(12)), told(72, 1)[:4]
+    (True, (0, 1, 6, 12))
+    """
+    every = 1 if count <= ROOMY else math.ceil(count / MANY)
+    return tuple(k for k in range(count) if k % every == 0 or k == shown)
+
 
 NAME = "rocking"
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.figures.balance.moment_graph import told
 from drawings.figures.balance.scheme import AFTER, BEFORE
-from drawings.figures.balance.told_positions import told
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture

@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from drawings.figures.bank.bank_letters import letter, size
 from drawings.figures.bank.bank_view import RESULT, SIDE, ShownOrder
 from drawings.figures.rotor.letters import FEW, MOST
 from drawings.layout.labels import Labels
@@ -23,6 +22,22 @@ from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.symbols.symbols import pole
 from plans.bank.letters import FORCE, MOMENT
+
+
+def letter(name: str, count: int) -> str:
+    """Letter one of so many vectors: with its letters, or of many by the number of its member alone.
+
+    >>> letter("F_II,3", 4), letter("F_II,3", 12), letter("F_II", 12)
+    ('F_{II,3}', '3', 'F_{II}')
+    """
+    number = name.partition(",")[2]
+    return number if count > FEW and number else lowered(name)
+
+
+def size(text: str, drafting: Drafting) -> float:
+    """Give the size of a letter, mm: numbers alone are smaller."""
+    return drafting.hand.number if text.isdigit() else drafting.hand.letter
+
 
 NAMES = {FORCE: "order_forces", MOMENT: "order_moments"}  # of the polygons, before the order
 BACK = "back"  # after the order of what turns against the crank

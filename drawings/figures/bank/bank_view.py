@@ -10,8 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.balance.bank_notes import mirrored, straight
-from drawings.report.balance.bank_slight import slight_force, slight_left, slight_moment, slight_order
+from drawings.report.balance.bank_notes import (
+    mirrored,
+    slight_force,
+    slight_left,
+    slight_moment,
+    slight_order,
+    straight,
+)
 from drawings.symbols.polygon import ShownVector
 from plans.bank.letters import FORCE, MOMENT
 from plans.bank.polygons import Total

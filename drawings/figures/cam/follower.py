@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from drawings.figures.cam.inversion import POINT, face, highest
 from drawings.figures.cam.profile_view import NAME, QUANTITY, ProfileView
-from drawings.figures.cam.rings import CLEAR, GUIDE
+from drawings.figures.cam.senses import CLEAR, GUIDE
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Fill, Group, Line, Stroke

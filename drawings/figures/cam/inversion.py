@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.figures.cam.profile_view import NAME, QUANTITY, ProfileView
-from drawings.figures.cam.rings import Rings
+from drawings.figures.cam.senses import Rings
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke

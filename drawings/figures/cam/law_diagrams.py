@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.figures.cam.law_frame import LEVEL, LawFrame, LawPlate
+from drawings.figures.cam.law_frame import LEVEL, LawFrame, LawPlate, LawRow
 from drawings.figures.cam.law_graph import graph_part, numbered_edges
 from drawings.figures.cam.law_pole import POLES, pole_part
-from drawings.figures.cam.law_rows import LawRow
 from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot

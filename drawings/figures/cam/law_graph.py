@@ -9,8 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from drawings.figures.cam.law_frame import LawPlate
-from drawings.figures.cam.law_rows import LawRow
+from drawings.figures.cam.law_frame import LawPlate, LawRow
 from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.part import Letter, Part
 from drawings.lettering.thinning import every

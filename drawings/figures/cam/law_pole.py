@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from drawings.figures.cam.law_frame import LawPlate
-from drawings.figures.cam.law_rows import LawRow
+from drawings.figures.cam.law_frame import LawPlate, LawRow
 from drawings.figures.graphs.axes import Axes
 from drawings.figures.graphs.part import Part
 from drawings.figures.graphs.pole import Pole

@@ -3,24 +3,62 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.cam.profile_curve import profile_curve
-from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, ShownCurve
+from drawings.figures.cam.profile_view import OUTER, PITCH, QUANTITY, UNIT, WORKING, ProfileView, ShownCurve
 from drawings.layout.labels import Labels
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Curve, LineStyle, Polyline, Stroke
+from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, numeral, stated
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
-from plans.cam.path import Bound
+from plans.cam.path import Bound, ProfilePath
 from plans.model.cam_motion import Flaw
 from plans.model.motion import Complexes
+
+TOLD = 2  # digits of a stated deviation
+
+
+def profile_curve(
+    path: ProfilePath, place: Place, plan: str, name: str, style: LineStyle, turned: float = 0.0
+) -> Group:
+    """Draw a path of a cam, turned by degrees from its start, on a plan whose pole is the cam's centre.
+
+    Its name is the letter of its points.
+    """
+    turn = cmath.exp(1j * math.radians(turned)) / place.scale.mu
+    pieces = tuple(piece.placed(turn, place.on(0j)) for piece in path.pieces)
+    data = {
+        "kind": "profile",
+        "plan": plan,
+        "quantity": QUANTITY,
+        "name": name,
+        "value": stated(path.pieces[0].start),
+        "unit": UNIT,
+        "scale": numeral(place.scale.mu),
+        "deviation": numeral(upward(path.deviation)),
+        **({"turned": numeral(turned)} if turned else {}),
+    }
+    return Group(tuple(fit_dashes([Curve(pieces, path.closed, style)])), "", data, name)
+
+
+def upward(value: float) -> float:
+    """Round a deviation to a few digits, never to a lesser one.
+
+    >>> upward(8.24e-08), upward(0.0)
+    (8.3e-08, 0.0)
+    """
+    if value == 0:
+        return 0.0
+    digit = math.floor(math.log10(value)) + 1 - TOLD
+    return float(f"{math.ceil(value * 10.0**-digit)}e{digit}")
+
 
 # Flaws of a curve's own shape, and the curve that has them.
 SHOWN = {"undercut": WORKING, "crossing": WORKING, "concave": WORKING, "sharp": WORKING, "hollow": OUTER}

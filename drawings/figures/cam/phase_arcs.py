@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from drawings.figures.cam.inversion import highest
 from drawings.figures.cam.profile_view import NAME, ProfileView
-from drawings.figures.cam.rings import Rings, beyond
+from drawings.figures.cam.senses import Rings, beyond
 from drawings.layout.labels import Labels
 from drawings.lettering.phrase import telling
 from drawings.page.drafting import Drafting

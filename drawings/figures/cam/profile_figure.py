@@ -9,7 +9,7 @@ from functools import cached_property
 
 from drawings.figures.cam import follower, inversion, outlines, phase_arcs, senses, size_marks
 from drawings.figures.cam.profile_view import NAME, QUANTITY, SYMBOL, UNIT, ProfileView
-from drawings.figures.cam.rings import BODY_GUIDE, Rings, around, beyond
+from drawings.figures.cam.senses import BODY_GUIDE, Rings, around, beyond
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.figures.diagrams.rows import VELOCITY, DiagramRow, letters_of, rows_of
+from drawings.figures.diagrams.frame import VELOCITY, DiagramRow, letters_of, rows_of
 from drawings.page.drafting import Drafting
 from plans.diagrams.study import DiagramsStudy
 from plans.words.words import said

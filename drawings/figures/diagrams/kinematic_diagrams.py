@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.figures.diagrams.frame import NAME, DiagramsFrame, DiagramsPlate
+from drawings.figures.diagrams.frame import NAME, DiagramRow, DiagramsFrame, DiagramsPlate
 from drawings.figures.diagrams.row_graph import graph_part, numbered_positions
 from drawings.figures.diagrams.row_pole import letters_of, pole_part
-from drawings.figures.diagrams.rows import DiagramRow
 from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.diagrams.rows import SLIDING, TURNING
+from drawings.figures.diagrams.frame import SLIDING, TURNING
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.thinning import every
 from drawings.lettering.words import fixed

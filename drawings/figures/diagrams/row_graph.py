@@ -6,8 +6,7 @@ import cmath
 import math
 from collections.abc import Collection, Iterator
 
-from drawings.figures.diagrams.frame import DiagramsPlate
-from drawings.figures.diagrams.rows import DiagramRow
+from drawings.figures.diagrams.frame import DiagramRow, DiagramsPlate
 from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part

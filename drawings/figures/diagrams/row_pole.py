@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from drawings.figures.diagrams.frame import DiagramsPlate
-from drawings.figures.diagrams.rows import VELOCITY, DiagramRow
+from drawings.figures.diagrams.frame import VELOCITY, DiagramRow, DiagramsPlate
 from drawings.figures.graphs.axes import Axes
 from drawings.figures.graphs.part import Part
 from drawings.figures.graphs.pole import Pole

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.dynamics.strips import Strips, strips
+from drawings.figures.dynamics.rays import Strips, strips
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting

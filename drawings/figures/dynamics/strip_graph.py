@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.dynamics.strips import Strips
+from drawings.figures.dynamics.rays import Strips
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.figures.graphs.part import Letter, Part
 from drawings.page.drafting import Drafting

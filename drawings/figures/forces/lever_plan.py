@@ -15,13 +15,14 @@ from drawings.figures.forces.lever_layout import (
     SAME,
     SYMBOL,
     UNIT,
+    LeverTerm,
     Taken,
     arms,
     downward,
     forces,
     reach,
+    terms,
 )
-from drawings.figures.forces.lever_terms import LeverTerm, terms
 from drawings.figures.linkage.vector_plan import LEAST, diagram
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment

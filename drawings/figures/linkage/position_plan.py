@@ -11,15 +11,13 @@ from itertools import groupby
 from drawings.figures.linkage.guides import axes, grounds
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.path_ticks import path_ticks
 from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.poses import Poses
-from drawings.figures.linkage.position_letters import letters
+from drawings.figures.linkage.position_letters import letters, path_ticks, swings
 from drawings.figures.linkage.pushing import Push, arrows, stroke_line
 from drawings.figures.linkage.rotation import Turning
 from drawings.figures.linkage.skeleton import Skeletons
 from drawings.figures.linkage.stroke_dimension import strokes
-from drawings.figures.linkage.swing import swings
 from drawings.figures.linkage.ties import ties
 from drawings.figures.linkage.tracks import same
 from drawings.figures.linkage.trajectories import trajectories

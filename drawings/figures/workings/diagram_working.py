@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator
 from itertools import pairwise
 
-from drawings.figures.diagrams.frame import NAME, DiagramsFrame, DiagramsPlate
+from drawings.figures.diagrams.frame import NAME, DiagramRow, DiagramsFrame, DiagramsPlate
 from drawings.figures.diagrams.row_pole import letters_of
-from drawings.figures.diagrams.rows import DiagramRow
 from drawings.figures.workings.working import SCALES, Working, told
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting

@@ -10,11 +10,9 @@ from drawings.eye.alike import folded
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.allowance import Allowances
-from drawings.grading.cells.asked_table import CellAsked, TableAsked
-from drawings.grading.cells.cell_judge import CellJudge
-from drawings.grading.cells.own_reading import Readings
+from drawings.grading.cells.asked_table import CellAsked, Key, SeenCell, SeenTable, TableAsked, tables_seen
+from drawings.grading.cells.cell_judge import CellJudge, Readings
 from drawings.grading.cells.ruling import ruling
-from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, tables_seen
 from drawings.grading.cells.written_number import number
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.drawn_plan import DrawnPlan

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -10,14 +11,33 @@ import numpy as np
 
 from drawings.due.cam_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
 from drawings.grading.curves.asked_figure import Sizes, Values
-from drawings.grading.curves.cam_rulers import ruled
-from drawings.grading.curves.strip_means import moved_means
+from drawings.grading.curves.dynamics_courses import moved_means
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
-from plans.analytic.cam.sizes import sizes
+from plans.analytic.cam.sizes import Side, least, sides_of, sizes
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Contour
 from plans.model.cam_motion import Sizes as MainSizes
+
+
+def ruled(cam: Cam, sizes: MainSizes, drawn: tuple[Sizes, Sizes], true: tuple[Sizes, Sizes]) -> complex:
+    """Give A as it is seen from O, where S' and S at some places are drawn otherwise than they are.
+
+    Sizes that are given stay where they are, and so do all where rulers leave no room for O.
+    """
+    offset, level = sizes.offset, math.sqrt(max(sizes.base**2 - sizes.offset**2, 0.0))
+    if cam.given.base is None and cam.given.offset is None and not cam.translates:
+        own = tuple(one._replace(most=one.most + _moved(one, drawn, true)) for one in sides_of(cam))
+        if all(one.most > 0 for one in own):
+            offset, level = least(own)
+    return complex(cam.sense * offset, level)
+
+
+def _moved(one: Side, drawn: tuple[Sizes, Sizes], true: tuple[Sizes, Sizes]) -> float:
+    """Give by how much a ruler has moved along the axis of S', m: at the point that it touches then and now."""
+    touches = [float((one.sign * velocity - one.tangent * way).max()) for velocity, way in (drawn, true)]
+    return touches[0] - touches[1]
+
 
 DIAGRAM, PRESSURE, POINTS = "sizes", "pressure", "profile points"
 

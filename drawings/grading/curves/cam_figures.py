@@ -20,11 +20,10 @@ from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.asked_figure import POINTS as PLACES
 from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
-from drawings.grading.curves.chords_by_hand import chords_by_hand
-from drawings.grading.curves.cyclogram_figures import bars
+from drawings.grading.curves.cyclogram_figures import bars, rings
+from drawings.grading.curves.dynamics_figures import chords_by_hand
 from drawings.grading.curves.figure_judge import SHORT
-from drawings.grading.curves.own_sheet import OwnSheet, items
-from drawings.grading.curves.ring_figures import rings
+from drawings.grading.curves.figure_records import OwnSheet, items
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from plans.cyclogram.rows import EVERY
 from plans.study import Study

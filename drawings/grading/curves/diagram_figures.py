@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.due.diagrams import KEYS, ExpectedRow, expected_rows, named
 from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Sizes, Values
-from drawings.grading.curves.own_sheet import OwnSheet
+from drawings.grading.curves.figure_records import OwnSheet
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.model.diagrams import TURN
 from plans.study import Study

@@ -24,13 +24,32 @@ from drawings.grading.curves.asked_figure import (
     Sizes,
     Values,
 )
-from drawings.grading.curves.chords_by_hand import chords_by_hand
 from drawings.grading.curves.dynamics_courses import BEARING, CUT, Turned
+from drawings.grading.curves.figure_records import OwnSheet, items
 from drawings.grading.curves.load_figures import load_diagrams
-from drawings.grading.curves.own_sheet import OwnSheet, items
 from drawings.grading.curves.run_figures import bare_speeds, tachogram
+from geometry.board import Board
+from geometry.calculus import integral
+from geometry.hand_error import SlippingHand, slopes
 from plans.study import Study
 from plans.words.words import Message, because
+
+CHORDS = "chords"
+
+
+def chords_by_hand(wide: Sizes, high: Sizes, pole: float) -> Sizes:
+    """Give how far each ordinate of an integral curve is out, mm (standard deviation), if the hand slips by a mm.
+
+    The strips are so wide and their mean ordinates so high, mm, and the pole is so far away, mm.
+
+    >>> chords_by_hand(np.array([10.0, 10.0]), np.array([5.0, 5.0]), 20.0).round(2).tolist()
+    [0.82, 1.25, 1.63]
+    """
+    edges = np.concatenate(([0.0], np.cumsum(wide)))
+    found = integral(Board(CHORDS), "y", edges, high, pole)
+    moved = slopes(SlippingHand(1.0, {CHORDS: np.ones(1)}), *found.points)
+    return np.array([np.hypot(PRICKED, np.sqrt((moved[one].imag ** 2).sum())) for one in found.points])
+
 
 # By what the values of a graph are found.
 WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_chord"), SURPLUS: because("steady")})

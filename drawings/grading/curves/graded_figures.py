@@ -4,20 +4,119 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
-from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes
-from drawings.grading.curves.drawn_arms import from_arms
+from drawings.grading.curves.arm_figures import from_arms
+from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
-from drawings.grading.curves.drawn_rings import from_rings
 from drawings.grading.curves.figure_judge import FigureJudge
 from drawings.grading.curves.form.form_figure import from_form
 from drawings.grading.curves.form.form_line import line_on_form
+from drawings.grading.drawn_plan import Arrow
 from drawings.grading.verdict import Verdict
+from drawings.paper.strokes import Circle, Line
+from drawings.paper.walk import flat
+
+
+class Rings(NamedTuple):
+    """Rings on paper: their centre and the radii of their circles, rising, mm."""
+
+    centre: complex
+    radii: tuple[float, ...]
+
+    def ring(self, number: int) -> tuple[float, float]:
+        """Give the radii of a ring; the first is the outermost."""
+        return self.radii[-1 - number], self.radii[-number]
+
+
+def from_rings(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+    """Give the bearings of the rays in the rings of a sheet; None where it has no rings of so many rows."""
+    count = max(asked.rings, default=0)
+    rings = _rings(seen, count) if count else None
+    if rings is None:
+        return None
+    lines, by = [one for one in flat(seen.leaf.groups) if isinstance(one, Line)], seen.measured.moved
+    values = np.full(len(asked.true), complex(np.nan, np.nan))
+    for number in range(1, count + 1):
+        own = np.flatnonzero(np.array(asked.rings) == number)
+        rays = np.array(list(_rays(lines, rings, number))) * np.conj(by.p) / abs(by.p)
+        dues = [asked.true[own], *(one.values[own] for one in asked.mistakes)]
+        values[own] = np.abs(asked.true[own]) * _paired(rays, dues)
+    if np.isnan(values).all():
+        return None
+    arrows = {}
+    for place in np.flatnonzero(~np.isnan(values)).tolist():
+        ray, (low, high) = values[place] / abs(values[place]) * by.p / abs(by.p), rings.ring(asked.rings[place])
+        arrows[place] = Arrow(rings.centre + low * ray, rings.centre + high * ray)
+    return DrawnFigure(asked, values, arrows, free=True)
+
+
+def _rings(seen: SeenSheet, count: int) -> Rings | None:
+    """Give the widest circles about one centre, one more than there are rings between them."""
+    circles = [one for one in flat(seen.leaf.groups) if isinstance(one, Circle)]
+    found = []
+    for middle in sorted(circles, key=lambda one: -one.radius):
+        about = sorted(one.radius for one in circles if abs(one.centre - middle.centre) <= PLACED)
+        radii = [low for low, high in zip(about, [*about[1:], np.inf], strict=True) if high - low > PLACED]
+        if len(radii) > count:
+            found.append(Rings(middle.centre, tuple(radii[-count - 1 :])))
+    return max(found, key=lambda one: one.radii[-1], default=None)
+
+
+def _rays(lines: Sequence[Line], rings: Rings, number: int) -> Iterator[complex]:
+    """Give the ways of the lines that lead across a ring, from the centre."""
+    inner, outer = rings.ring(number)
+    for one in lines:
+        near, far = sorted((one.start - rings.centre, one.end - rings.centre), key=abs)
+        if abs(near) <= inner + THROUGH and abs(far) >= outer - THROUGH and _radial(near, far):
+            yield far / abs(far)
+
+
+def _radial(near: complex, far: complex) -> bool:
+    """Tell whether a line would go through the centre as a hand draws it, and begins on this side of it."""
+    way = (far - near) / abs(far - near)
+    return bool(abs((near / way).imag) <= THROUGH and (near / way).real >= -THROUGH)
+
+
+def _paired(rays: Values, dues: Sequence[Values]) -> Values:
+    """Give each bearing that is due the ray that is its, in their order round: as they are nearest; NaN for none.
+
+    >>> _paired(np.array([1j, 1 + 0j]), [np.array([2 + 0.1j, 2j])]).tolist()
+    [(1+0j), 1j]
+    """
+    best, found = np.inf, np.full(len(dues[0]), complex(np.nan, np.nan))
+    for due in dues:
+        ways = due / np.abs(due)
+        own = _round(rays, ways) if len(rays) == len(ways) else _nearest(rays, ways)
+        off = float(np.nan_to_num(np.abs(own - ways), nan=2.0).sum())
+        if off < best:
+            best, found = off, own
+    return found
+
+
+def _round(rays: Values, ways: Values) -> Values:
+    """Pair as many rays as ways one with another round the circle."""
+    order, due = np.argsort(np.angle(rays)), np.argsort(np.angle(ways))
+    found = np.empty(len(ways), dtype=np.complex128)
+    turns = [np.abs(np.roll(rays[order], k) - ways[due]).sum() for k in range(len(ways))]
+    found[due] = np.roll(rays[order], int(np.argmin(turns)))
+    return found
+
+
+def _nearest(rays: Values, ways: Values) -> Values:
+    """Pair each way with the ray nearest to it that is nearer to no other way."""
+    found = np.full(len(ways), complex(np.nan, np.nan))
+    for ray in rays.tolist():
+        k = int(np.abs(ways - ray).argmin())
+        if np.isnan(found[k]) or abs(ray - ways[k]) < abs(found[k] - ways[k]):
+            found[k] = ray
+    return found
 
 
 def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tuple[DrawnFigure, ...]]:

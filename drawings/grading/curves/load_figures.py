@@ -13,7 +13,7 @@ from drawings.due.loads import branches
 from drawings.figures.dynamics.load_diagram import NAME as LOAD
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Values
-from drawings.grading.curves.own_sheet import OwnSheet
+from drawings.grading.curves.figure_records import OwnSheet
 from drawings.measure.measured import MeasuredVector
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke

@@ -14,7 +14,7 @@ from drawings.due.turn import INERTIA, KNOWN, SURPLUS, Turn
 from drawings.due.turn_graphs import BEFORE, TACHOGRAM
 from drawings.grading import verdict
 from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
-from drawings.grading.curves.own_sheet import OwnSheet
+from drawings.grading.curves.figure_records import OwnSheet
 from plans.analytic.dynamics.corners import energy_at
 from plans.model.dynamics import TURN, Speeds
 from plans.model.run import STEADY, Run

@@ -2,15 +2,212 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import combinations, pairwise
 
-from plans.analytic.balance.counterweights import Found, counterweights, shared
-from plans.analytic.balance.shares import Weighing, shifted
-from plans.analytic.balance.sought import sought
+import numpy as np
+
+from plans.analytic.balance.counterweights import Found, carrying, counterweights, shared, sought
+from plans.analytic.balance.mass_centre import bodies, mass_centre
 from plans.analytic.balance.states import Course, state
-from plans.model.balance.linkage import ANALYSIS, FORCE, NONE, SHARE, Balance, Shares, Task
+from plans.model.balance.linkage import (
+    ANALYSIS,
+    EPS,
+    FORCE,
+    NONE,
+    ROUNDING,
+    SHARE,
+    SHARES,
+    Balance,
+    Choice,
+    Counterweight,
+    Shares,
+    Task,
+)
 from plans.model.group import Group
+from plans.model.kinetostatics import pair
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats
+
+STRAIGHT = 64.0  # so many eps of the largest are what three force analyses differ by where the forces are straight
+
+Forces = Callable[[float], Complexes]  # of a share to the forces N in all positions
+
+
+class Weighing:
+    """Shares of the reciprocating mass, weighed by the shaking force and by the reaction of the shaft.
+
+    `partial` are the counterweights at share 0; with the share the crank's loses the static moment `step` kg*m.
+    """
+
+    def __init__(self, course: Course, partial: Sequence[Counterweight], step: complex) -> None:
+        self.forces, self.reactions = _shaking(course, partial, step), _bearing(course, partial, step)
+        self.lightest = _lightest(course, partial, step)
+
+    def force(self, share: float) -> float:
+        """Give the largest shaking force N of a share."""
+        return _largest(self.forces(share))
+
+    def reaction(self, share: float) -> float:
+        """Give the largest reaction N of the shaft of a share."""
+        return _largest(self.reactions(share))
+
+    def choice(self, share: float) -> Choice:
+        """Weigh a share."""
+        return Choice(share, self.force(share), self.reaction(share))
+
+    @property
+    def shares(self) -> Shares:
+        """The curve, and the two best."""
+        curve = tuple(self.choice(float(share)) for share in np.linspace(0, 1, SHARES))
+        return Shares(curve, self.choice(least(self.forces)), self.choice(least(self.reactions, self.lightest)))
+
+
+def shifted(course: Course, partial: Sequence[Counterweight], step: complex, share: float) -> tuple[Counterweight, ...]:
+    """Give the counterweights at a share of the reciprocating mass."""
+    crank = course.mechanism.drive.link
+    return tuple(_less(one, share * step) if one.link == crank else one for one in partial)
+
+
+def _less(one: Counterweight, given: complex) -> Counterweight:
+    """Take a static moment kg*m off a counterweight; a difference within rounding is none."""
+    left = one.moment - given
+    return carrying(one, 0j if abs(left) <= ROUNDING * EPS * abs(given) else left)
+
+
+def _largest(forces: Complexes) -> float:
+    return float(np.fmax.reduce(np.abs(forces)))
+
+
+def _turning(course: Course) -> Complexes:
+    """Give the acceleration m/s2 of a point of the crank 1 m from its shaft, in the crank's own frame."""
+    turn, omega, epsilon = course.turn.links[course.mechanism.drive.link]
+    return np.asarray((1j * epsilon - omega**2) * np.exp(1j * turn))
+
+
+def _shaking(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
+    """Give the shaking force of a share: that at share 0, and what the crank's counterweight gives up."""
+    before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
+    given = step * _turning(course)
+    return lambda share: np.asarray(before + share * given)
+
+
+def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
+    """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds."""
+    drive = course.mechanism.drive
+    key = pair(FRAME, drive.link, drive.pivot).key
+    others = [one for one in partial if one.link != drive.link]
+    without = course.forces(others).reactions[key].force
+    twisted = course.twisted().reactions[key].force
+    turning, gravity = _turning(course), course.machine.gravity
+    turn, epsilon = np.exp(1j * course.turn.links[drive.link].angle), course.turn.links[drive.link].epsilon
+
+    def reaction(share: float) -> Complexes:
+        (one,) = (one for one in shifted(course, partial, step, share) if one.link == drive.link)
+        about = one.inertia + one.mass * one.distance**2 if one.needed else 0.0
+        moment = (np.conj(one.moment * turn) * gravity).imag - about * epsilon
+        return np.asarray(without - one.mass * gravity + one.moment * turning + moment * twisted)
+
+    return reaction
+
+
+def _lightest(course: Course, partial: Sequence[Counterweight], step: complex) -> tuple[float, ...]:
+    """Give the share at which a crank's counterweight whose mass follows is lightest: the weights bend there."""
+    crank = next(one for one in partial if one.link == course.mechanism.drive.link)
+    if crank.place.mass is not None or not step:
+        return ()
+    share = (crank.moment * step.conjugate()).real / abs(step) ** 2
+    return (share,) if 0 < share < 1 else ()
+
+
+def least(forces: Forces, bends: tuple[float, ...] = ()) -> float:
+    """Find the share in [0, 1] whose largest force is least, on either side of its bends; 0 where there is none."""
+    if np.isnan(_largest(forces(0.0))):  # a mechanism that cannot be assembled
+        return 0.0
+    if _straight(forces):
+        start = forces(0.0)
+        return lowest(start, forces(1.0) - start)
+    sides = pairwise((0.0, *bends, 1.0))
+    return min((_valley(forces, *side) for side in sides), key=lambda share: _largest(forces(share)))
+
+
+def _valley(forces: Forces, start: float, end: float) -> float:
+    """Find the lowest place between two shares, by a row of them and golden sections."""
+    between = np.linspace(0, 1, SHARES)
+    row = np.array([start, *between[(between > start) & (between < end)], end])
+    best = int(np.argmin([_largest(forces(float(share))) for share in row]))
+    low, high = row[max(best - 1, 0)], row[min(best + 1, len(row) - 1)]
+    return _golden(lambda share: _largest(forces(share)), float(low), float(high))
+
+
+def _golden(height: Callable[[float], float], low: float, high: float) -> float:
+    """Close in on the lowest place of a valley by golden sections (золотое сечение)."""
+    section = (math.sqrt(5) - 1) / 2
+    places = [high - section * (high - low), low + section * (high - low)]
+    heights = [height(place) for place in places]
+    while high - low > 4 * EPS:
+        if heights[0] <= heights[1]:
+            high, places = places[1], [places[1] - section * (places[1] - low), places[0]]
+            heights = [height(places[0]), heights[0]]
+        else:
+            low, places = places[0], [places[1], places[0] + section * (high - places[0])]
+            heights = [heights[1], height(places[1])]
+    return min((low, *places, high), key=height)
+
+
+def _straight(forces: Forces) -> bool:
+    """Tell whether the forces are straight in the share but for rounding."""
+    ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
+    most = max(_largest(one) for one in ends)
+    return _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most
+
+
+def lowest(start: Complexes, slope: Complexes) -> float:
+    """Find the share in [0, 1] whose largest |F0 + k F1| is least."""
+    known = np.flatnonzero(np.isfinite(start))
+    start, slope = start[known], slope[known]
+    chosen = [int(np.argmax(np.abs(start)))]
+    while True:
+        best = _lowest_of(start[chosen], slope[chosen])
+        highest = int(np.argmax(np.abs(start + best * slope)))
+        if highest in chosen:
+            return best
+        chosen.append(highest)
+
+
+def _lowest_of(start: Complexes, slope: Complexes) -> float:
+    """Take the lowest of where the envelope of a few parabolas can be lowest: ends, bottoms, meetings."""
+    points = np.clip([0.0, 1.0, *_bottoms(start, slope), *_meetings(start, slope)], 0.0, 1.0)
+    heights = np.abs(start[:, None] + slope[:, None] * points).max(axis=0)
+    return float(points[int(np.argmin(heights))])
+
+
+def _bottoms(start: Complexes, slope: Complexes) -> Floats:
+    moving = np.abs(slope) > 0
+    start, slope = start[moving], slope[moving]
+    return np.asarray(-(start.conj() * slope).real / np.abs(slope) ** 2)
+
+
+def _meetings(start: Complexes, slope: Complexes) -> list[float]:
+    """Find where two of the parabolas |F0|^2 + 2 k F0.F1 + k^2 |F1|^2 meet."""
+    found: list[float] = []
+    rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
+    for one, other in combinations(rows, 2):
+        roots = _roots(*(one - other))
+        found += [root for root in roots if np.isfinite(root)]
+    return found
+
+
+def _roots(a: float, b: float, c: float) -> list[float]:
+    """Solve a k^2 + b k + c = 0 without loss of digits."""
+    under = b * b - 4 * a * c
+    if under < 0:
+        return []
+    q = -(b + np.copysign(np.sqrt(under), b)) / 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return [float(np.divide(q, a)), float(np.divide(c, q))]
 
 
 def balance(course: Course, task: Task, groups: Sequence[Group], share: float | None = None) -> Balance:

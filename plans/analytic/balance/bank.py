@@ -15,7 +15,6 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from plans.analytic.balance.series import shaking, slider_harmonic
 from plans.analytic.rotor import direction
 from plans.model.balance.bank import (
     ANALYSIS,
@@ -33,6 +32,49 @@ from plans.model.balance.bank import (
     plain_angle,
 )
 from plans.model.motion import Complexes, Floats
+
+
+def slider_harmonic(unit: Unit, order: int) -> float:
+    """Give the amplitude of cos(n phi) in the slider's distance from the shaft, m; odd ones beyond the first are 0.
+
+    >>> f"{slider_harmonic(Unit(0.1, 0.4, 0.0, 9.5), 2):.10g}"
+    '0.006350626058'
+    """
+    if order % 2:
+        return unit.crank if order == 1 else 0.0
+    root = math.sqrt((unit.rod - unit.crank) * (unit.rod + unit.crank)) / unit.rod
+    p = (unit.ratio / (1 + root)) ** 2
+    return unit.rod * (1 + root) * _coefficient(order // 2, p)
+
+
+def _coefficient(m: int, p: float) -> float:
+    """Give the coefficient of e^(2i m phi) in sqrt((1 + p e^(2i phi)) (1 + p e^(-2i phi)))."""
+    first, term = _binomials(m) * p**m, 1.0
+    terms, j = [term], 0
+    while abs(term) > EPS * EPS:  # each next term is less than p^2 times the last
+        term *= (j - 0.5) * (j + m - 0.5) / ((j + 1) * (j + m + 1)) * p * p
+        terms.append(term)
+        j += 1
+    return first * math.fsum(terms)
+
+
+def _binomials(m: int) -> float:
+    """Give the binomial coefficient of 1/2 over m."""
+    return math.prod((1.5 - k) / k for k in range(1, m + 1))
+
+
+def slider_acceleration(unit: Unit, cosine: Floats, sine: Floats) -> Floats:
+    """Give the second derivative of the slider's distance by the crank angle, m."""
+    ratio = unit.ratio
+    root = np.sqrt((1 - ratio * sine) * (1 + ratio * sine))
+    rod = (cosine**2 - sine**2 + ratio**2 * sine**4) / root**3
+    return np.asarray(-unit.crank * (cosine + ratio * rod))
+
+
+def shaking(unit: Unit, speed: float, heading: Complexes) -> Complexes:
+    """Give the main vector of a slider-crank's inertia forces in directions of its crank from its guide, N."""
+    slider = slider_acceleration(unit, heading.real, heading.imag)
+    return np.asarray(speed**2 * (unit.rotating * unit.crank * heading - unit.reciprocating * slider))
 
 
 class Mechanism(Protocol):

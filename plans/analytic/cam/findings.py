@@ -2,18 +2,181 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
+from typing import Final
 
-from plans.analytic.cam.contact import forces_of
-from plans.analytic.cam.contour import contour
+import numpy as np
+
+from plans.analytic.cam.contact import Forces, forces_of
+from plans.analytic.cam.contour import Curve, contour
 from plans.analytic.cam.extremes import Extremes
-from plans.analytic.cam.flaws import Flaws
+from plans.analytic.cam.loops import Loops
+from plans.analytic.cam.series import Place, Turn, Value
 from plans.analytic.cam.shocks import shocks
 from plans.analytic.cam.sizes import sizes as sizes_of
-from plans.model.cam import GROOVE, NO_SIZES, ROLLER, Cam
+from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of
 from plans.model.cam_faults import CamError
-from plans.model.cam_motion import ANALYSIS, CamFound, Sizes
+from plans.model.cam_motion import ANALYSIS, CamFound, Extreme, Flaw, Sizes
 from plans.model.motion import Floats
+
+NEAR: Final = 1e-9  # of a limit: sizes found by it touch it but for rounding, and so may a roller a radius
+LEAST: Final = ("undercut", "concave", "sharp", "lift-off")
+
+
+@dataclass(frozen=True)
+class Flaws:
+    """What is wrong with one profile."""
+
+    extremes: Extremes
+    roller: float  # m
+    forces: Forces | None
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.extremes.cam
+
+    @property
+    def turn(self) -> Turn:
+        """The whole turn."""
+        return self.extremes.turn
+
+    def all(self) -> tuple[Flaw, ...]:
+        """Give all flaws, by their kinds, and those of a kind as the cam turns."""
+        fast = self.extremes.outrun
+        if fast:
+            return (Flaw("outrun", fast.turned, fast.turned, fast),)
+        found = (
+            *self._rolling("undercut", 1.0),
+            *(self._rolling("hollow", -1.0) if self.cam.closure == GROOVE else ()),
+            *(self._flat() if self.cam.flat else ()),
+            *Loops(self.turn, self.roller).flaws(),
+            *self._pressed(),
+            *self._short(),
+            *self._lifted(),
+        )
+        return tuple(sorted(found, key=lambda one: (one.kind, one.start)))
+
+    def _rolling(self, kind: str, side: float) -> Iterator[Flaw]:
+        if self.roller == 0:
+            return
+
+        def value(curve: Curve) -> Floats:
+            return side * self.roller * curve.curvature - 1
+
+        def radius(curve: Curve) -> Floats:
+            with np.errstate(divide="ignore"):
+                return np.where(side * curve.curvature > 0, np.abs(1 / curve.curvature), np.inf)
+
+        spans = list(self._beyond(kind, value, radius, self.extremes.bends))
+        yield from spans
+        own = self.extremes.sharpest if side > 0 else self.extremes.hollow
+        if own and not spans and abs(abs(own.value) - self.roller) <= NEAR * self.roller:
+            yield Flaw(kind, own.turned, own.turned, own)
+        yield from (Flaw(kind, one, one, Extreme(0.0, one)) for one in self.corners(side))
+
+    def corners(self, side: float) -> Iterator[float]:
+        """Give where a hard shock makes a corner of the curve: the normal swings by the jump of the pressure angle."""
+        for one in shocks(self.cam):
+            ends = np.array([one.turned or (0.0 if self.cam.translates else self.cam.turn)])
+            if one.order == 1 and not self._outside(one.turned):
+                after = self.turn.at(np.array([one.turned])).pressure[0]
+                before = self.turn.at(ends, before=True).pressure[0]
+                if side * (after - before) < 0:
+                    yield one.turned
+
+    def _outside(self, turned: float) -> bool:
+        return self.cam.translates and turned in (0.0, self.cam.turn)
+
+    def _flat(self) -> Iterator[Flaw]:
+        def hollow(curve: Curve) -> Floats:
+            if not curve.cam.rocks:
+                return -curve.radius
+            return np.where(curve.lead > 0, -curve.radius * curve.lead, curve.sizes.base)
+
+        spans = list(self._beyond("concave", hollow, lambda curve: curve.radius, self.extremes.bends))
+        yield from spans
+        falls = [one.turned for one in shocks(self.cam) if one.order == 1 and one.jump < 0]
+        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in falls)
+        least, asked = self.extremes.sharpest, self.cam.limits.curvature
+        if least and not spans and asked > 0 and least.value < asked * (1 - NEAR):
+            yield Flaw("sharp", least.turned, least.turned, least)
+
+    def _pressed(self) -> Iterator[Flaw]:
+        for kind in (RISE, RETURN):
+            interval = interval_of(self.cam, kind)
+            if interval is not None:
+                turn = Turn(self.cam, self.extremes.sizes, (kind,))
+                places = turn.places(lambda curve: curve.pressure)
+                for side, limit in ((1.0, interval.high), (-1.0, -interval.low)):
+                    value = partial(_excess, side, limit)
+                    for one in self._beyond("pressure", value, lambda curve: np.abs(curve.pressure), places, turn):
+                        yield one._replace(worst=one.worst._replace(value=side * one.worst.value))
+
+    def _short(self) -> Iterator[Flaw]:
+        reach = self.cam.follower.reach
+        if self.cam.flat and reach is not None:
+            places = self.turn.places(lambda curve: curve.place)
+            for side in (1.0, -1.0):
+                value = partial(_off_face, side, reach)
+                yield from self._beyond("short face", value, lambda curve: np.abs(curve.place), places)
+
+    def _lifted(self) -> Iterator[Flaw]:
+        forces = self.forces
+        if forces is not None and self.cam.closure == FORCE:
+            places = self.turn.places(forces.normal)
+            yield from self._beyond("lift-off", lambda curve: -forces.along(curve), forces.normal, places)
+
+    def _beyond(
+        self, kind: str, value: Value, told: Value, tops: Sequence[Place], turn: Turn | None = None
+    ) -> Iterator[Flaw]:
+        """Give the parts of the turn where a value is above 0, with the worst of what is told of it, at its tops."""
+        turn = turn or self.turn
+        places = (*tops, *(Place(root) for root in turn.roots(value)))
+        for start, end in self._parts(turn, value, places):
+            inside = [one for one in places if _inside(one, start, end)]
+            found = turn.read(told, inside)
+            best = int(np.nanargmin(found) if kind in LEAST or kind == "hollow" else np.nanargmax(found))
+            size = -found[best] if kind == "hollow" else found[best]
+            yield Flaw(kind, start, end, Extreme(float(size), inside[best].turned))
+
+    def _parts(self, turn: Turn, value: Value, places: tuple[Place, ...]) -> list[tuple[float, float]]:
+        cuts = sorted({one.turned for one in places})
+        middles = np.array([(one + other) / 2 for one, other in pairwise(cuts)])
+        above = value(turn.at(middles)) > 0
+        above &= [any(s <= m <= e for s, e in turn.pieces.T.tolist()) for m in middles.tolist()]
+        parts: list[tuple[float, float]] = []
+        for (start, end), bad in zip(pairwise(cuts), above.tolist(), strict=True):
+            if bad and parts and parts[-1][1] == start:
+                parts[-1] = parts[-1][0], end
+            elif bad:
+                parts.append((start, end))
+        return self._round(parts)
+
+    def _round(self, parts: list[tuple[float, float]]) -> list[tuple[float, float]]:
+        """Join the last part with the first where both meet at the end of the turn."""
+        if self.cam.translates or len(parts) < 2 or parts[0][0] > 0 or parts[-1][1] < self.cam.turn:
+            return parts
+        return [(parts[-1][0], parts[0][1]), *parts[1:-1]]
+
+
+def _excess(side: float, limit: float, curve: Curve) -> Floats:
+    """Give how far the pressure angle is beyond its limit to one side."""
+    return side * curve.pressure - limit * (1 + NEAR)
+
+
+def _off_face(side: float, reach: float, curve: Curve) -> Floats:
+    """Give how far contact is off the face on one side."""
+    return side * curve.place - reach * (1 + NEAR)
+
+
+def _inside(place: Place, start: float, end: float) -> bool:
+    if start > end:
+        return place.turned >= start or place.turned <= end
+    return start <= place.turned <= end
 
 
 def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:

@@ -6,7 +6,7 @@ against whose motion a load acts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -14,10 +14,26 @@ import numpy as np
 from plans.analytic.closure import Flags
 from plans.analytic.dynamics.curve import Curve, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
-from plans.analytic.dynamics.roots import roots
 from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Machine, Track
 from plans.model.motion import Floats, Motion
+
+HALVINGS = 54  # of a stretch of the turn: its last place
+
+Sided = Callable[[Floats, int], Floats]  # angles turned (N,), and a side of them, to the quantity
+
+
+def roots(quantity: Sided, looks: Floats) -> Floats:
+    """Give the angles rad at which a quantity changes its sign within stretches between looks, where it is smooth."""
+    low, high = looks[:-1], looks[1:]
+    rising = quantity(high, -1) >= 0.0
+    changes = (quantity(low, 1) >= 0.0) != rising
+    low, high, rising = low[changes], high[changes], rising[changes]
+    for _ in range(HALVINGS if low.size else 0):
+        middle = (low + high) / 2.0
+        beyond = (quantity(middle, 1) >= 0.0) == rising
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return np.asarray((low + high) / 2.0)
 
 
 class Run(Protocol):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.analytic.dynamics.exact import Exact
+from plans.analytic.dynamics.flywheel import Exact
 from plans.analytic.extremes import EQUAL
 from plans.model.dynamics import ANALYSIS, Cycle
 from plans.model.motion import Floats

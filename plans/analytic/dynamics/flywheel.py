@@ -2,13 +2,116 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from plans.analytic.dynamics.exact import Exact
-from plans.model.dynamics import ANALYSIS, Cycle, Flywheel, Task, Touch
-from plans.model.motion import Floats
+from plans.analytic.closure import EPS
+from plans.analytic.dynamics.breaks import Run, Sided, breaks, roots
+from plans.analytic.dynamics.curve import LEAST, Curve, broken, looks, smooth
+from plans.analytic.dynamics.reduction import Reduction
+from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Task, Touch, settled
+from plans.model.machine import Track
+from plans.model.motion import Floats, Motion
+
+ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows
+MOST = 1e-6  # share: more than this is allowed no number that the two roads are compared by
+
+
+@dataclass(frozen=True)
+class Exact:
+    """The loads, reduced to the crank, and the inertia over a turn; angles `turned` rad (N,) in the sense of rotation.
+
+    `noise` is the share of the largest to which positions and rates are known.
+    """
+
+    breaks: Floats
+    load: Curve
+    mass: Curve
+    growth: Curve
+    noise: float
+    size: float = 0.0  # N*m: the largest sum of the moments of loads and weights, each taken positive
+
+    @property
+    def error(self) -> float:
+        """The share of the largest by which moment or inertia may be off; infinite where they are not known."""
+        return max(one.error for one in (self.load, self.mass, self.growth))
+
+    @property
+    def settled(self) -> bool:
+        """Whether that is rounding."""
+        return self.error <= self.noise
+
+    def moment(self, turned: Floats, side: int = 1) -> Floats:
+        """Give the moment of loads and weights, N*m; at a jump as it is beyond, or before it if side < 0."""
+        return settled(self.load.at(turned, side), self.size)
+
+    def work(self, turned: Floats) -> Floats:
+        """Give their work since position 0, J."""
+        return settled(self.load.since(turned), self.size * TURN)
+
+    @cached_property
+    def driving(self) -> float:
+        """The constant moment N*m of the drive that keeps the motion steady."""
+        return -float(self.work(np.array([TURN]))[0]) / TURN
+
+    def surplus(self, turned: Floats) -> Floats:
+        """Give the change of the kinetic energy since position 0, J."""
+        return self.driving * np.asarray(turned) + self.work(turned)
+
+    def inertia(self, turned: Floats) -> Floats:
+        """Give the reduced inertia of the linkage, kg*m2."""
+        return self.mass.at(turned)
+
+    @cached_property
+    def own(self) -> float:
+        """The reduced inertia of the linkage at position 0, kg*m2."""
+        return float(self.inertia(np.zeros(1))[0])
+
+    def varying(self, turned: Floats) -> Floats:
+        """Give the part of it that changes: that above its value at position 0."""
+        return self.inertia(turned) - self.own
+
+    def slope(self, turned: Floats) -> Floats:
+        """Give its derivative by the angle, kg*m2."""
+        return self.growth.at(turned)
+
+    def turns(self, slope: Sided) -> Floats:
+        """Give where a quantity with this slope may be least or greatest: at rests of it, at breaks, at the ends."""
+        places = looks([self.load, self.mass], *self.breaks)
+        return np.unique(np.concatenate(([0.0], self.breaks, roots(slope, places))))
+
+
+def exact(reduction: Reduction, strokes: Mapping[Track, Run]) -> Exact:
+    """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
+    noise, sizes = _noise(reduction), list[float]()
+
+    def masses(motion: Motion) -> tuple[Floats, Floats]:
+        found = reduction.ordinates(motion)
+        return np.array((found.inertia, found.slope)), np.full(2, np.abs(found.inertia).max())
+
+    def loads(motion: Motion) -> tuple[Floats, Floats]:
+        found = reduction.ordinates(motion)
+        sizes.append(float(found.gross.max()))
+        return found.moment[None], found.gross.max()[None]
+
+    at = breaks(reduction, strokes, noise)
+    mass, growth = smooth(reduction, masses, noise)
+    (load,) = broken(reduction, loads, at, noise) if at.size else smooth(reduction, loads, noise)
+    return Exact(at, load, mass, growth, noise, max(sizes))
+
+
+def _noise(reduction: Reduction) -> float:
+    """Give the share to which rates are known: their condition magnifies a rounding once for every order.
+
+    At a change point it is of no account, for the linkage is carried through.
+    """
+    kappa = reduction.road.conditions(reduction.even(LEAST))
+    largest = float(np.max(kappa, where=np.isfinite(kappa), initial=1.0))
+    return min(ROUNDINGS * EPS * largest**2, MOST)
+
 
 # Extremes that differ by less than this share of the loop's height are one and the same: the first of them counts.
 SAME = 1e-12

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from plans.analytic.dynamics.exact import Exact
+from plans.analytic.dynamics.flywheel import Exact
 from plans.model.dynamics import TURN
 from plans.model.run import OfTurn, ReducedLink
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from plans.analytic.dynamics.exact import Exact
-from plans.analytic.dynamics.flywheel import book_slopes, flywheel
+from plans.analytic.dynamics.flywheel import Exact, book_slopes, flywheel
 from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
 

@@ -9,11 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.closure import transfer
-from plans.analytic.constraints import TURN as SPIN
-from plans.analytic.constraints import Constraints
 from plans.analytic.inertia import reduced_inertia
 from plans.analytic.kinematics import Analysis
-from plans.analytic.points import speed
+from plans.analytic.points import TURN as SPIN
+from plans.analytic.points import Constraints, speed
 from plans.analytic.positions import blocks
 from plans.analytic.power import reduced_moment
 from plans.model.dynamics import ANALYSIS, TURN, Reduced

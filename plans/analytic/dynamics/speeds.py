@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.closure import EPS
-from plans.analytic.dynamics.exact import Exact
+from plans.analytic.dynamics.flywheel import Exact
 from plans.model.dynamics import ANALYSIS, Flywheel, Speeds, Task, settled
 from plans.model.motion import Floats
 

@@ -8,13 +8,10 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from geometry.meet import dot
-from plans.cam.centre.bounds import Bound, CurvatureBound, Lines, limit
-from plans.cam.centre.instants import Instant, Stretch, stretches
-from plans.cam.centre.region import on_circle, place
+from plans.cam.centre.bounds import Bound, CurvatureBound, Lines, limit, touch
 from plans.cam.centre.rocker_sizes import rocker_sizes
-from plans.cam.centre.slope_diagram import SlopeDiagram
-from plans.cam.centre.support import touch
-from plans.cam.centre.tangents import axis
+from plans.cam.centre.slope_diagram import Instant, SlopeDiagram, Stretch, stretches
+from plans.cam.centre.tangents import axis, on_circle, place
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam

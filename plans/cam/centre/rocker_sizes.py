@@ -13,11 +13,21 @@ from functools import partial
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import Bound, pressure_bounds
-from plans.cam.centre.region import Choice, Place, nearest, on_circle, place
+from plans.cam.centre.bounds import Bound, Touch, pressure_bounds
 from plans.cam.centre.slope_diagram import SlopeDiagram
-from plans.cam.centre.support import Touch
-from plans.cam.centre.tangents import Laid, bound_by, met, required, tangents, touched
+from plans.cam.centre.tangents import (
+    Choice,
+    Laid,
+    Place,
+    bound_by,
+    met,
+    nearest,
+    on_circle,
+    place,
+    required,
+    tangents,
+    touched,
+)
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Chord, Sizing, Tangent
 from plans.model.cam import Cam, Limits, limits_of

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plans.cam.profile.extremes import pressure, pressure_slope
 from plans.cam.profile.profile import slip, slip_slope
+from plans.cam.profile.remedy import pressure, pressure_slope
 from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip
 from plans.cam.profile.touch import Touch

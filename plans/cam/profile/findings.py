@@ -2,17 +2,190 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
 from plans.cam.course import Course
-from plans.cam.profile.contact import contact_of, pressing
-from plans.cam.profile.extremes import Extremes
-from plans.cam.profile.flaws import Search
-from plans.cam.profile.profile import profile
-from plans.cam.profile.remedy import base_convex, base_needed, sizes_advised
-from plans.cam.profile.roller import Roller, roller_of
-from plans.cam.profile.stretches import Stretches
-from plans.model.cam import GROOVE, ROLLER
-from plans.model.cam_motion import CONSTRUCTION, CamFound, Sizes
+from plans.cam.profile.contact import Contact, contact_of, pressing
+from plans.cam.profile.outline import curvature
+from plans.cam.profile.profile import Roller, profile, roller_of
+from plans.cam.profile.remedy import Extremes, base_convex, base_needed, on, pressure, sizes_advised
+from plans.cam.profile.resting import Edge, crossings, loss
+from plans.cam.profile.stretches import Place, Span, Stretches, Value
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
+from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
+from plans.model.cam_motion import CONSTRUCTION, CamFound, Extreme, Flaw, Sizes
 from plans.model.motion import Floats
+
+# Sizes that were found by a limit touch it, and a roller may be as large as a radius: the same within this share of the
+# limit or of the radius. Rounding makes less of it, and no workshop as little.
+TOUCHES: Final = 1e-9
+LEAST: Final = ("undercut", "concave", "sharp", "lift-off")  # of which the worst is the least value
+
+
+@dataclass(frozen=True)
+class Search:
+    """The search for flaws of one profile."""
+
+    extremes: Extremes
+    roller: float  # m
+    contact: Contact | None
+
+    @property
+    def stretches(self) -> Stretches:
+        """The stretches of the turn."""
+        return self.extremes.stretches
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.stretches.course.cam
+
+    def flaws(self) -> tuple[Flaw, ...]:
+        """Give all flaws by their kinds, those of a kind as the cam turns."""
+        worst = self.extremes.outrun
+        if worst:
+            return (Flaw("outrun", worst.turned, worst.turned, worst),)
+        ways = (self._undercut, self._concave, self._crossing, self._pressure, self._face, self._off)
+        found = [flaw for way in ways for flaw in way()]
+        found = found if self.cam.translates else round_the_turn(found, self.cam.turn)
+        return tuple(sorted(found, key=lambda one: (one.kind, one.start)))
+
+    def _undercut(self) -> Iterator[Flaw]:
+        """Find where the roller is larger than the curve bears: convex, or of a groove's outer side hollow."""
+        yield from self._sharp("undercut", 1.0)
+        if self.cam.closure == GROOVE:
+            yield from self._sharp("hollow", -1.0)
+
+    def _sharp(self, kind: str, side: float) -> Iterator[Flaw]:
+        if self.roller == 0 or self.cam.flat:
+            return
+        spans = self._too_sharp(side)
+        yield from (self._flaw(kind, span, lambda tip: side * curvature(tip), 1 / side) for span in spans)
+        yield from self._cusp(kind, side, spans)
+        for turned in self.corners(side):
+            yield Flaw(kind, turned, turned, Extreme(0.0, turned))
+
+    def _too_sharp(self, side: float) -> list[Span]:
+        """Give where the curve is bent more than the roller, to one side."""
+        return list(self.stretches.spans(lambda tip: side * self.roller * curvature(tip) - 1, self.extremes.bends))
+
+    def _cusp(self, kind: str, side: float, spans: Sequence[Span]) -> Iterator[Flaw]:
+        own = self.extremes.sharpest if side > 0 else self.extremes.hollow
+        if own and not spans and abs(abs(own.value) / self.roller - 1) <= TOUCHES:
+            yield Flaw(kind, own.turned, own.turned, own)
+
+    def corners(self, side: float = 1.0) -> list[float]:
+        """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
+        hard = [one.turned for one in self.stretches.course.shocks if one.order == 1]
+        ends = np.array(hard if self.cam.translates else [one or self.cam.turn for one in hard])
+        tips = (Tip(self.stretches.course, self.stretches.sizes, *one) for one in ((np.array(hard),), (ends, True)))
+        after, before = (tip.lever for tip in tips)
+        turns = np.angle(after / before) * -self.cam.sense * side
+        return [turned for turned, turn in zip(hard, turns.tolist(), strict=True) if turn > 0]
+
+    def _concave(self) -> Iterator[Flaw]:
+        """Find where the profile under a flat face would be hollow, or sharper than was asked."""
+        if not self.cam.flat:
+            return
+        spans = self._hollows
+        yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
+        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in self._steps())
+        least, asked = self.extremes.sharpest, self.cam.limits.curvature
+        if not spans and least and asked > 0 and least.value < asked * (1 - TOUCHES):
+            yield Flaw("sharp", least.turned, least.turned, least)
+
+    def _steps(self) -> Iterator[float]:
+        """Give where a hard shock makes contact jump back along the face: an edge is left there."""
+        for one in self.stretches.course.shocks:
+            if one.order == 1 and one.jump < 0:
+                yield one.turned
+
+    @property
+    def _hollows(self) -> list[Span]:
+        return list(self.stretches.spans(_hollow, self.extremes.bends))
+
+    def _crossing(self) -> Iterator[Flaw]:
+        """Find where the profile crosses itself, and what is lost where the loop is cut away."""
+        spans = self._hollows if self.cam.flat else self._too_sharp(1.0)
+        for one in crossings(Edge(self.stretches, self.roller), spans):
+            yield Flaw("crossing", one.start, one.end, loss(self.stretches, self.roller, one))
+
+    def _pressure(self) -> Iterator[Flaw]:
+        """Find where the pressure angle is beyond its limit; a spring drives the return, which has none then."""
+        for kind in (RISE, RETURN):
+            interval = interval_of(self.cam, kind)
+            if interval is not None:
+                yield from self._beyond(kind, 1, interval.high)
+                yield from self._beyond(kind, -1, -interval.low)
+
+    def _beyond(self, kind: str, side: int, limit: float) -> Iterator[Flaw]:
+        def beyond(tip: Tip) -> Floats:
+            return np.where(on(tip, kind), side * pressure(tip) - limit * (1 + TOUCHES), -1.0)
+
+        for span in self.stretches.spans(beyond, self.extremes.turning):
+            yield self._flaw(
+                "pressure", span, lambda tip: np.where(on(tip, kind), side * pressure(tip), 0.0), least=side < 0
+            )
+
+    def _face(self) -> Iterator[Flaw]:
+        """Find where contact goes off a face that is too short."""
+        reach = self.cam.follower.reach
+        if not self.cam.flat or reach is None:
+            return
+        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
+        off = self.stretches.spans(lambda tip: np.abs(Touch(tip).place) - reach * (1 + TOUCHES), places)
+        for span in off:
+            yield self._flaw("short face", span, lambda tip: np.abs(Touch(tip).place))
+
+    def _off(self) -> Iterator[Flaw]:
+        """Find where nothing holds the follower on the cam."""
+        contact = self.contact
+        if contact is None or self.cam.closure != FORCE:
+            return
+        places = self.stretches.places(contact.force_slope)
+        for span in self.stretches.spans(lambda tip: -contact.resistance(tip), places):
+            yield self._flaw("lift-off", span, lambda tip: -contact.force(tip), least=True)
+
+    def _flaw(self, kind: str, span: Span, value: Value, over: float | None = None, least: bool = False) -> Flaw:
+        """Make a flaw of a span with the place where a value is greatest, told as it is, over 1, or turned about."""
+        ends = (Place(span.start, False), Place(span.end, True))
+        found = self.stretches.most(value, (*span.places, *ends)) or Extreme(np.nan, span.start)
+        told = over / found.value if over else -found.value if least else found.value
+        return Flaw(kind, span.start, span.end, Extreme(told, found.turned))
+
+
+def round_the_turn(found: Sequence[Flaw], turn: float) -> list[Flaw]:
+    """Join a flaw that ends with the turn to one of its kind that begins with it: it starts late and ends early.
+
+    >>> round_the_turn([Flaw("undercut", 0, 1, Extreme(2, 0)), Flaw("undercut", 5, 6, Extreme(2, 5))], 6)
+    [Flaw(kind='undercut', start=5, end=1, worst=Extreme(value=2, turned=0))]
+    """
+    last = {one.kind: one for one in found if one.end == turn and one.start > 0}
+    first = {one.kind: one for one in found if one.start == 0 and one.end < turn and one.kind in last}
+    whole = {
+        kind: one._replace(start=last[kind].start, worst=_worse(kind, one, last[kind])) for kind, one in first.items()
+    }
+    joined = [whole.get(one.kind, one) if one is first.get(one.kind) else one for one in found]
+    return [one for one in joined if one is not last.get(one.kind) or one.kind not in whole]
+
+
+def _worse(kind: str, one: Flaw, other: Flaw) -> Extreme:
+    if kind in LEAST:
+        return min(one.worst, other.worst)
+    return max(one.worst, other.worst, key=lambda worst: abs(worst.value))
+
+
+def _hollow(tip: Tip) -> Floats:
+    """Give what is above 0 where the profile under a face is hollow, or the face turns faster than the cam."""
+    touch = Touch(tip)
+    if not tip.cam.rocks:
+        return -touch.radius
+    return np.where(touch.lead > 0, -touch.sweep, tip.sizes.base)
 
 
 def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:

@@ -3,19 +3,141 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from plans.cam.course import Course
-from plans.cam.profile.extremes import Extremes
-from plans.cam.profile.stretches import Stretches
+from plans.cam.profile.outline import curvature, curvature_slope
+from plans.cam.profile.stretches import Place, Stretches, Value
 from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.cam.sizes import sizing
-from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, interval_of
+from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, Phase, interval_of
 from plans.model.cam_faults import CamError
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import BEND, SLOPE, Extreme, Sizes
 from plans.model.motion import Floats
+
+
+def pressure(tip: Tip) -> Floats:
+    """Give the pressure angle, rad."""
+    if tip.cam.flat:
+        return Touch(tip).pressure
+    return np.asarray(tip.cam.sense * np.angle(tip.lever / tip.heading))
+
+
+def pressure_slope(tip: Tip) -> Floats:
+    """Give its derivative by the turn."""
+    if tip.cam.flat:
+        return Touch(tip).pressure_slope
+    _, first, second, _ = tip.orders
+    lever = abs(tip.turns) * first + 1j * tip.cam.sense * second
+    turning = tip.cam.rising * tip.travel.slope if tip.cam.rocks else 0.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(tip.cam.sense * ((lever / tip.lever).imag - turning))
+
+
+ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice, alike but for rounding
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The extremes of a cam's profile, each with its place; corners of the law and ends of dwells are legal places."""
+
+    stretches: Stretches
+
+    @cached_property
+    def outrun(self) -> Extreme | None:
+        """Where a rocker's face turns as fast as the cam, or faster, most of all: it touches nowhere then."""
+        cam = self.stretches.course.cam
+        if not (cam.flat and cam.rocks):
+            return None
+        places = self.stretches.places(lambda tip: tip.travel.bend)
+        most = self.stretches.most(lambda tip: 1 - Touch(tip).lead, places)
+        return most if most and most.value >= 1 else None
+
+    @cached_property
+    def peaks(self) -> dict[str, Extreme]:
+        """The largest S' and S'' by their size, signed; at a hard shock S'' has none."""
+        rows: dict[str, tuple[Value, Value]] = {
+            SLOPE: (lambda tip: tip.travel.slope, lambda tip: tip.travel.bend),
+            BEND: (lambda tip: tip.travel.bend, lambda tip: tip.jerk),
+        }
+        if any(one.order == 1 for one in self.stretches.course.shocks):
+            del rows[BEND]
+        found = {name: self._largest(value, self.stretches.places(slope)) for name, (value, slope) in rows.items()}
+        return {name: one for name, one in found.items() if one is not None}
+
+    @cached_property
+    def turning(self) -> tuple[Place, ...]:
+        """Where the pressure angle can be largest."""
+        return self.stretches.places(pressure_slope)
+
+    @cached_property
+    def pressure(self) -> dict[str, Extreme]:
+        """The largest pressure angle by its size on every kind of phase that there is, signed."""
+        kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
+        return {kind: found for kind in kinds if (found := self._largest(pressure, self._turning_on(kind))) is not None}
+
+    def _turning_on(self, kind: str) -> tuple[Place, ...]:
+        phases = [one for one in self.stretches.course.cam.phases if one.kind == kind]
+        return tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
+
+    def _largest(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
+        """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
+        found = self.stretches.most(lambda tip: np.abs(value(tip)), places)
+        if found is None:
+            return None
+        signed = self.stretches.read(value, places)
+        alike = np.flatnonzero(np.abs(signed) >= found.value * (1 - ALIKE))
+        best = min(alike.tolist(), key=lambda k: (signed[k] < 0, places[k].turned))
+        return Extreme(float(signed[best]), places[best].turned)
+
+    @cached_property
+    def bends(self) -> tuple[Place, ...]:
+        """Where the curve can be sharpest."""
+        flat = self.stretches.course.cam.flat
+        return self.stretches.places((lambda tip: Touch(tip).radius_slope) if flat else curvature_slope)
+
+    @cached_property
+    def sharpest(self) -> Extreme | None:
+        """The least convex radius of the theoretical profile; of the profile under a flat face the least, signed."""
+        if self.outrun:
+            return None
+        if self.stretches.course.cam.flat:
+            found = self.stretches.most(lambda tip: -Touch(tip).radius, self.bends)
+            return found and Extreme(-found.value, found.turned)
+        found = self.stretches.most(curvature, self.bends)
+        return Extreme(1 / found.value, found.turned) if found and found.value > 0 else None
+
+    @cached_property
+    def hollow(self) -> Extreme | None:
+        """The smallest hollow radius by size, below 0."""
+        if self.stretches.course.cam.flat:
+            return None
+        found = self.stretches.most(lambda tip: -curvature(tip), self.bends)
+        return Extreme(-1 / found.value, found.turned) if found and found.value > 0 else None
+
+    @cached_property
+    def face(self) -> tuple[float, float]:
+        """Where contact on a flat face is farthest to both sides, m: the least and the greatest place."""
+        if not self.stretches.course.cam.flat or self.outrun:
+            return 0.0, 0.0
+        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
+        found = self.stretches.read(lambda tip: Touch(tip).place, places)
+        return float(np.nanmin(found)), float(np.nanmax(found))
+
+
+def within(place: Place, phase: Phase) -> bool:
+    """Tell whether a place belongs to a phase: on a joint by its side.
+
+    >>> within(Place(1.0, before=True), Phase("dwell", 1.0, 0.0, 0.0, 0.0))
+    True
+    """
+    if place.before:
+        return phase.start < place.turned <= phase.end
+    return phase.start <= place.turned < phase.end
 
 
 def base_needed(stretches: Stretches) -> float | None:

@@ -5,15 +5,171 @@ The cutter takes the loop off, and a corner is left where the profile crosses it
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final, NamedTuple
 
 import numpy as np
 
-from plans.cam.profile.crossing import Crossing
-from plans.cam.profile.stretches import Stretches
+from geometry.meet import EPS, cross
+from plans.cam.profile.outline import Outline
+from plans.cam.profile.stretches import Span, Stretches
 from plans.cam.profile.tip import Tip, guide_start
-from plans.model.cam_motion import Extreme
+from plans.model.cam import Cam
+from plans.model.cam_motion import Extreme, Points
 from plans.model.motion import Floats
+
+# Segments about an undercut: its loop crosses itself 1.7 times as far from its middle as it is half wide.
+NEAR: Final = 40
+STEPS: Final = 20  # of Newton's method, which needs about five
+# A loop that is shorter, in shares of the turn, is a cusp: a roller larger than the radius by 1e-9 leaves one as wide.
+CUSP: Final = 5e-6
+SAME: Final = 1e-9  # rad, or of a chord: what is nearer is one
+Pairs = tuple[np.ndarray, np.ndarray]
+
+
+class Crossing(NamedTuple):
+    """A crossing of the profile with itself: the turns between which the loop is, rad, and the point on the cam, m."""
+
+    start: float
+    end: float
+    point: complex
+
+
+class Chords(NamedTuple):
+    """Chords of the profile: the turn at which each starts, rad, its start and way, m, and its stretch."""
+
+    turned: Floats
+    start: Points
+    way: Points
+    row: np.ndarray
+
+
+@dataclass(frozen=True)
+class Edge:
+    """The profile that touches the follower, as a curve on the cam by its turn."""
+
+    stretches: Stretches
+    roller: float  # m
+
+    @property
+    def _outline(self) -> Outline:
+        return Outline(self.stretches.course, self.stretches.sizes, -self.roller)
+
+    def at(self, turned: Floats, before: bool = False) -> Points:
+        """Give its points, m."""
+        return self._outline.at(turned, before).at
+
+    def slope(self, turned: Floats) -> Points:
+        """Give its derivative by the turn, m/rad."""
+        spot = self._outline.at(turned)
+        return np.asarray(spot.tangent * spot.speed)
+
+    def chords(self, spans: Iterable[Span]) -> Chords:
+        """Divide it into chords, fine about an undercut; none goes from one side of a joint to the other."""
+        spots = [_about(span) for span in spans]
+        rows = [self._row(k, row, spots) for k, row in enumerate(self.stretches.grid)]
+        return Chords(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
+
+    def _row(self, number: int, row: Floats, spots: Sequence[Floats]) -> Chords:
+        fine = [near[(row[0] < near) & (near < row[-1])] for near in spots]
+        turned = np.unique(np.concatenate([row[:-1], *fine]))
+        points = np.append(self.at(turned), self.at(row[-1:], before=True))
+        return Chords(turned, points[:-1], np.diff(points), np.full(len(turned), number))
+
+
+def _about(span: Span) -> Floats:
+    middle, wide = (span.start + span.end) / 2, span.end - span.start
+    return np.linspace(middle - wide, middle + wide, NEAR + 1)
+
+
+def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
+    """Find all crossings of the profile with itself."""
+    chords = edge.chords(spans)
+    found = [one for pair in zip(*_meetings(chords), strict=True) if (one := _closed(edge, chords, *pair))]
+    return tuple(_looped(edge, one, chords) for one in _once(sorted(found, key=lambda one: one[:2])))
+
+
+def _looped(edge: Edge, one: Crossing, chords: Chords) -> Crossing:
+    """Tell of both parts of the profile which is the loop: that with less area in the sense in which the profile runs.
+
+    A loop that a roller leaves runs the other way round. On a cam that translates the loop is what lies between.
+    """
+    cam, turned, points = edge.stretches.course.cam, chords.turned, chords.start
+    inner = (one.start < turned) & (turned < one.end)
+    between = points[inner] - one.point
+    rest = np.concatenate([points[turned > one.end], points[turned < one.start]]) - one.point
+    inside = cam.translates or cam.sense * _area(between) >= cam.sense * _area(rest)
+    return one if inside else one._replace(start=one.end, end=one.start)
+
+
+def _area(points: Points) -> float:
+    """Give twice the area that points about a start run round, counter-clockwise above 0."""
+    return float(np.sum(cross(points[:-1], points[1:])))
+
+
+def _once(found: Iterable[Crossing]) -> Iterator[Crossing]:
+    last: Crossing | None = None
+    for one in found:
+        if last is None or abs(one.start - last.start) + abs(one.end - last.end) > SAME:
+            yield one
+        last = one
+
+
+def _meetings(chords: Chords) -> Pairs:
+    """Find which chords cross, by a sweep over x: only those that overlap there are tried."""
+    ends = chords.start + chords.way
+    left, right = np.minimum(chords.start.real, ends.real), np.maximum(chords.start.real, ends.real)
+    order = np.argsort(left, kind="stable")
+    left, right = left[order], right[order]
+    reach = np.maximum.accumulate(right)
+    found = [np.zeros((2, 0), dtype=int)]
+    for step in range(1, len(order)):
+        here = np.flatnonzero(left[step:] <= right[:-step])
+        if not len(here) and not np.any(left[step:] <= reach[:-step]):
+            break
+        pair = np.sort(np.stack([order[here], order[here + step]]), axis=0)
+        found.append(pair[:, _cross(chords, *pair)])
+    firsts, seconds = np.concatenate(found, axis=1)
+    return firsts, seconds
+
+
+def _cross(chords: Chords, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Tell which pairs cross and have no end in common."""
+    start, way = chords.start, chords.way
+    base, across = start[other] - start[one], np.asarray(cross(way[one], way[other]))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        along, back = cross(base, way[other]) / across, cross(base, way[one]) / across
+    ends = np.minimum(np.abs(base - way[one]), np.abs(base + way[other]))
+    apart = ends > SAME * np.abs(way[one])
+    return np.asarray(apart & (along >= 0) & (along < 1) & (back >= 0) & (back < 1))
+
+
+def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing | None:
+    """Close in on a crossing by Newton's method, each turn on its own stretch.
+
+    None where the chords cross and the curve does not: about a cusp.
+    """
+    pair, rows = chords.turned[[one, other]], chords.row[[one, other]]
+    low, high = edge.stretches.edges[rows], np.nextafter(edge.stretches.edges[rows + 1], 0.0)
+    gap = np.inf
+    for _ in range(STEPS):
+        (a, b), (u, v) = edge.at(pair), edge.slope(pair)
+        gap, turn = abs(a - b), np.asarray(cross(u, v))
+        step = np.array([-cross(a - b, v), cross(u, a - b)]) / (turn or np.nan)
+        if np.isnan(step).any() or np.all(np.abs(step) <= 2 * EPS * np.abs(pair)):
+            break
+        pair = np.clip(pair + step, low, high)
+    first, second = pair.tolist()
+    if gap > SAME * np.abs(chords.way[[one, other]]).max() or _short(edge.stretches.course.cam, second - first):
+        return None
+    return Crossing(first, second, complex(edge.at(pair).mean()))
+
+
+def _short(cam: Cam, wide: float) -> bool:
+    """Tell whether what is between two turns is a cusp; of a cam that turns the other part of the turn may be one."""
+    return min(wide, wide if cam.translates else cam.turn - wide) < CUSP * cam.turn
+
 
 LOOKS: Final = 129  # turns over a loop, looked at again between the neighbours of the greatest
 ROUNDS: Final = 5

@@ -8,12 +8,10 @@ from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
 
-from plans.cam.reading.cams import entries_of
-from plans.cam.reading.entry import Entry, shown
+from plans.cam.reading.cams import WHOLE, entries_of
 from plans.cam.reading.fields import CYCLOGRAM, REST
-from plans.cam.reading.law_form import LawTable
-from plans.cam.reading.pace import pace_of
-from plans.cam.reading.turns import WHOLE
+from plans.cam.reading.misplaced import Entry, pace_of, shown
+from plans.cam.reading.phase_form import LawTable
 from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, RISE, TABLE
 from plans.scene import units
 from plans.scene.faults import Fault, Path

@@ -6,26 +6,82 @@ of the analysis, and as what the frame must hold where nothing but inertia acts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from geometry.board import Mark
+from geometry.precision import errors
 from plans.analytic.balance.counterweights import shared
 from plans.analytic.balance.main_points import vectors
 from plans.analytic.balance.mass_centre import bodies, sizes
 from plans.analytic.kinetostatics import kinetostatics
-from plans.balance.states import drawing
+from plans.balance.states import drawing, positions_around
 from plans.balance.study import CENTRE, BalanceStudy
-from plans.checks.balance.stretch import Stretch
 from plans.checks.balance.weights import Weights
+from plans.checks.compare import MotionComparison, cap, with_analysis
 from plans.checks.comparison import Finding
 from plans.checks.equilibrium import vanishing
+from plans.linkage.drafts import Drafts
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import EPS, ROUNDING, Balance, MassCentre
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
+
+
+class Stretch(NamedTuple):
+    """Some positions of a linkage: the plans there, and the motion by both roads, which is judged elsewhere."""
+
+    study: LinkageStudy
+    drafts: Drafts
+    motion: MotionComparison
+
+    @property
+    def rate(self) -> float:
+        """The largest acceleration of a point of a link 1 m from one that rests, 1/s2; NaN where there is none."""
+        rows = [np.abs(1j * link.epsilon - link.omega**2) for link in self.motion.analysis.links.values()]
+        return float(np.fmax.reduce(rows, axis=None))
+
+    @property
+    def size(self) -> float:
+        """How far the mechanism reaches from the datum, m."""
+        rows = [np.abs(point.r) for point in self.motion.analysis.points.values()]
+        return float(np.fmax.reduce(rows, axis=None))
+
+    def allowed(self, own: Floats, order: int, largest: float) -> Floats:
+        """Add what the analysis needs to what the construction does."""
+        return with_analysis(own, order, self.motion.kappa, largest)
+
+    def bounds(self, *marks: Mark) -> list[Floats]:
+        """Give how far rounding can have moved marks, over the positions."""
+        bounds, count = errors(*marks), len(self.motion.kappa)
+        return [np.asarray(np.broadcast_to(bounds[mark].place, count)) for mark in marks]
+
+    def capped(self, findings: Iterable[Finding]) -> tuple[Finding, ...]:
+        """Allow no more than a share of the largest where the construction is sharp."""
+        return cap(self.study, list(findings), self.drafts)
+
+
+def scene_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
+    """Give the positions of the scene, over which the motion is compared."""
+    return Stretch(study, study.drafts(), motion)
+
+
+def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
+    """Give even positions of a turn; of a crank that cannot turn fully they are the scene's."""
+    around = positions_around(study)
+    if around is study.turn:
+        return scene_stretch(study, motion)
+    drafts = Drafts(study, around)
+    solved = motion.road.around(drafts.turn.phi)
+    kappa = motion.road.conditions(solved)
+    return Stretch(
+        study, drafts, replace(motion, construction=drafts.motion(2), analysis=solved, findings=(), kappa=kappa)
+    )
+
 
 PLACE, ACCELERATION = 0, 2  # orders of motion
 FORCES = 3  # the reactions magnify rounding once more

@@ -2,29 +2,152 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from plans.analytic.balance.balance import balance
+from plans.analytic.balance.balance import balance, weighing
+from plans.analytic.balance.counterweights import uncertain
 from plans.analytic.balance.states import Course
 from plans.analytic.kinematics import Analysis
-from plans.balance.study import BalanceStudy
-from plans.checks.balance.centre import Centres
-from plans.checks.balance.costs import Costs
-from plans.checks.balance.shares import share_findings
-from plans.checks.balance.stretch import scene_stretch, turn_stretch
+from plans.balance.study import COSTS, BalanceStudy
+from plans.checks.balance.centre import Centre, Centres, Stretch, scene_stretch, turn_stretch
 from plans.checks.balance.weights import Weights
 from plans.checks.compare import MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
+from plans.checks.force_comparison import ForceFindings
+from plans.forces.cut import indices
 from plans.forces.loading import loading
-from plans.model.balance.linkage import Balance
-from plans.model.motion import Motion
+from plans.forces.statics import ForceDrafts, Statics
+from plans.model.balance.linkage import EPS, Balance, Choice, Shares, State
+from plans.model.mechanism import FRAME
+from plans.model.motion import Floats, Motion
 from plans.model.order import ACCELERATIONS
 
 if TYPE_CHECKING:
     from plans.study import Study
+
+
+class Costs:
+    """The machine before and after by both roads, over a turn."""
+
+    def __init__(
+        self, study: BalanceStudy, course: Course, stretch: Stretch, roads: tuple[Balance, Balance], weights: Weights
+    ) -> None:
+        self.study, self.course, self.stretch, self.weights = study, course, stretch, weights
+        self.ours, self.theirs = roads
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare all of it."""
+        for after in (False, True):
+            one, other = self._states(after)
+            if one is not None and other is not None:
+                found = *self.centre(after).findings(COSTS, one.around, other.around), *self._forces(after)
+                yield from self.stretch.capped(found)
+
+    def _states(self, after: bool) -> tuple[State | None, State | None]:
+        return (self.ours.after, self.theirs.after) if after else (self.ours.before, self.theirs.before)
+
+    def centre(self, after: bool) -> Centre:
+        """Give the mass centre over the turn."""
+        return self._centres[after]
+
+    @cached_property
+    def _centres(self) -> dict[bool, Centre]:
+        told = (False, True) if self.ours.after is not None else (False,)
+        return {after: Centre(self.study, self.stretch, after, self.weights) for after in told}
+
+    def forces(self, after: bool) -> ForceFindings:
+        """Give the forces over the turn by both roads, with what rounding allows the construction."""
+        one, other = self._states(after)
+        assert one is not None and other is not None  # asked before
+        statics: Statics = self.study.loaded_statics if after else self.study.statics
+        plans = ForceDrafts(statics, self.stretch.drafts).plans
+        _, force, moment = self.centre(after).sizes  # a counterweight far out has a large moment of inertia forces
+        borne = max(force, moment / self.stretch.size)
+        return ForceFindings(statics, self.stretch.motion, one.forces, other.forces, plans, borne)
+
+    def _forces(self, after: bool) -> Iterator[Finding]:
+        """Compare reactions and what the drive gives; what the counterweights are off, the reactions magnify."""
+        both, mark = self.forces(after), "'" if after else ""
+        off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
+        for one in (*both.reactions(), *both.balancing(self.course.loading)):
+            arm = both.size if one.unit == "N*m" else 1.0
+            letters, space, way = one.name.partition(" ")
+            name = f"{letters}{mark}{space}{way}"
+            yield one._replace(plan=COSTS, name=name, allowed=np.asarray(one.allowed + off * arm))
+
+    @property
+    def given(self) -> float:
+        """How far the inertia and weight of the counterweights may be off, N."""
+        off = [uncertain(one, self.weights.slack(one.link)) for one in self.ours.counterweights]
+        return self.weights.whole * self.stretch.rate + abs(self.course.machine.gravity) * sum(off)
+
+    def allowed(self, after: bool, index: str) -> tuple[Floats, Floats]:
+        """Give how far main vector and the reaction of a pair, by its index, may be off over the turn, N."""
+        both = self.forces(after)
+        found = {one.name: one.allowed for one in both.reactions()}
+        off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
+        return self.centre(after).shaken, np.asarray(found[f"R_{index}"] + off)
+
+
+HALVINGS = 60  # of an interval of shares, down to rounding
+
+
+def share_findings(costs: Costs) -> Iterator[Finding]:
+    """Compare the curves of the largest shaking force and the largest reaction of the shaft, and both best shares."""
+    ours, theirs = costs.ours.shares, costs.theirs.shares
+    if ours is None or theirs is None:
+        return
+    shaft = indices(FRAME, costs.course.mechanism.drive.link)
+    allowed = [float(np.fmax.reduce(row)) for row in _allowed(costs, shaft)]
+    weighed = weighing(costs.course, costs.weights.found)
+    yield from _of(("force", "Φ"), weighed.force, allowed[0], ours, theirs)
+    yield from _of(("reaction", f"R_{shaft}"), weighed.reaction, allowed[1], ours, theirs)
+
+
+def _allowed(costs: Costs, shaft: str) -> list[Floats]:
+    """Take for every share what is allowed before or after, whichever is more."""
+    rows = [costs.allowed(after, shaft) for after in (False, True)]
+    return [np.maximum(*both) for both in zip(*rows, strict=True)]
+
+
+def _of(
+    named: tuple[str, str], largest: Callable[[float], float], off: float, ours: Shares, theirs: Shares
+) -> Iterator[Finding]:
+    name, letters = named
+    curve = (ours.curve, theirs.curve)
+    yield _finding(f"{letters}(k)", "N", [[getattr(one, name) for one in row] for row in curve], off)
+    best: Sequence[Choice] = [getattr(road, f"least_{name}") for road in (ours, theirs)]
+    yield _finding(f"min {letters}(k)", "N", [[getattr(one, name)] for one in best], off)
+    width = _width(largest, best[1].share, 2 * off)
+    yield _finding(f"k {letters}", "1", [[one.share] for one in best], width)
+
+
+def _width(largest: Callable[[float], float], share: float, off: float) -> float:
+    """Give how far a share may be from the best one for what is largest to differ by no more than rounding."""
+    level = largest(share) + off
+    return max(_reach(largest, share, end, level) for end in (0.0, 1.0)) + 4 * EPS
+
+
+def _reach(largest: Callable[[float], float], share: float, end: float, level: float) -> float:
+    """Halve the way from the best share to an end down to where the largest rises above a level."""
+    if largest(end) <= level:
+        return abs(end - share)
+    near, far = share, end
+    for _ in range(HALVINGS):
+        middle = (near + far) / 2
+        near, far = (middle, far) if largest(middle) <= level else (near, middle)
+    return abs(far - share)
+
+
+def _finding(name: str, unit: str, rows: Sequence[Sequence[float]], allowed: float) -> Finding:
+    ours, theirs = (np.array(row) for row in rows)
+    largest = float(np.fmax.reduce(np.abs(ours)))
+    return Finding(COSTS, name, unit, ours, theirs, np.abs(ours - theirs), np.full(len(ours), allowed), largest)
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from plans.analytic.balance.counterweights import Found, counterweights, shared, uncertain
-from plans.analytic.balance.sought import sought
+from plans.analytic.balance.counterweights import Found, counterweights, shared, sought, uncertain
 from plans.analytic.balance.states import Course
 from plans.balance.study import COUNTERWEIGHTS, BalanceStudy
 from plans.checks.comparison import Finding

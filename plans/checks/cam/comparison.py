@@ -15,8 +15,7 @@ from plans.analytic.cam.sizes import sizes
 from plans.cam.dimensions import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.checks.cam.settled import settled
-from plans.checks.cam.slack import TERM, Slack
-from plans.checks.cam.verdicts import Pair, Verdicts
+from plans.checks.cam.verdicts import TERM, Pair, Slack, Verdicts
 from plans.checks.comparison import Comparison, Finding
 from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Points

@@ -6,12 +6,10 @@ from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.ends import point_of
-from plans.forces.reading.load import Vector
+from plans.forces.reading.ends import Vector, point_of
 from plans.forces.reading.loads import LoadsTable
 from plans.linkage.reading import fields as g
-from plans.linkage.reading.capacity import check_capacity
-from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.form import LinkageForm, check_capacity
 from plans.model.machine import COUPLING, FORCE, MOMENT
 from plans.model.mechanism import Link
 from plans.scene import fields as f

@@ -10,12 +10,10 @@ from fractions import Fraction
 from math import radians
 
 from plans.forces.reading import references
-from plans.forces.reading.diagram import DiagramTable
-from plans.forces.reading.ends import Ends, holders, point_of
-from plans.forces.reading.force import ForceTable
+from plans.forces.reading.ends import Ends, LoadTable, Vector, holders, point_of
 from plans.forces.reading.form import ForceForm, FrictionTable, GearTable, PairTable
-from plans.forces.reading.load import LoadTable, Vector
-from plans.forces.reading.loads import LoadsTable, MomentTable, SpringTable
+from plans.forces.reading.loads import ForceTable, LoadsTable, MomentTable, SpringTable
+from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.guides import direction
 from plans.model.kinetostatics import pairs
 from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Track, Transmission

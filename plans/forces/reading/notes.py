@@ -7,9 +7,9 @@ from decimal import Decimal
 from itertools import combinations
 
 from geometry.errors import DraftError
-from plans.forces.reading.diagram import DiagramTable
-from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import FORCES, ForceForm, MassTable
+from plans.forces.reading.loads import ForceTable
+from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.mechanism import Link, Mechanism
 from plans.scene.faults import Fault, Path

@@ -7,9 +7,8 @@ from dataclasses import replace
 from itertools import combinations
 
 from plans.forces.reading.ends import Ends, EndTable, holders, point_of
-from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, PairTable
-from plans.forces.reading.loads import LoadsTable, MomentTable
+from plans.forces.reading.loads import ForceTable, LoadsTable, MomentTable
 from plans.linkage.reading.positions import check_numbers
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
 
+from geometry.errors import LimitError
 from plans.linkage.reading import fields as g
-from plans.linkage.reading.capacity import LINK_POSITIONS_LIMIT, check_capacity
 from plans.linkage.reading.line import LineTable, Place
 from plans.linkage.reading.stroke import StrokeTable
 from plans.model.mechanism import SLOWER, THROUGH
@@ -18,6 +18,17 @@ from plans.scene.forms import Form
 from plans.scene.readers import either, many, named
 from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
+from plans.words.words import message, placed
+
+# Links times positions of one run. Their numbers and the text of them take 1.0 to 1.6 kB each: a run stays under 2 GB.
+LINK_POSITIONS_LIMIT = 1_000_000
+
+
+def check_capacity(links: int, positions: int, limit: int, name: str) -> None:
+    """See that the numbers of some links in some positions have room within a limit, which has a name."""
+    if links * positions > limit:
+        counts = {"links": links, "positions": positions, "name": name, "limit": limit, "most": limit // links}
+        raise LimitError(placed(f"drive.positions = {positions}", message("limit.link_positions", **counts)))
 
 
 class SlideTable(Table):

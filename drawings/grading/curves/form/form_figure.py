@@ -11,8 +11,16 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, chains, heights
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form.form_axes import AXES, FRAME, Blank, axes, every_axes, written_at
-from drawings.grading.curves.form.form_course import course_on_form, lines_within
+from drawings.grading.curves.form.form_line import (
+    AXES,
+    FRAME,
+    Blank,
+    axes,
+    course_on_form,
+    every_axes,
+    lines_within,
+    written_at,
+)
 from drawings.grading.drawn_plan import Arrow
 
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle

@@ -2,19 +2,142 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.eye.sheet import SeenSheet
-from drawings.grading.curves.asked_figure import FigureAsked, Values
-from drawings.grading.curves.drawn_curve import chains, foot
+from drawings.grading.curves.asked_figure import FigureAsked, Sizes, Values
+from drawings.grading.curves.drawn_curve import PLACED, chains, foot
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form.form_axes import AXES, FRAME, axes, every_axes, written_at
 from drawings.grading.drawn_plan import Arrow
+from drawings.grading.seeing.written_scale import stated_scales
 from drawings.paper.strokes import Circle, Group, Line
-from drawings.paper.walk import flat, groups
+from drawings.paper.walk import flat, groups, texts
+
+FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
+NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
+
+
+class Blank(NamedTuple):
+    """The axes of a graph on a form: their origin, the ends of both, the ticks along the abscissa, mm."""
+
+    origin: complex
+    right: float
+    top: float
+    ticks: Sequence[float]
+
+    def away(self, curve: Values) -> float:
+        """Give how far a curve is from the axes, mm: about their origin's level, and to either side of their length."""
+        middle = complex(curve.real.mean(), np.abs(curve.imag - self.origin.imag).mean())
+        aside = max(self.origin.real - middle.real, middle.real - 2 * self.right + self.origin.real, 0.0)
+        return float(np.hypot(aside, middle.imag))
+
+
+def axes(seen: SeenSheet, plan: str) -> Blank | None:
+    """Give the axes of a graph on a form; None where there are none."""
+    return every_axes(seen).get(plan)
+
+
+def every_axes(seen: SeenSheet) -> dict[str, Blank]:
+    """Give all axes of a form by the plans that they are for."""
+    own = ((one.data.get("plan", ""), _blank(one)) for one in groups(seen.leaf.groups) if one.data.get("kind") == AXES)
+    return {plan: blank for plan, blank in own if blank is not None}
+
+
+def _blank(group: Group) -> Blank | None:
+    lines = [one for one in group.strokes if isinstance(one, Line)]
+    if not lines:
+        return None
+    across = max(lines, key=lambda one: abs((one.end - one.start).real))
+    upright = max(lines, key=lambda one: abs((one.end - one.start).imag))
+    origin = complex(upright.start.real, across.start.imag)
+    ticks = sorted(one.start.real for one in lines if one not in (across, upright) and _crosses(one, origin))
+    return Blank(origin, max(across.start.real, across.end.real), max(upright.start.imag, upright.end.imag), ticks)
+
+
+def _crosses(line: Line, origin: complex) -> bool:
+    """Tell whether a line is a tick of the abscissa."""
+    upright = abs((line.end - line.start).real) <= PLACED
+    return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
+
+
+def written_at(seen: SeenSheet, own: Blank, due: Mapping[str, str]) -> dict[str, float]:
+    """Give the scales that are written nearest to the axes, by the letters that are due with their units."""
+    head = complex((own.origin.real + own.right) / 2, own.top)
+    near = sorted(texts(seen.leaf.groups), key=lambda one: abs(one.at - head))
+    return stated_scales((one for one in near if abs(one.at - head) <= NEAR), due)
+
+
+def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+    """Give a course by the lines that are drawn on its axes; None where no scales are written, or none are drawn.
+
+    At each place it is read on the branch that is nearer to what is asked for, or to a mistake that has a name if the
+    whole course is nearer to that.
+    """
+    own = axes(seen, asked.plan)
+    if asked.paper is None or own is None:
+        return None
+    written = written_at(seen, own, asked.stated)
+    across, up = (written.get(letter) for letter in asked.scales)
+    lines = [one - own.origin for one in lines_within(seen, own)]
+    if across is None or up is None or not lines:
+        return None
+    places = asked.paper.along / across
+    dues = ((values / asked.way).real / up for values in (asked.true, -asked.true, *(m.values for m in asked.mistakes)))
+    high = min((_read(lines, places, due) for due in dues), key=lambda one: one.off).high
+    there = np.isfinite(high)
+    if not there.any():
+        return None
+    feet = own.origin + places
+    arrows = {k: Arrow(complex(feet[k]), complex(feet[k] + 1j * high[k])) for k in np.flatnonzero(there).tolist()}
+    return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
+
+
+class Heights(NamedTuple):
+    """How high a course is over its places, mm, and by how much it is out of what is due."""
+
+    high: Sizes
+    off: float
+
+
+def _read(lines: Sequence[Values], places: Sizes, due: Sizes) -> Heights:
+    high = np.array([_nearest(lines, spot) for spot in (places + 1j * due).tolist()])
+    return Heights(high, float(np.nansum(np.abs(high - due))))
+
+
+def lines_within(seen: SeenSheet, own: Blank) -> Iterator[Values]:
+    """Give the lines and chains that lie within the axes."""
+    strokes = [one for one in seen.leaf.groups if one.data.get("kind") != AXES and one.name != FRAME]
+    straight = (np.array([one.start, one.end]) for one in flat(strokes) if isinstance(one, Line))
+    for one in (*chains(strokes), *straight):
+        apart = one - own.origin
+        low, high = -PLACED, max(own.top - own.origin.imag, own.right - own.origin.real)
+        if apart.real.min() >= low and apart.real.max() <= high and np.abs(apart.imag).max() <= high:
+            yield one
+
+
+def _nearest(lines: Iterable[Values], due: complex) -> float:
+    """Give how high lines are over the place of a spot, mm: where they are nearest to it; NaN where none is over it."""
+    found = [high for one in lines for high in _heights(one[:-1], one[1:], due)]
+    return min(found, key=lambda one: abs(one - due.imag), default=float("nan"))
+
+
+def _heights(start: Values, end: Values, due: complex) -> list[float]:
+    """Give the heights of segments over a place; of an upright one that which is nearest to the spot.
+
+    >>> _heights(np.array([0j, 2 + 1j]), np.array([2 + 1j, 2 + 3j]), 2 + 2j)
+    [1.0, 2.0]
+    """
+    turned = end.real < start.real
+    low, high = np.where(turned, end, start), np.where(turned, start, end)
+    wide = high.real - low.real
+    over = (low.real <= due.real + PLACED) & (high.real >= due.real - PLACED)
+    share = np.clip((due.real - low.real) / np.where(wide > PLACED, wide, 1.0), 0.0, 1.0)
+    sloped = low.imag + share * (high.imag - low.imag)
+    upright = np.clip(due.imag, np.minimum(low.imag, high.imag), np.maximum(low.imag, high.imag))
+    return list(map(float, np.where(wide > PLACED, sloped, upright)[over]))
 
 
 class Place(NamedTuple):
