@@ -9,7 +9,7 @@ from functools import cache
 
 import pytest
 
-from drawings.figures.dynamics.bare_speeds import dense
+from drawings.figures.dynamics.curves import dense
 from drawings.figures.dynamics.loop import Loop
 from drawings.figures.dynamics.rays import MARKED, strips
 from drawings.figures.dynamics.tangent import Tangent

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.figures.dynamics.bare_speeds import Dense
+from drawings.figures.dynamics.curves import Dense
 from drawings.figures.dynamics.rays import Strips
 from drawings.figures.dynamics.tangent import ANGLES, DOT, LOOP, PAPER, Tangent
 from drawings.figures.graphs.axes import BEYOND, Axes

@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.figures.dynamics import equations, quantities
-from drawings.figures.dynamics.bare_speeds import Dense, dense
+from drawings.figures.dynamics.curves import Dense, dense
 from drawings.figures.dynamics.loop import Loop
 from drawings.figures.dynamics.rays import Strips, strips
 from drawings.figures.dynamics.tangent import TAIL

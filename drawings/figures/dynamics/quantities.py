@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawings.figures.dynamics.bare_speeds import Dense
+from drawings.figures.dynamics.curves import Dense
 from drawings.figures.dynamics.strip_graph import StripGraph, Trace
 from drawings.figures.graphs.part import OVER, RIGHT, UNDER
 from plans.model.dynamics import TURN, Cycle, Speeds
