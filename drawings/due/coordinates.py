@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.checks.expected import KNOWN
 from drawings.checks.wrong import Wrong
-from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, THETA, read, written
+from drawings.files.coordinate_table import CURVATURE, DIGITS, THETA, read, written
 from drawings.files.enclosure import Enclosure
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled

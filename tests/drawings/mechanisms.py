@@ -2,65 +2,6 @@
 
 from __future__ import annotations
 
-SCOTCH_YOKE = """
-title = "Scotch yoke"
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "BC"
-[mechanism.lengths]
-OA = 0.07
-BC = 0.2
-[[mechanism.slides]]
-link = 2
-along = "BC"
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0], angle = 0 }
-angle = 90
-[mechanism.sketch]
-B = [0.07, 0]
-C = [0.07, 0.2]
-[drive]
-link = 1
-speed = 12
-start = 0
-positions = 12
-"""
-
-WHITWORTH = """
-title = "Whitworth's quick return"
-[mechanism.frame]
-O = [0, 0]
-C = [0, -0.05]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "CB"
-4 = "BD"
-5 = "D"
-[mechanism.lengths]
-OA = 0.12
-CB = 0.1
-BD = 0.4
-[[mechanism.slides]]
-link = 2
-along = "CB"
-[[mechanism.slides]]
-link = 5
-along = { through = [0, -0.05], angle = 0 }
-[mechanism.sketch]
-B = [-0.1, -0.05]
-D = [0.5, -0.05]
-[drive]
-link = 1
-speed = -6
-start = "extreme"
-positions = 24
-"""
-
 TOGGLE_PRESS = """
 title = "Toggle press with a point on its lower arm"
 [mechanism.frame]
@@ -256,70 +197,6 @@ start = 90
 positions = 12
 """
 
-TANGENT = """
-title = "Tangent mechanism"
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OK"
-2 = "A"
-3 = "A"
-[mechanism.lengths]
-OK = 0.2
-[[mechanism.slides]]
-link = 2
-along = "OK"
-[[mechanism.slides]]
-link = 3
-along = { through = [0.2, 0], angle = 90 }
-[mechanism.sketch]
-A = [0.2, -0.16]
-[drive]
-link = 1
-speed = 2
-positions = [-40, -20, 0, 15, 30, 40]
-"""
-
-LEG = """
-title = "Walking leg"
-[mechanism.frame]
-O = [0, 0]
-C = [-0.038, -0.0078]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CBD"
-4 = "AE"
-5 = "CE"
-6 = "DF"
-7 = "EFG"
-[mechanism.lengths]
-OA = 0.015
-AB = 0.05
-CB = 0.0415
-CD = 0.0401
-BD = 0.0558
-AE = 0.0619
-CE = 0.0393
-DF = 0.0394
-EF = 0.0367
-EG = 0.049
-FG = 0.0657
-[mechanism.sketch]
-B = [-0.028, 0.033]
-D = [-0.078, -0.005]
-E = [-0.03, -0.046]
-F = [-0.066, -0.042]
-G = [-0.04, -0.095]
-[drive]
-link = 1
-speed = -6
-start = 0
-positions = 12
-[output]
-point = "G"
-"""
-
 ECCENTRIC = """
 title = "Eccentric, 1 to 100"
 [mechanism.frame]
@@ -345,15 +222,11 @@ positions = 12
 """
 
 ALL = {
-    "scotch yoke": SCOTCH_YOKE,
-    "whitworth": WHITWORTH,
     "toggle press": TOGGLE_PRESS,
     "cross-slide": CROSS_SLIDE,
     "offset stone": OFFSET_STONE,
     "offset block": OFFSET_BLOCK,
     "conveyor": CONVEYOR,
     "engine": ENGINE,
-    "tangent": TANGENT,
-    "leg": LEG,
     "eccentric": ECCENTRIC,
 }

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import sys
-import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
@@ -41,11 +40,6 @@ class DrawingFault(NamedTuple):
     def module(self) -> ModuleType:
         """The module of the file."""
         return importlib.import_module(self.file.removesuffix(".py").replace("/", "."))
-
-
-def drawing_faults(path: Path) -> list[DrawingFault]:
-    """Read a table of faults of drawing."""
-    return [DrawingFault(**one) for one in tomllib.loads(path.read_text(encoding="utf-8"))["faults"]]
 
 
 @contextmanager

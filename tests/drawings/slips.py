@@ -122,20 +122,6 @@ def without(name: str) -> Change:
     return lambda stroke: None if isinstance(stroke, Group) and stroke.name == name else stroke
 
 
-def row_dropped(name: str) -> Change:
-    """Leave the row of a table out, by its first cell."""
-
-    def change(stroke: Stroke) -> Stroke:
-        told = [one for one in stroke.strokes if isinstance(one, Text)] if isinstance(stroke, Group) else []
-        rows = {one.at.imag for one in told if one.content == name and one.anchor == "start"}
-        if not rows or not isinstance(stroke, Group):
-            return stroke
-        kept = tuple(one for one in stroke.strokes if not (isinstance(one, Text) and one.at.imag in rows))
-        return replace(stroke, strokes=kept)
-
-    return change
-
-
 def in_part(name: str, change: Change) -> Change:
     """Change strokes of one part of the sheet alone."""
 

@@ -79,7 +79,13 @@ def within(group: Group, change: Callable[[Stroke], Stroke]) -> Group:
     return changed(Leaf(1.0, 1.0, (group,)), change).groups[0]
 
 
+def longer(stroke: Stroke) -> Stroke:
+    return replace(stroke, end=stroke.end + ASIDE.t) if isinstance(stroke, Line) else stroke
+
+
 ALTERED: Mapping[Kind, Callable[[Group], Group]] = {
+    Kind.VECTOR: lambda group: within(group, longer),
+    Kind.POINT: lambda group: within(group, lambda one: one if isinstance(one, Group) else moved(one)),
     Kind.CURVE: lambda group: within(group, lambda one: one if isinstance(one, Group) else moved(one)),
     Kind.LENGTH: last_moved,
     Kind.ANGLE: opened,
@@ -97,7 +103,7 @@ def chosen(leaf: Leaf, due: Mapping[Key, Expected]) -> Iterator[tuple[Key, Group
     for group in groups(leaf.groups):
         for key in hold._keys(group):
             row = due.get(key)
-            if row is None or key[0] in known or key[0] not in (*ALTERED, Kind.VECTOR, Kind.POINT) or not close(row):
+            if row is None or key[0] in known or key[0] not in ALTERED or not close(row):
                 continue
             kind, plan, name, _ = key
             mark = group.states is None
@@ -121,7 +127,7 @@ def close(row: Expected) -> bool:
     [pytest.param(one, id=one.stem, marks=() if one.stem in EVERYDAY else pytest.mark.rest) for one in SCENES],
 )
 def test_what_is_altered_is_told(path: Path) -> None:
-    study = Study(read_scene(path))
+    study, tried = Study(read_scene(path)), []
     for kind, leaves in leaves_of(study).items():
         due = {row.key: row for row in named(SHEETS[kind].due)(study, leaves)}
         for leaf in leaves:
@@ -130,4 +136,5 @@ def test_what_is_altered_is_told(path: Path) -> None:
             spoilt = changed(leaf, lambda one, others=others: others.get(id(one), one))
             told = {*hold.faults(hold.seen(measure(svg(lettered(spoilt))), spoilt), due)}
             assert {hold.told("differs_on", key) for key, _, _ in own} <= told
-            assert own
+            tried += own
+    assert tried

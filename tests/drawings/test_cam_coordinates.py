@@ -12,7 +12,7 @@ import pytest
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.due.coordinates import enclosures, faults, turns
-from drawings.figures.cam.coordinate_table import read, written
+from drawings.files.coordinate_table import read, written
 from drawings.files.enclosure import Enclosure
 from drawings.paper.strokes import SheetError
 from drawings.sheets.table import SHEETS
@@ -26,8 +26,8 @@ from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
+from tests.drawings.nearness import apart
 from tests.drawings.planting import DrawingFault, planted
-from tests.drawings.rolling import apart
 from tests.gallery import GALLERY
 from tests.parts import first
 from tests.plans import cam_cases as cases
@@ -107,7 +107,7 @@ def test_lost_row_is_seen() -> None:
     ],
 )
 def test_a_fault_of_the_table_is_seen(right: str, wrong: str, column: str) -> None:
-    file = "drawings/figures/cam/coordinate_table.py"
+    file = "drawings/files/coordinate_table.py"
     with planted(DrawingFault(column, "", file, right, wrong, column)):
         content = written(USUAL, drawn(CASE))
     assert f"{column} in row" in " ".join(told(content, CASE))

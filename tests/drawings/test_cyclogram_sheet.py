@@ -16,20 +16,8 @@ from tests.drawings.held import faults_on, measured
 from tests.drawings.slips import Change, changed, dropped, reworded, shifted, stretched
 from tests.parts import first
 from tests.plans.cyclograms import scene_text
+from tests.plans.test_cyclogram import CAM
 
-CAM = """
-[[cam]]
-name = "K1"
-setting = "cyclogram"
-limits = { rise = 30 }
-follower = { motion = "translating", end = "roller", lift = "20 mm" }
-phases = [
-  { kind = "rise", angle = "cyclogram", law = "sine" },
-  { kind = "dwell", angle = 60 },
-  { kind = "return", angle = 90, law = "sine" },
-  { kind = "dwell", angle = "rest" },
-]
-"""
 TOLD = "overrun = 0.1\nbreaks = [0.6, 0.75]\n"
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from tests.drawings.conftest import Run
+from tests.drawings.test_friction_report import STEEP
 from tests.plans.force_cases import ROADS, WORKED, text_of
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
@@ -136,39 +137,7 @@ def test_masses_that_solve_is_asked_for_are_in_use(run: Run, tmp_path: Path) -> 
 def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> None:
     """A short rod leans up to 51 degrees to the guide: with f = 1 a force along it cannot drive the slider."""
     scene = tmp_path / "steep.toml"
-    scene.write_text(
-        """
-title = "Steep rod"
-sheets = ["forces"]
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = 0.07
-AB = 0.09
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0], angle = 0 }
-[mechanism.sketch]
-B = [0.16, 0]
-[drive]
-link = 1
-speed = 1
-positions = 12
-[[loads.forces]]
-on = 3
-point = "B"
-against = "motion"
-value = 100
-[friction]
-coefficient = 1.0
-radius = "1 mm"
-""",
-        "utf-8",
-    )
+    scene.write_text(STEEP.replace("start = 7\n", "").replace('"ru"', '"en"'), "utf-8")
     code, _, err = run("draw", scene, "-o", tmp_path / "out")
     assert code == 4
     assert "pair 0-3 jams by friction in positions" in err

@@ -45,7 +45,6 @@ SHOWN = NAMES if parts.whole else NAMES[12::36]
 SWINGING = {
     "crank-rocker",
     "jaw-crusher",
-    "leg",
     "offset stone",
     "oscillating-cylinder",
     "squeezer",
@@ -279,7 +278,7 @@ def direction(line: Line) -> complex:
     return (line.end - line.start) / abs(line.end - line.start)
 
 
-@pytest.mark.parametrize("name", first(["scotch yoke", "whitworth", "tangent", "shaper"]))
+@pytest.mark.parametrize("name", first(["whitworth", "tangent", "shaper"]))
 def test_a_slotted_link_reaches_its_stone_in_every_position(name: str) -> None:
     found = drawn(name)
     slide = next(slide for slide in found.bones.mechanism.slides if slide.owner != FRAME)
@@ -333,7 +332,7 @@ def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "letter", "circles"), several([("engine", "A", 2), ("engine", "B", 1), ("leg", "C", 2)], 9)
+    ("name", "letter", "circles"), several([("engine", "A", 2), ("engine", "B", 1), ("walking-leg", "C", 2)], 9)
 )
 def test_a_hinge_of_three_links_is_a_double_circle(name: str, letter: str, circles: int) -> None:
     marks = drawn(name).groups["pairs"].strokes
@@ -376,7 +375,7 @@ def test_no_letter_or_number_lies_on_another(name: str) -> None:
 
 def test_listed_positions_bear_their_crank_angles() -> None:
     said = [text.plain for text in flat(drawn("tangent").letters) if isinstance(text, Text)]
-    assert {"0 (−40°)", "3 (15°)", "5 (40°)"} <= set(said)
+    assert {"0 (−40°)", "5 (10°)", "8 (40°)"} <= set(said)
 
 
 def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:

@@ -23,6 +23,7 @@ from plans.checks.compare import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.drawings.collisions import collisions
+from tests.drawings.mechanisms import TOGGLE_PRESS
 from tests.parts import first
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
@@ -208,33 +209,7 @@ def test_the_first_named_plan_is_the_position_in_full_lines() -> None:
     assert leaf.metadata["shown"] == 7
 
 
-TOGGLE = """
-title = "Toggle press"
-[mechanism.frame]
-O = [0, 0]
-C = [0.5, 0.25]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-4 = "BD"
-5 = "D"
-[mechanism.lengths]
-OA = 0.07
-AB = 0.5
-CB = 0.25
-BD = 0.25
-[[mechanism.slides]]
-link = 5
-along = { through = [0.5, 0], angle = -90 }
-[mechanism.sketch]
-B = [0.45, 0.0]
-D = [0.5, -0.25]
-[drive]
-link = 1
-speed = -20
-start = "extreme"
-"""
+TOGGLE = TOGGLE_PRESS.partition("positions")[0]
 
 
 @pytest.mark.rest

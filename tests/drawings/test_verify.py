@@ -9,14 +9,14 @@ import pytest
 
 from drawings.checks import verify
 from drawings.lettering.lettering import lettered
-from drawings.paper.strokes import Group, Leaf, Stroke, Text
+from drawings.paper.strokes import Leaf, Stroke, Text
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import leaves
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.held import faults_on
-from tests.drawings.slips import Change, changed, rewritten, stretched
+from tests.drawings.slips import Change, changed, rewritten
 from tests.parts import first
 
 SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
@@ -29,16 +29,9 @@ def checked() -> tuple[Study, Leaf]:
 
 
 FAULTS: dict[str, Change] = {
-    "every vector is dropped": lambda stroke: None if marks_a_vector(stroke) else stroke,
-    "the Coriolis part is too long": stretched("a k_A", "accelerations"),
     "the letters d and b are exchanged": lambda stroke: exchanged(stroke, "d", "b"),
     "a letter of the plan of positions is missing": rewritten("B", "E"),
-    "a plan's scale is written wrong": rewritten("μ_v = 0.01 (m/s)/mm", "μ_v = 0.02 (m/s)/mm"),
 }
-
-
-def marks_a_vector(stroke: Stroke) -> bool:
-    return isinstance(stroke, Group) and stroke.data.get("kind") == "vector"
 
 
 def exchanged(stroke: Stroke, one: str, other: str) -> Stroke:

@@ -12,6 +12,7 @@ from plans.model.diagrams import Diagrams
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.plans.test_scene_techniques import LINKAGE
 
 RADIUS, SPEED = 0.060, 10.0
 SINC = np.sin(np.pi / 12) / (np.pi / 12)  # of half a step of twelve: the chord of a sine over the sine at its middle
@@ -38,24 +39,7 @@ B = [0.06, -0.08]
 [drive]
 link = 1
 """
-ROCKER = """
-[mechanism.frame]
-O = [0, 0]
-C = [0.350, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.100
-AB = 0.400
-CB = 0.300
-[mechanism.sketch]
-B = [0.39, 0.30]
-[drive]
-link = 1
-speed = 10
-"""
+ROCKER = LINKAGE.replace('"10 rad/s"', "10")
 # Both cranks turn fully: the second by its own law, with the first in the mean.
 DRAG = ROCKER.replace("0.350", "0.050").replace("OA = 0.100", "OA = 0.200").replace("[0.39, 0.30]", "[0.05, 0.3]")
 # A crank longer than all: it swings.

@@ -32,34 +32,9 @@ from plans.model.machine import (
 from plans.scene.faults import Fault, SceneError, dotted
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
+from tests.plans.test_loading import SHAPER as MACHINE
 
-SHAPER = """sheets = ["forces"]
-[mechanism.frame]
-O = [0, 0]
-C = [0, -0.350]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "CB"
-4 = "BD"
-5 = "D"
-[mechanism.lengths]
-OA = 0.120
-CB = 0.700
-BD = 0.200
-[[mechanism.slides]]
-link = 2
-along = "CB"
-[[mechanism.slides]]
-link = 5
-along = { through = [0, 0.3287856445], angle = 0 }
-[mechanism.sketch]
-B = [0.20, 0.32]
-D = [0.40, 0.33]
-[drive]
-link = 1
-speed = 10
-"""
+SHAPER = f'sheets = ["forces"]\n{MACHINE.partition("acceleration")[0]}'
 # The shaper of the worked case: what stands in [masses], [loads] and [drive.gear].
 WORKED = """
 [drive.gear]

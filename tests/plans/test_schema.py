@@ -26,6 +26,7 @@ from plans.scene.source import read_source
 from plans.scene.tables import holders_of, read_parts, tables_of
 from plans.scene.units import Kind
 from tests import parts
+from tests.plans.test_scene_techniques import LINKAGE as PLAIN
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
@@ -46,24 +47,6 @@ UNSEEN = {
     "j_bank_compensator_of_another_order", "j_bank_member_twice", "j_bank_with_a_short_rod",
     "j_bank_with_rod_like_crank", "j_counterweight_twice", "k02_scale",
 }  # fmt: skip
-PLAIN = """
-[mechanism.frame]
-O = [0, 0]
-C = [0.350, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.100
-AB = 0.400
-CB = 0.300
-[mechanism.sketch]
-B = [0.39, 0.30]
-[drive]
-link = 1
-speed = "10 rad/s"
-"""
 
 
 @cache
