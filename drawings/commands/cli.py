@@ -11,7 +11,7 @@ from importlib import import_module
 
 from drawings import VERSION
 from drawings.commands.parser import parser
-from drawings.commands.talk import FILES, UNREADABLE, tell
+from drawings.commands.stderr import FILES, UNREADABLE, tell
 from drawings.files.signals import Stopped
 from geometry.errors import DraftError
 

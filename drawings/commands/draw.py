@@ -9,7 +9,8 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.commands.talk import noted, tell
+from drawings.commands.stderr import tell
+from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from drawings.commands.draw import admit
-from drawings.commands.talk import noted, tell
+from drawings.commands.stderr import tell
+from drawings.commands.talk import noted
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_of
 from drawings.files.sheet_set import output_folder, publish

@@ -12,7 +12,7 @@ from hashlib import sha256
 from itertools import chain, count
 from pathlib import Path
 
-from drawings.commands.talk import tell
+from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
 from drawings.files.json_text import print_json
 from drawings.grading.allowance import Allowances

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from drawings.commands.talk import tell
+from drawings.commands.stderr import tell
 from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, MeasuredProfile, check, measure_file

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from drawings import VERSION
-from drawings.commands.talk import tell
+from drawings.commands.stderr import tell
 
 TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\

@@ -9,7 +9,7 @@ import signal
 import sys
 from typing import NoReturn
 
-from drawings.commands.talk import FILES, UNREADABLE, tell
+from drawings.commands.stderr import FILES, UNREADABLE, tell
 from drawings.files.signals import ENDING, Stopped, raise_signals
 
 COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings

@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from drawings.commands.talk import noted, tell
+from drawings.commands.stderr import tell
+from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
 from drawings.files.json_text import print_json
 from plans.scene.scene import read_scene

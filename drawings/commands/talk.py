@@ -2,25 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
-import sys
-
+from drawings.commands.stderr import tell
 from drawings.files.file_error import of_system
 from plans.scene.faults import SceneError
 from plans.scene.notes import notes_of
 from plans.scene.source import language_of
 from plans.study import Study
 from plans.words.words import placed, said
-
-FILES = 7
-UNREADABLE = "plandraft itself cannot be read: {error}. Fix: install it again"
-
-
-def tell(message: str) -> None:
-    """Say a message on stderr; where nobody can hear it, the work goes on, and the exit code tells how it ended."""
-    with contextlib.suppress(OSError, ValueError):
-        print(message, file=sys.stderr)
-
 
 __all__ = ["language_of", "noted", "worded"]
 

@@ -21,6 +21,7 @@ from plans.study import Study
 TABLE, DIGITS = "output", 4
 KEYS = ("travel", "velocity", "acceleration")
 AHEAD = ("Δψ", "Δω", "ε")
+TALLEST, STEPS = 2.0, 361  # times the largest at a position that a course may go; places where it is looked at
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
 
@@ -54,8 +55,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         for k, value in zip(row.axis.numbers, row.at.tolist(), strict=True):
             yield Expected(Kind.VECTOR, figure, str(k), 1j * value, slack, k, may_lack=True)
         for name, course in (("result", row.result), ("exact", row.exact)):
-            ends, gaps = (float(row.runs[0][0]), float(row.runs[-1][1])), len(row.runs) > 1 or not row.axis.closed
-            loose = math.inf if gaps and name == "exact" else slack  # beside a gap it is cut off where it goes too far
+            ends = float(row.runs[0][0]), float(row.runs[-1][1])
+            loose = math.inf if name == "exact" and _cut_off(row) else slack
             yield Expected(Kind.CURVE, figure, name, course, loose, may_lack=name == "exact" or row.flat, ends=ends)
     axis, omega = comparison.analysis.axis, abs(study["linkage"].mechanism.drive.omega)
     for column, (values, allowed) in enumerate(columns(comparison, omega)):
@@ -63,6 +64,13 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         for k, number in reversed(list(enumerate(axis.numbers))):
             cell = cell_name(str(number), column)
             yield Expected(Kind.NUMBER, TABLE, cell, float(values[k]), slack, digits=DIGITS, may_lack=True)
+
+
+def _cut_off(row: ExpectedRow) -> bool:
+    """Tell whether the exact course may be cut off, as beside a gap and near a dead centre, where it goes too far."""
+    own = np.abs(row.exact(np.linspace(0.0, TURN, STEPS)))
+    far = not np.nanmax(own, initial=0.0) <= TALLEST * np.nanmax(np.abs(row.at), initial=0.0)
+    return len(row.runs) > 1 or not row.axis.closed or bool(np.isnan(own).any()) or far
 
 
 def named(key: str) -> str:

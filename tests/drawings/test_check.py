@@ -17,7 +17,7 @@ from drawings.commands import cli
 from drawings.files.manifest import manifest_of
 from drawings.original.originals import Originals
 from drawings.original.sheet_check import check
-from drawings.paper.strokes import Text
+from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from tests.forgeries.chance_edits import CHANGES
 from tests.forgeries.leaf_edits import swapped
@@ -126,7 +126,7 @@ def test_corners_drawn_otherwise_are_told(folder: Path, capsys: Capture) -> None
 def other_text() -> bytes:
     leaf = fan().sheets[0].leaf
     table = next(group for group in leaf.groups if group.name == "masses-1")
-    cell = next(one for part in table.strokes for one in part.strokes if isinstance(one, Text) and one.plain == "0,09")
+    cell = next(one for one in texts((table,)) if one.plain == "0,09")
     return svg(swapped(leaf, cell, replace(cell, content="0,08")))
 
 

@@ -16,6 +16,7 @@ from drawings.layout.picture import Margins, picture
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Fill, Group
+from drawings.paper.walk import flat
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.plans.test_loading import AGAINST, ON_D, SHAPER
@@ -59,11 +60,12 @@ def test_the_arcs_span_the_angles_of_the_strokes_from_extreme_to_extreme(text: s
         assert cmath.rect(1.0, phase.start) == pytest.approx(begin)
         assert cmath.rect(1.0, phase.start + phase.sweep) == pytest.approx(end)
     (group,) = arcs(pairs)
-    tips = [stroke.points[0] for stroke in group.strokes if isinstance(stroke, Fill)]
+    strokes = [*flat((group,))]
+    tips = [stroke.points[0] for stroke in strokes if isinstance(stroke, Fill)]
     pivot, radius = pairs.bones.pivot(pairs.place), working.radius
     ends = [pivot + radius * complex(ray) for ray in travel.directions[::-1]]
     assert tips == pytest.approx(ends)
-    assert [stroke.radius for stroke in group.strokes if isinstance(stroke, Arc)] == [radius] * 2
+    assert [stroke.radius for stroke in strokes if isinstance(stroke, Arc)] == [radius] * 2
 
 
 def test_a_small_crank_has_them_outside_its_numbers() -> None:

@@ -29,7 +29,7 @@ def graph_part(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Coll
     """Draw a row on its axes, each ordinate that is numbered measurable."""
     hand = plate.hand
     lines = (
-        *axes.lines((0.0, plate.length), row.span, hand, plate.named(row.key)),
+        *axes.lines((0.0, plate.length), row.span, hand, "" if row.flat else plate.named(row.key)),
         *_edges(row, plate, axes, numbered),
         *_course(row, plate, "exact", [stroke for curve in row.thin for stroke in _line(curve, axes, hand.other)]),
         *_course(row, plate, "result", [stroke for curve in row.results for stroke in _line(curve, axes, hand.result)]),
@@ -79,7 +79,9 @@ def _line(curve: Curve, axes: Axes, style: LineStyle) -> Iterator[Stroke]:
 
 def _course(row: DiagramRow, plate: DiagramsPlate, name: str, lines: list[Stroke]) -> Iterator[Stroke]:
     """Give the lines of a curve as what they state."""
-    if lines:
+    if row.flat:  # without a scale nothing is stated
+        yield from lines
+    elif lines:
         yield stating(Statement(Kind.CURVE, plate.named(row.key), name), *lines)
 
 
