@@ -34,7 +34,7 @@ from tests.plans.studies import study_of
 
 ROUNDINGS = 16.0  # of the plan's largest, in each of the equations: as of the motion, see chains.allowed
 
-# The whole is as many machines as kill every fault of tests/cases/force_faults.toml that is a relation's to see.
+# The whole is as many machines as see every wrong formula that is a relation's to see.
 push = examples(3, 30)
 
 Joint = tuple[int, str, int]  # link, point, and of a sliding pair the other link, of a hinge -1

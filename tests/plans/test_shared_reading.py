@@ -1,7 +1,6 @@
 """What both roads read alike - signs, sides, senses - by values worked by hand from the geometry of each case.
 
-A wrong sign here would be wrong on both roads alike, and no comparison would see it. The faults of
-tests/cases/reading_faults.toml are planted one by one, and each must be seen here.
+A wrong sign here would be wrong on both roads alike, and no comparison would see it.
 """
 
 from __future__ import annotations
