@@ -1,3 +1,3 @@
 """Paper: figures, sheets, pens, and the command."""
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"
