@@ -107,6 +107,11 @@ def obscured(leaf: Leaf, seen: SeenSheet) -> list[Message]:
     return [lone("hidden", item, figures, reason=reason).told for item, reason in held]
 
 
+def cramped(figure: str) -> Message:
+    """Tell of a figure that it is too small for its letters."""
+    return on("cramped", figure)
+
+
 def scale_wrongs(one: Written, keys: Mapping[str, str], sheet: SheetTable) -> list[Wrong]:
     """List the figures of a sheet that have another scale than is stated; `keys` are those of [sheet.scale]."""
     return [] if isinstance(one.seen, SheetRefused) else [*scale_faults([(keys, one.seen.measured)], sheet)]

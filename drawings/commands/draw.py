@@ -130,7 +130,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: those that are right."""
     with trace.stage("imports"):
         from drawings.checks.hold import phrase_faults
-        from drawings.checks.verify import SelfCheckFailed, enclosure_wrongs, first, obscured
+        from drawings.checks.verify import SelfCheckFailed, cramped, enclosure_wrongs, first, obscured
         from drawings.original.edition import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
@@ -153,11 +153,12 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
             wrong[report] = [*phrase_faults(told_lines, due)]
             wrong |= {path: enclosure_wrongs(beside[path], one) for path, one in enclosures.items()}
             told = tuple(fault for path, one in seen.items() for fault in obscured(sheets[path][1], one))
+            told += tuple(cramped(name) for _, leaf in sheets.values() for name in leaf.cramped)
         withheld = {path: own for path, own in wrong.items() if own}
         right = {path: content for path, content in contents.items() if path not in withheld}
         if sheets.keys() <= withheld.keys():
             raise SelfCheckFailed(message("check.sheet", marks=first(chain(*withheld.values()))))
-        manifest = manifest_of(scene.file, scene.content, right)
+        manifest = manifest_of(scene.file, scene.content, right, (path.name for path in withheld))
         for path in publish(folder, manifest, {path: beside[path] for path in right}):
             _say(scene, placed(path, message("file.surplus")))
     lost = tuple(_withheld((path.name,), message("check.sheet", marks=first(own))) for path, own in withheld.items())

@@ -42,18 +42,20 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
     """Give the crank's pins of all positions, and the points of the one in full lines."""
     own = study["cyclogram"]
-    mechanism, turned = own.pictured.mechanism, np.array([one.turned for one in found.positions])
-    motion = road_of(own.linkage).motion(found.sense * turned, 0)
+    mechanism, turned = own.pictured.mechanism, [one.turned for one in found.positions]
+    # The sketch is of the first position of the scene: there the analysis is assembled, and goes on to the others.
+    phi = np.concatenate([own.linkage.turn.phi[:1], found.sense * np.array(turned)])
+    motion = road_of(own.linkage).motion(phi, 0)
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
-    places = {name: complex(one.r[shown]) for name, one in motion.points.items()} | dict(fixed)
+    places = {name: complex(one.r[1 + shown]) for name, one in motion.points.items()} | dict(fixed)
     size = max(abs(place) for place in places.values())
     for name, place in places.items():
         if name != drive.pivot:
             yield Expected(Kind.POINT, POSITIONS.plan, name, place, FAR * size, shown)
     for name, (link, centre) in mass_centres(own.pictured).items():
-        spot = complex(placed(mechanism, motion, link, centre)[shown])
+        spot = complex(placed(mechanism, motion, link, centre)[1 + shown])
         yield Expected(Kind.POINT, POSITIONS.plan, name, spot, FAR * size, shown)
-    for k, pin in enumerate(motion.points[drive.end].r.tolist()):
+    for k, pin in enumerate(motion.points[drive.end].r[1:].tolist()):
         lacks = k == shown
         yield Expected(Kind.POINT, CHARACTERISTIC, f"{drive.end}_{k}", complex(pin), FAR * size, k, may_lack=lacks)
 

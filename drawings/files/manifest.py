@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -26,6 +26,7 @@ class Manifest(NamedTuple):
     scene_digest: str
     files: Mapping[str, str]  # name: SHA-256
     seals: Mapping[str, str]  # of the sheets among them
+    withheld: tuple[str, ...] = ()  # names of files that failed the self-check, and are not there
     version: str = VERSION
 
     def content(self) -> bytes:
@@ -33,6 +34,7 @@ class Manifest(NamedTuple):
         files = [_entry(name, digest, self.seals.get(name)) for name, digest in self.files.items()]
         scene = {"name": self.scene, "sha256": self.scene_digest}
         plain = {"format": FORMAT, "plandraft": self.version, "set": self.name, "scene": scene, "files": files}
+        plain |= {"withheld": list(self.withheld)} if self.withheld else {}
         return f"{json_text(plain, indent=2)}\n".encode()
 
     def strangers(self, folder: Path) -> list[str]:
@@ -45,11 +47,14 @@ def manifest_name(stem: str) -> str:
     return f"{stem}{SUFFIX}"
 
 
-def manifest_of(scene: str, scene_content: bytes, contents: Mapping[Path, bytes]) -> Manifest:
+def manifest_of(
+    scene: str, scene_content: bytes, contents: Mapping[Path, bytes], withheld: Iterable[str] = ()
+) -> Manifest:
     """Make the manifest of the set that a scene's file gave, from the contents of its files."""
     seals = {path.name: found for path, content in contents.items() if (found := seal_of(content)) is not None}
     files = {path.name: digest(content) for path, content in contents.items()}
-    return Manifest(manifest_name(Path(scene).stem), Path(scene).name, digest(scene_content), files, seals)
+    named = manifest_name(Path(scene).stem), Path(scene).name, digest(scene_content)
+    return Manifest(*named, files, seals, tuple(withheld))
 
 
 def read_manifest(path: Path) -> Manifest | None:
@@ -102,7 +107,7 @@ def _parsed(plain: Any) -> Manifest:
         raise ValueError("another format")
     files = {entry["name"]: entry["sha256"] for entry in plain["files"]}
     seals = {entry["name"]: entry["seal"] for entry in plain["files"] if "seal" in entry}
-    return Manifest(plain["set"], plain["scene"]["name"], plain["scene"]["sha256"], files, seals, plain["plandraft"])
+    return Manifest(plain["set"], plain["scene"]["name"], plain["scene"]["sha256"], files, seals, version=plain["plandraft"])
 
 
 def _plain(name: object) -> bool:

@@ -172,6 +172,7 @@ class Leaf:
     description: str = ""
     metadata: Mapping[str, Any] = field(default_factory=dict)
     lettering: str = "text"  # "strokes" of our own alphabet, or "text" in the fonts of the viewer
+    cramped: tuple[str, ...] = ()  # figures too small for their letters, which is told and not written
 
 
 _MARKUP = re.compile(r"([_^])(?:\{([^{}]*)\}|([^{}\\_^]))|\\(.)|([^_^\\{}]+)", re.DOTALL)

@@ -178,7 +178,15 @@ class _Leaves:
                 "number": number,
                 "of": count,
             },
+            cramped=tuple(self._cramped(composed)),
         )
+
+    def _cramped(self, composed: Composition) -> Iterator[str]:
+        """Name the figures that are drawn at less than half the size that their letters need."""
+        pictures = (one.panel.item for one in self.draft.shows if isinstance(one.panel.item, Picture))
+        for one in (one for one in pictures if one.name in composed.spots):
+            if 0 < 2 * one.extent(composed.spots[one.name].scale) < one.least:
+                yield one.name
 
     def _stood(self, composed: Composition, number: int, count: int) -> _Inked:
         """Draw the lines of a sheet in that of its ways to stand which leaves the least bare, where much would be."""
