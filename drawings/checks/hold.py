@@ -137,7 +137,8 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
     (low, high), near = due.ends, 2 * QUANTUM * found.scale
     if not (abs(drawn.real.min() - low) <= near and abs(drawn.real.max() - high) <= near):
         return False
-    true = np.array([due.value(np.clip(drawn.real + off, low, high)) for off in near * np.array(SIDES)])
+    beside = np.clip(np.add.outer(near * np.array(SIDES), drawn.real), low, high)
+    true = np.reshape(due.value(beside.ravel()), beside.shape)
     slack = due.allowed + 2 * QUANTUM * found.up
     least, most = np.fmin.reduce(true, axis=0), np.fmax.reduce(true, axis=0)  # beside a gap there is one side alone
     inside = (drawn.imag >= least - slack) & (drawn.imag <= most + slack)

@@ -14,7 +14,8 @@ import numpy as np
 from drawings.checks.expected import KNOWN
 from drawings.page.drafting import Drafting
 from plans.analytic.balance.main_points import vectors
-from plans.analytic.balance.mass_centre import bodies, placed
+from plans.analytic.balance.mass_centre import bodies
+from plans.analytic.points import placed
 from plans.balance.study import BalanceStudy
 from plans.checks.balance.comparison import BalanceComparison
 from plans.model.balance.linkage import Balance, Counterweight, State

@@ -14,7 +14,7 @@ from drawings.layout.table import cell_name
 from drawings.page.drafting import drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
-from plans.analytic.balance.mass_centre import placed
+from plans.analytic.points import placed
 from plans.checks.compare import road_of
 from plans.model.cyclogram import BEGIN, END, Cyclogram
 from plans.model.mechanism import FRAME

@@ -20,7 +20,7 @@ from drawings.lettering.words import letter
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
-from plans.analytic.balance.mass_centre import placed
+from plans.analytic.points import placed
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
 from plans.checks.hand.motion import MotionByHand

@@ -9,6 +9,7 @@ import cmath
 import math
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
@@ -189,6 +190,7 @@ def _letters(text: Text) -> Iterator[complex]:
             along += (width + _GAP) * own
 
 
+@cache
 def _width(letter: str) -> float:
     return shape(letter).width if letter in notations() else _BLANK
 

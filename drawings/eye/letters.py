@@ -33,6 +33,7 @@ class Stance(NamedTuple):
 
 # As texts of a drawing stand, the most usual way first: along it, up its left side, upside down, down its right side.
 STANCES = tuple(Stance(rotation, slanted) for rotation in (0.0, 90.0, 180.0, 270.0) for slanted in (False, True))
+_TURNS = tuple((stance, stance.turn) for stance in STANCES)
 
 
 class Reading(NamedTuple):
@@ -82,8 +83,8 @@ def _angle(letter: LetterShape, trail: Trail, unit: float, stance: Stance) -> fl
 
 def _of(letters: Iterable[LetterShape], trail: Trail, unit: float, near: float) -> Iterator[Reading]:
     own = tuple(letters)
-    for stance in STANCES:
-        turn = stance.turn * unit
+    for stance, direction in _TURNS:
+        turn = direction * unit
         for letter in own:
             first = _leaning(letter.points[0], stance)
             if all(

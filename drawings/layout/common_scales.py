@@ -6,7 +6,6 @@ import heapq
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from statistics import fmean
 from typing import NamedTuple, TypeAlias
 
 from drawings.layout.contents import Panel
@@ -84,10 +83,14 @@ def _steps(figures: Sequence[_Figure], legible: bool) -> Steps:
     every = [
         {one.picture.name: one.legible(scale) if legible else one.at(scale) for one in figures} for scale in scales
     ]
-    shares = [fmean(can_be_read(one.picture, one.at(scale)) for one in figures) for scale in scales]
+    shares = [_mean([can_be_read(one.picture, one.at(scale)) for one in figures]) for scale in scales]
     least = min(READ, max(shares, default=READ)) or READ if legible else 0.0  # of one that is never legible no step
     kept = [step for step, share in zip(every, shares, strict=True) if share >= least]
-    return Steps(tuple(kept), tuple(tied(fmean(_sizes(figures, step))) for step in kept))
+    return Steps(tuple(kept), tuple(tied(_mean([*_sizes(figures, step)])) for step in kept))
+
+
+def _mean(values: Sequence[float]) -> float:
+    return math.fsum(values) / len(values)
 
 
 def _sizes(figures: Sequence[_Figure], step: Mapping[str, Rung]) -> Iterator[float]:

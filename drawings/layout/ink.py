@@ -95,7 +95,7 @@ class _Cells:
         own = self._map[rows, columns]
         high, wide = (side // COARSE for side in own.shape)
         cells = own[: high * COARSE, : wide * COARSE].reshape(high, COARSE, wide, COARSE)
-        coarse = (cells > 0).max(axis=(1, 3))
+        coarse = (cells > 0).any(axis=1).any(axis=2)
         left, low, right, top = barest(coarse)
         start, step = complex(columns.start, rows.start) * CELL, COARSE * CELL
         ends = start + step * complex(left, low), start + step * complex(right, top)

@@ -78,7 +78,8 @@ class Cuts:
     """The sizes of all runs that fit into a room, by the sizes of their units: all orders and scales share them."""
 
     def __init__(self, room: Size) -> None:
-        self.room = np.add(room, SAME)
+        self._wide, self._high = (side + SAME for side in room)
+        self._most = (self._wide + GAP) * (self._high + GAP)
         self._numbers = dict[tuple[Size, ...], int]()
         self._least: list[float] = []  # mm2 that each unit takes at least, with the gap beside and above it
         self._runs = dict[tuple[int, ...], Shapes]()
@@ -100,27 +101,32 @@ class Cuts:
 
     def _own(self, own: Sequence[Size]) -> Shapes:
         sizes = np.array(own, float).reshape(-1, 2)
-        fits = np.flatnonzero((sizes <= self.room).all(-1))
-        kept = fits[_kept(sizes[fits])]
+        kept = self._chosen(sizes)
         ways = np.zeros((len(kept), 4), int)
         ways[:, 2] = kept
         return Shapes(sizes[kept], ways, {})
 
     def _join(self, units: tuple[int, ...]) -> Shapes:
         """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
-        if sum(self._least[k] for k in units) > np.prod(self.room + GAP):
+        if sum(self._least[k] for k in units) > self._most:
             return NONE
         cuts = {at: (self.run(units[:at]), self.run(units[at:])) for at in range(1, len(units))}
         parts = {at: pair for at, pair in cuts.items() if all(len(part.sizes) for part in pair)}
         if not parts:
             return NONE
         first, second = (_alike([pair[k].sizes for pair in parts.values()]) for k in (0, 1))
-        sizes = _joined(first[:, None, :, None], second[:, None, None])
-        fits = np.flatnonzero((sizes <= self.room).all(-1))
-        kept = fits[_kept(sizes.reshape(-1, 2)[fits])]
+        sizes = _joined(first[:, :, None], second[:, None])
+        kept = self._chosen(sizes.reshape(-1, 2))
+        if not kept.size:
+            return NONE
         at, *rest = np.unravel_index(kept, sizes.shape[:-1])
         ways = np.stack([np.array(list(parts))[at], *rest], axis=-1)
         return Shapes(sizes.reshape(-1, 2)[kept], ways, parts)
+
+    def _chosen(self, sizes: Floats) -> Ways:
+        """Choose among sizes (n, 2) those of a run: of what fits into the room."""
+        fits = np.flatnonzero((sizes[:, 0] <= self._wide) & (sizes[:, 1] <= self._high))
+        return fits[_kept(sizes[fits])] if fits.size > 1 else fits
 
 
 def _alike(sizes: Sequence[Floats]) -> Floats:
@@ -132,10 +138,12 @@ def _alike(sizes: Sequence[Floats]) -> Floats:
 
 
 def _joined(first: Floats, second: Floats) -> Floats:
-    """Join sizes (cut, 1, n, 1, 2) and (cut, 1, 1, m, 2), one above the other and beside: (cut, 2, n, m, 2)."""
+    """Join sizes (cut, n, 1, 2) and (cut, 1, m, 2), one above the other and beside: (cut, 2, n, m, 2)."""
     over, most = first + second + GAP, np.maximum(first, second)
-    beside = np.array([[False, True], [True, False]])[:, None, None]  # of each way: does the width, the height add up?
-    return np.where(beside, over, most)
+    sizes = np.empty((len(over), 2, *over.shape[1:]))
+    sizes[:, 0, ..., 0], sizes[:, 0, ..., 1] = most[..., 0], over[..., 1]
+    sizes[:, 1, ..., 0], sizes[:, 1, ..., 1] = over[..., 0], most[..., 1]
+    return sizes
 
 
 def _kept(sizes: Floats) -> Ways:

@@ -68,12 +68,14 @@ def letters(plain: str) -> Iterator[str]:
         yield letter
 
 
+@cache
 def known(letter: str) -> bool:
     """Tell whether the alphabet has a letter, or its parts: a letter and accents."""
     parts = unicodedata.normalize("NFD", letter)
     return letter in notations() or (len(parts) > 1 and all(part in notations() for part in parts))
 
 
+@cache
 def level(letter: str) -> tuple[str, int]:
     """Give a letter and the level it is written on: ² is a raised 2.
 

@@ -203,6 +203,12 @@ def speed(constraints: Constraints, poses: Floats, rates: Floats, link: int, own
     return np.asarray(constraints.size * (x + 1j * y) + 1j * spin * arm)
 
 
+def placed(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> Complexes:
+    """Place a point of a link, m from the datum, over a motion."""
+    point, first = next(iter(mechanism.links[link].points.items()))
+    return np.asarray(motion.points[point].r + (own - first) * np.exp(1j * motion.links[link].angle))
+
+
 def acceleration(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> Complexes:
     """Carry the acceleration m/s2 of the link's first point to another of its points."""
     point, first = next(iter(mechanism.links[link].points.items()))

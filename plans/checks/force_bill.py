@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from plans.analytic.balance.mass_centre import placed
+from plans.analytic.points import placed
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING, DRIVING

@@ -87,7 +87,7 @@ class GraphCurve(NamedTuple):
 
 def swing(curve: GraphCurve) -> GraphCurve:
     """Give the part of a curve over a turn that a crank which cannot turn fully passes through in its positions."""
-    reached = np.unique(curve.stations[~np.isnan(curve.ordinates)])
+    reached = np.array(sorted({*curve.stations[~np.isnan(curve.ordinates)]}))
     if not np.isnan(curve.values).any() or len(reached) < 2:
         return curve
     apart = np.diff(reached, append=reached[0] + TURN)

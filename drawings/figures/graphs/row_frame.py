@@ -167,15 +167,16 @@ class RowFrame(Generic[Shown]):
     def scales(self) -> dict[str, Scale]:
         """The scales of the rows: the largest ones together at which all poles stand in the paper beside them."""
         steps = [list(self._steps(row)) for row in self.plate.rows]
-        best = min(product(*steps), key=self._cost)
+        every = list(product(*steps))
+        best = min([one for one in every if sum(self._taken(one)) <= self._high] or every, key=self._cost)
         return {row.key: scale for row, scale in zip(self.plate.rows, best, strict=True)}
 
-    def _cost(self, scales: tuple[Scale, ...]) -> tuple[bool, int, float]:
-        """Weigh scales: rows too high together, poles that stand badly, then how small the graphs become."""
+    def _cost(self, scales: tuple[Scale, ...]) -> tuple[int, float]:
+        """Weigh scales: poles that stand badly, then how small the graphs become."""
         least, most = (one * self.plate.hand.letter for one in self.plate.proportions.pole)
         poles = (self._pole(k, scales) for k in range(1, len(scales)))
         out = sum(not least <= one <= most for one in poles if one is not None)
-        return sum(self._taken(scales)) > self._high, out, scales[0].mu * scales[1].mu * scales[2].mu
+        return out, scales[0].mu * scales[1].mu * scales[2].mu
 
     def _pole(self, k: int, scales: Sequence[Scale]) -> float | None:
         """Give the distance, mm, of the pole between a row and the one above it: integral over derivative and step."""

@@ -89,7 +89,7 @@ def _length(stretch: Complexes) -> float:
 def _stretches(spots: Complexes) -> Iterator[Complexes]:
     """Give the runs of a path between its gaps, each broken where the point turns back."""
     gaps = np.flatnonzero(np.isnan(spots.real))
-    for run in np.split(spots, np.unique([*gaps, *(gaps + 1)])):
+    for run in np.split(spots, sorted({*gaps, *(gaps + 1)})):
         if len(run) < 2 or np.isnan(run[0].real):
             continue
         steps = np.diff(run)

@@ -6,23 +6,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from plans.analytic.points import acceleration
+from plans.analytic.points import acceleration, placed
 from plans.model.balance.linkage import ANALYSIS, Counterweight, MassCentre
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Complexes, Motion
+from plans.model.motion import Motion
 
 
 def bodies(machine: Machine, counterweights: Sequence[Counterweight] = ()) -> list[Body]:
     """List what has mass: the links, then the counterweights that are needed."""
     added = [Body(one.link, one.mass, one.inertia, one.centre) for one in counterweights if one.needed]
     return [*machine.bodies.values(), *added]
-
-
-def placed(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> Complexes:
-    """Place a point of a link, m from the datum, over a motion."""
-    point, first = next(iter(mechanism.links[link].points.items()))
-    return np.asarray(motion.points[point].r + (own - first) * np.exp(1j * motion.links[link].angle))
 
 
 def mass_centre(mechanism: Mechanism, solid: Sequence[Body], motion: Motion) -> MassCentre:
