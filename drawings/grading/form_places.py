@@ -30,6 +30,10 @@ class FormPlace(NamedTuple):
         within = self.holds([complex(left + right, low + high) / 2])
         return 0.0 if within else off(complex((self.low.real + self.high.real) / 2, self.high.imag), box)
 
+    def off(self, spot: complex) -> float:
+        """Give how far a spot is from the place, mm; none within it."""
+        return off(spot, (self.low.real, self.low.imag, self.high.real, self.high.imag))
+
     def holds(self, spots: Sequence[complex]) -> bool:
         """Tell whether most of some spots lie within its corners."""
         within = [
@@ -50,6 +54,11 @@ def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace
     if away <= JOINED:
         return nearest
     return next((place for place in places if place.holds(spots)), None)
+
+
+def nearest(spot: complex, places: Sequence[FormPlace]) -> FormPlace | None:
+    """Give the place that a spot lies in, or else that which is nearest to it."""
+    return min(places, key=lambda one: one.off(spot), default=None)
 
 
 def _places(leaf: Leaf) -> Iterator[FormPlace]:

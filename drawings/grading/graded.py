@@ -16,6 +16,7 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.form.form_figure import empty_axes
+from drawings.grading.curves.form.form_line import every_axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
 from drawings.grading.drawing_faults import drawing_faults, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
@@ -133,6 +134,8 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     except SheetRefused as refused:
         return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
     tables = tables_drawn(seen, task.tables)
+    if _is_bare(seen, tables, task):
+        return Graded(REJECTED, reason=message("grade.bare"))
     found = _Found(plans_drawn(seen, onlooker, task.plans), figures_drawn(seen, task.curves), tables)
     others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
     if not found.plans and not found.figures and not answered(tables, others):
@@ -164,6 +167,13 @@ def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
         onlooker = Onlooker(unit=1.0)
         seen = see(source, onlooker)
     return seen._replace(leaf=legible(seen.leaf)), onlooker
+
+
+def _is_bare(seen: SeenSheet, tables: Drawn, task: SheetTask) -> bool:
+    """Tell whether a sheet is no form of ours and bears no data: nothing tells where on it the plans due are."""
+    if seen.measured.marks or form_places(seen.leaf) or every_axes(seen):
+        return False
+    return not seen.measured.metadata or any(plan.sheet in alone(tables, seen) for plan in task.plans)
 
 
 def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
@@ -200,25 +210,21 @@ def _missing(plan: PlanAsked) -> Iterator[Verdict]:
 
 
 def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
-    """Find the plans that are asked for on a sheet: by its marks, and those without any by their letters."""
+    """Find the plans that are asked for on a sheet: by its marks, or by their places on our form."""
     found = (from_marks(one, seen.measured, written_scale(seen, one)) for one in plans)
     marked = [one for one in found if one is not None]
     if len(marked) == len(plans) and all(plan.whole for plan in marked):
         return tuple(marked)
-    lines = segments(seen.leaf, onlooker.heads)
+    lines, places = segments(seen.leaf, onlooker.heads), form_places(seen.leaf)
     whole = tuple(redrawn(plan, lines) for plan in marked)
-    if any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
+    if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
-    here = {plan.asked.sheet for plan in marked}
-    own = [figure_of(one) for one in figures(lines)]
-    there = {plan.asked.place for plan in marked}
+    here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
-    words, places = list(texts(seen.leaf.groups)), form_places(seen.leaf)
-    labels = [one for own in spelled_labels(seen.leaf.groups).values() for one in own]
-    polygons = tuple(free_plans(left, lines, words, labels, places))
-    here |= {plan.asked.sheet for plan in polygons}  # a lever looks as the plan of another sheet does
-    others = [one for one in left if not here or one.sheet in here]
-    return (*whole, *polygons, *lettered_plans(others, own, words, places))
+    own, words = figures(lines), list(texts(seen.leaf.groups))
+    labels = [one for beside in spelled_labels(seen.leaf.groups).values() for one in beside]
+    polygons = free_plans(left, own, words, labels, places)
+    return (*whole, *polygons, *lettered_plans(left, [figure_of(one) for one in own], words, places))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:

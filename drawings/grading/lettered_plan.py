@@ -1,18 +1,16 @@
-"""Plans without marks: arrows that hang together, told by their letters, their heading and their shape (по буквам)."""
+"""Plans on a form: arrows that hang together are the plan of their place, each told by its letters (план на бланке)."""
 
 from __future__ import annotations
 
 import cmath
 import math
-import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, permutations
 from typing import NamedTuple
 
 from drawings.checks.letters import off
-from drawings.eye.alike import folded
-from drawings.grading.asked import PlanAsked
+from drawings.grading.asked import Place, PlanAsked
 from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.form_places import FormPlace, place_of
@@ -21,27 +19,12 @@ from drawings.grading.segments import JOINED, Segment
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Text
 from plans.linkage.letters import POLES
-from plans.words.words import languages, word, words
 
 FAR = 25.0  # mm: a letter that is farther from a place does not name it
-HEADING = 80.0  # mm: and a heading from its plan
-FITS = 0.01  # share by which a plan of a fair hand may differ from the scale that it was drawn to
+HEADING = 80.0  # mm: and a scale from its plan
 LEAST = 2  # letters that a figure has in common with a plan
 ARROW, BACKWARD = 10.0, 0.9  # mm that an arrow between two letters is worth, and its share if it is drawn back to front
 ROUNDS = 40  # of bringing letters elsewhere: a plan has some fifteen
-_POSITION = re.compile(r"(?:position|положени\w+|pos\.?|пол\.?)\s*№?\s*(\d{1,4})", re.IGNORECASE)
-
-
-class Likeness(NamedTuple):
-    """How unlike a plan some arrows are: if another's place or heading is theirs, how much they lack, how ill they fit.
-
-    A heading may be nearer to another's arrows than to its own: those that are left then have another's.
-    """
-
-    elsewhere: bool
-    headed: bool
-    lacks: int
-    misfit: float
 
 
 class Figure(NamedTuple):
@@ -69,23 +52,18 @@ def figure_of(own: Sequence[Segment]) -> Figure:
 
 
 def lettered_plans(
-    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text], places: Sequence[FormPlace] = ()
-) -> Iterator[DrawnPlan]:
-    """Find plans among figures: each is the one plan that its place, its letters, its heading or its shape say."""
-    found = sorted(_candidates(asked, figures, texts, places), key=lambda one: one[0])
-    taken, own = set[int](), dict[object, DrawnPlan]()
-    for like, k, plan in found:
-        beside = not like.headed or plan.asked.sheet in {one.asked.sheet for one in own.values()}
-        if beside and k not in taken and plan.asked.place not in own:
-            taken.add(k)
-            own[plan.asked.place] = plan
-    sheets = {plan.asked.sheet for plan in own.values() if _is_half(plan)}
-    yield from (plan for plan in own.values() if not sheets or plan.asked.sheet in sheets)
-
-
-def _is_half(plan: DrawnPlan) -> bool:
-    """Tell whether half of a plan is there: a small figure beside it may bear some letters of another sheet's plan."""
-    return 2 * len(plan.lacking) <= len(plan.asked.vectors)
+    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text], places: Sequence[FormPlace]
+) -> list[DrawnPlan]:
+    """Find plans among figures, each by the place of the form that it was drawn in; the fullest of one counts."""
+    due, found = {plan.place: plan for plan in asked}, dict[Place, DrawnPlan]()
+    for figure in figures:
+        here = place_of(figure.spots, places)
+        plan = None if here is None else due.get(here.plan)
+        names = {} if plan is None else _named(plan, figure, texts)
+        if here is not None and plan is not None and len(names) >= LEAST and POLES.get(plan.plan) in names:
+            drawn = _drawn(plan, figure, names, texts, here)
+            found[plan.place] = min(found.get(plan.place, drawn), drawn, key=lambda one: len(one.lacking))
+    return list(found.values())
 
 
 def redrawn(plan: DrawnPlan, lines: Sequence[Segment]) -> DrawnPlan:
@@ -103,44 +81,6 @@ def redrawn(plan: DrawnPlan, lines: Sequence[Segment]) -> DrawnPlan:
 
 def _joins(line: Segment, start: complex, end: complex) -> bool:
     return abs(line.start - start) <= JOINED and abs(line.end - end) <= JOINED
-
-
-def _candidates(
-    asked: Sequence[PlanAsked], figures: Sequence[Figure], texts: Sequence[Text], places: Sequence[FormPlace]
-) -> Iterator[tuple[Likeness, int, DrawnPlan]]:
-    """Give what each figure may be, and how like that it is."""
-    headings = {plan.plan: own_headings(plan, asked, texts) for plan in asked}
-    for k, figure in enumerate(figures):
-        there = place_of(figure.spots, places)
-        for plan in asked:
-            here = there if there is not None and there.plan == plan.place else None
-            position = position_named(figure.away, headings[plan.plan])
-            names = _named(plan, figure, texts)
-            if len(names) < LEAST or POLES.get(plan.plan) not in names:
-                continue
-            drawn = _drawn(plan, figure, names, texts, here)
-            headed = here is None and position not in (None, plan.position)
-            yield Likeness(there != here, headed, len(plan.letters) - len(names), misfit(drawn)), k, drawn
-
-
-def own_headings(plan: PlanAsked, asked: Sequence[PlanAsked], texts: Sequence[Text]) -> list[Text]:
-    """Give texts without the headings of plans of another kind, which may be nearer to a figure than its own is."""
-    others = {folded(heading) for one in asked if one.plan != plan.plan for heading in _headings(one)}
-    return [text for text in texts if folded(text.plain) not in others]
-
-
-def _headings(plan: PlanAsked) -> Iterator[str]:
-    """Give how a plan with a pole is headed in each language."""
-    for language in languages() if plan.plan in POLES else ():
-        if f"sheet.{plan.plan}" in words(language):
-            yield word(language, f"sheet.{plan.plan}", position=plan.position)
-
-
-def position_named(away: Callable[[Text], float], texts: Sequence[Text]) -> int | None:
-    """Give the position that the nearest heading names."""
-    own = [(away(text), int(match[1])) for text in texts if (match := _POSITION.search(text.plain))]
-    near = [one for one in own if one[0] <= HEADING]
-    return min(near)[1] if near else None
 
 
 def _named(plan: PlanAsked, figure: Figure, texts: Sequence[Text]) -> dict[str, complex]:
@@ -233,7 +173,7 @@ def _others(
 
 
 def _drawn(
-    plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts: Sequence[Text], place: FormPlace | None
+    plan: PlanAsked, figure: Figure, names: Mapping[str, complex], texts: Sequence[Text], place: FormPlace
 ) -> DrawnPlan:
     """Give the plan that a figure is: its arrows between its letters, laid as its letters are upright."""
     lines = {(figure.nearest(one.start), figure.nearest(one.end)): one for one in reversed(figure.arrows)}
@@ -243,11 +183,8 @@ def _drawn(
         line = lines.get(wanted) or lines.get(wanted[::-1])  # type: ignore[arg-type]
         if line is not None:
             arrows[one.letters] = Arrow(line.start, line.end)
-    away = figure.away if place is None else place.away
-    near = [(away(text), mu) for text, mu in scales_written(texts, plan)]
+    scale = scale_at(place, texts, plan)
     bare = DrawnPlan(plan, arrows, 1.0, names, False)
-    fits = [mu for _, mu in near if math.isclose(mu, bare.fitted, rel_tol=FITS)]  # a plan may be far from its heading
-    scale = min(near)[1] if near and min(near)[0] <= HEADING else next(iter(fits), None)
     own = {spelled(letter) for letter in plan.letters}
     turn = turn_of([text for text in texts if spelled(text.plain) in own], figure.away)
     both = tuple(f"{start} {end}" for start, end in arrows if _is_doubled(plan, (start, end), names, ends))
@@ -266,17 +203,16 @@ def _is_doubled(
     return not meant and there[0] != there[1] and there in ends and there[::-1] in ends
 
 
+def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float | None:
+    """Give the scale that is written nearest to the place of a plan, true units a mm; None where none is near."""
+    near = min(((place.away(text), mu) for text, mu in scales_written(texts, plan)), default=(math.inf, 0.0))
+    return near[1] if near[0] <= HEADING else None
+
+
 def turn_of(own: Sequence[Text], away: Callable[[Text], float]) -> complex:
     """Give what lays a figure upright whose page is turned: as the nearest of its letters stands."""
     turn = min(own, key=away).rotation if own else 0.0
     return cmath.rect(1.0, -math.radians(turn))
-
-
-def misfit(drawn: DrawnPlan) -> float:
-    """Give by what share the vectors of a plan are out, each of its own size."""
-    pairs = [(one.true, value) for one in drawn.asked.vectors if (value := drawn.value(one.letters)) is not None]
-    size = sum(abs(true) for true, _ in pairs)
-    return sum(abs(value - true) for true, value in pairs) / size if size else math.inf
 
 
 def _distance(text: Text, spot: complex) -> float:

@@ -18,7 +18,6 @@ from plans.words.words import Message, because, message, word
 
 # How the record names lines that no letter names, and the keys of their words.
 LINES: Final = {"guide of": "guide", "slot of": "slot", "stone": "stone", "line of action": "action"}
-Steps = Mapping[tuple[str, int | None, str], tuple[Message, ...]]
 
 
 class Hint(NamedTuple):

@@ -22,7 +22,7 @@ from drawings.acceptance.assertions import (
 from drawings.acceptance.assignment import AcceptanceError, Assignment
 from drawings.acceptance.handed_sheet import HandedSheet, NotDrawnError, handed
 from tests.drawings.students import TABLED, drawn, task, true_places
-from tests.drawings.test_grading import MISTAKES, bare, made
+from tests.drawings.test_grading import MISTAKES, made
 from tests.parts import first
 
 BACK = next(row for row in MISTAKES if row["name"] == "the Coriolis part is turned the wrong way")
@@ -81,14 +81,6 @@ def test_a_sheet_of_no_known_scene_is_read_by_its_marks(right: Path, scene: Assi
     alone, known = handed(right).plan("velocity", 2), HandedSheet(right, scene).plan("velocity", 2)
     assert alone.vector("p b").value == known.vector("v_B").value
     assert alone.scale == known.scale == pytest.approx(task("shaper").plan("velocities", 2).scales["velocities"])
-
-
-@pytest.mark.rest
-def test_plans_without_marks_are_found_by_their_letters(tmp_path: Path, scene: Assignment) -> None:
-    path = tmp_path / "eve.svg"
-    path.write_bytes(bare(task("shaper").originals.drawn(task("shaper").originals.sheets[0])))
-    b = HandedSheet(path, scene).plan("velocity", 2).vector("b")
-    assert b.value == pytest.approx(true("v_B"), rel=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -25,20 +25,17 @@ from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.idle_keys import idle_keys
-from drawings.grading.lettered_plan import own_headings
 from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
 from drawings.grading.records import RECORDS
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import gathered, row
 from drawings.grading.verdict import OF_QUANTITIES, Verdict
-from drawings.paper.strokes import Text
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
 from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
 
-SHOWN = "velocities", "accelerations"
 Capture = pytest.CaptureFixture[str]
 
 
@@ -156,13 +153,6 @@ def test_a_cell_of_a_table_has_a_quarter_of_what_else_has_points() -> None:
     assert (Marking().most(vector), Marking().most(cell)) == (1.0, 0.25)
     for text, points in tables.items():
         assert Marking(tomllib.loads(text)).most(cell) == points, text
-
-
-def test_a_plan_is_not_told_by_the_heading_of_another_kind() -> None:
-    plans = task("shaper").plans
-    texts = [Text(0j, f"{kind} plan, position {k}", 5.0) for kind, k in (("Velocity", 9), ("Acceleration", 2))]
-    own = [own_headings(next(one for one in plans if one.plan == plan), plans, texts) for plan in SHOWN]
-    assert own == [texts[:1], texts[1:]]
 
 
 def test_an_empty_table_is_told_once_and_an_empty_plan_in_its_position() -> None:

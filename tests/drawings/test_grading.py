@@ -27,7 +27,6 @@ from tests.gallery import LINKAGES
 from tests.parts import first, several
 from tests.rows import over
 
-PX = 96 / 25.4
 HAND = Allowances()
 CASES = Path(__file__).parents[1] / "cases"
 MISTAKES = tomllib.loads((CASES / "student_mistakes.toml").read_text("utf-8"))["mistake"]
@@ -169,45 +168,13 @@ def bare(source: bytes) -> bytes:
     return re.sub(r"<metadata.*?</metadata>", "", text, flags=re.DOTALL).encode()
 
 
-def test_plans_without_marks_are_told_by_their_letters() -> None:
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_sheet_without_any_marks_is_rejected_with_what_to_do(language: str) -> None:
     own = task("shaper")
-    assert said(own, bare(own.originals.drawn(own.originals.sheets[0]))) == []
-    assert said(own, bare(made(own, MISTAKES[0]))) == MISTAKES[0]["says"]
-
-
-def by_an_editor(plan: PlanAsked, mu: float, turn: float = 0.0) -> bytes:
-    """Draw a plan as an editor does: lines with markers, texts in a font, in a turned group, sizes in px."""
-    places = {letter: place / mu for letter, place in true_places(plan).items()}
-    spots = {letter: complex(400 + spot.real * PX, 600 - spot.imag * PX) for letter, spot in places.items()}
-    lines = "".join(
-        f'<path style="stroke:#000;stroke-width:1.5;fill:none;marker-end:url(#arrow)" id="path{k}" '
-        f'd="m {spots[one.start].real:.5f},{spots[one.start].imag:.5f} '
-        f'{(spots[one.end] - spots[one.start]).real:.5f},{(spots[one.end] - spots[one.start]).imag:.5f}"/>'
-        for k, one in enumerate(plan.vectors)
-    )
-    head = max(spots.values(), key=lambda spot: -spot.imag) - 60j
-    told = {letter: spot + 4 - 4j for letter, spot in spots.items()}
-    told |= {f"Plan, position {plan.position}": head, f"mu_v = {mu:g}": head + 25j}
-    words = "".join(
-        f'<text x="{at.real:.3f}" y="{at.imag:.3f}" style="font-size:14px"><tspan>{text}</tspan></text>'
-        for text, at in told.items()
-    )
-    return (
-        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
-        'width="1200px" height="1200px" viewBox="0 0 1200 1200"><defs><marker id="arrow" orient="auto">'
-        '<path d="M0 0L5 2"/></marker></defs><g inkscape:label="Layer" '
-        f'transform="rotate({turn:g} 600 600)"><g>{lines}</g>{words}</g></svg>'
-    ).encode()
-
-
-@pytest.mark.parametrize("turn", [0.0, 90.0])
-def test_a_plan_drawn_in_an_editor_is_found_wherever_it_is(turn: float) -> None:
-    own = task("shaper")
-    plan = own.plan("velocities", 9)
-    graded = grade(by_an_editor(plan, 0.02, turn), SheetTask(own.plans), HAND)
-    judged = {one.name: one.kind for one in graded.verdicts if (one.plan, one.position) == plan.place}
-    assert judged == {one.name: "right" for one in plan.vectors}
-    assert {one.kind for one in graded.wrong} == {"missing"}  # the other plans of the sheet
+    graded = grade(bare(own.originals.drawn(own.originals.sheets[0])), SheetTask(own.plans), HAND)
+    assert graded.outcome == REJECTED
+    assert graded.reason is not None and graded.reason.key == "grade.bare"
+    assert "plandraft form" in graded.reason.worded(language)
 
 
 def test_an_arrow_drawn_anew_in_a_plan_of_ours_is_found() -> None:

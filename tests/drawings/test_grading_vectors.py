@@ -21,12 +21,11 @@ from geometry.board import Mark
 from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
 from tests.drawings.students import Task, task
-from tests.drawings.test_grading import bare
 from tests.drawings.test_grading import laid as as_a_whole
 from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written
 from tests.rows import over
 
-HAND, PX = Allowances(), 96 / 25.4
+HAND = Allowances()
 EVERYDAY = ("fan",)
 SCENES = [
     "fan", "flywheel", "four-masses", "four-bar-balance", "six-link-balance", "engine-full", "engine-partial",
@@ -173,32 +172,6 @@ def test_every_sheet_of_the_gallery_is_right(scene: str) -> None:
                 assert any(one.letter for plan in own.plans for one in plan.vectors)
 
 
-@over("scene", ["fan"])
-def test_polygons_without_data_are_told_by_their_letters(scene: str) -> None:
-    told_by_letters(scene)
-
-
-@pytest.mark.rest
-@over("scene", [scene for scene in SCENES if scene != "lanchester"])
-def test_all_polygons_without_data_are_told_by_their_letters(scene: str) -> None:
-    told_by_letters(scene)
-
-
-def told_by_letters(scene: str) -> None:
-    own = task(scene)
-    for sheet in own.originals.sheets:
-        if any(plan.sheet == sheet.name and plan.lettered for plan in own.plans):
-            graded = grade(bare(own.originals.drawn(sheet)), SheetTask(own.plans), HAND)
-            assert (graded.reason, graded.wrong) == (None, ())
-            assert len(graded.verdicts) > 3
-
-
-def test_a_mistake_in_a_polygon_without_data_is_named() -> None:
-    row = next(row for row in MISTAKES if row["scene"] == "fan")
-    own = task("fan")
-    assert said(own, bare(made(own, row))) == row["says"]
-
-
 CHANCE = [("fan", "couples", None)]
 CHANCES = [
     ("shaper-loaded", "forces-2-3", 9),
@@ -256,33 +229,3 @@ def test_the_arrows_of_a_scheme_that_was_taken_apart_are_not_graded() -> None:
     figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.senses}
     assert graded.wrong == ()
     assert {(one.plan, one.position) for one in graded.verdicts if one.kind == UNGROUPED} == figures
-
-
-def by_an_editor(plan: PlanAsked, mu: float, turn: float) -> bytes:
-    """Draw a polygon as an editor does: paths with markers in px, letters at their middles, a turned group."""
-    own = laid((plan,), {})
-    lines, words = [], [(f"mu_{plan.symbol} = {mu:g}", 400 + 380j)]
-    for one in plan.vectors:
-        value, begun = own[plan.plan, one.name]
-        start, step = (complex(part.real, -part.imag) / mu * PX for part in (begun, value))
-        start += 500 + 500j + (0 if not one.diagonal else 12j * step / abs(step))
-        lines.append(
-            f'<path marker-end="url(#a)" d="m {start.real:.4f},{start.imag:.4f} {step.real:.4f},{step.imag:.4f}"/>'
-        )
-        words.append((written(one.letter), start + step / 2 + 8j * step / abs(step)))
-    told = "".join(f'<text x="{at.real:.2f}" y="{at.imag:.2f}">{text}</text>' for text, at in words)
-    return (
-        '<svg xmlns="http://www.w3.org/2000/svg" width="1000px" height="1000px" viewBox="0 0 1000 1000"><defs>'
-        '<marker id="a" orient="auto"><path d="M0 0L5 2"/></marker></defs><g style="font-size:11px" '
-        f'transform="rotate({turn:g} 500 500)"><g style="stroke:#000;fill:none">{"".join(lines)}</g>{told}</g></svg>'
-    ).encode()
-
-
-@pytest.mark.parametrize("turn", [0.0, 90.0])
-def test_a_polygon_drawn_in_an_editor_is_found_wherever_it_is(turn: float) -> None:
-    own = task("fan")
-    plan = own.plan("couples", None)
-    graded = grade(by_an_editor(plan, 0.0005, turn), SheetTask(own.plans), HAND)
-    judged = {one.name: one.kind for one in graded.verdicts if one.plan == plan.plan}
-    assert judged == {one.name: "right" for one in plan.vectors}
-    assert {one.kind for one in graded.wrong} == {"missing"}  # the other polygon of the sheet

@@ -101,14 +101,3 @@ def test_a_mistake_is_named_as_before(
     source = saved(made(own, row), tmp_path, WAYS[way], plain=bool(number % 2))
     names = said(own, source)
     assert names == sorted(row["says"]), way
-
-
-@pytest.mark.parametrize("turn", [0.0, 90.0])
-def test_a_plan_drawn_in_an_editor_is_found(tmp_path: Path, turn: float) -> None:
-    own = task("shaper")
-    plan = own.plan("velocities", 9)
-    before = test_grading.by_an_editor(plan, 0.02, turn)
-    for plain in (False, True):
-        names = test_grading.said(own, before)
-        after = test_grading.said(own, saved(before, tmp_path, plain=plain))
-        assert after == names

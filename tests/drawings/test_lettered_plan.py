@@ -1,9 +1,10 @@
-"""Plans without data whose letters crowd: a part too short to see shares a place, a heading is the nearest figure's."""
+"""Plans on a form whose letters crowd: what is too short to see shares a spot; a figure is that of its place."""
 
 from __future__ import annotations
 
 from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.form_places import FormPlace
 from drawings.grading.lettered_plan import figure_of, lettered_plans
 from drawings.grading.segments import Segment
 from drawings.paper.strokes import Text
@@ -24,9 +25,11 @@ def drawn(one: PlanAsked, at: complex) -> tuple[list[Segment], list[Text]]:
     return lines, [Text(at + spot * turn + 1 + 1j, letter, 3.5) for letter, spot in SPOTS.items()]
 
 
-def read(*own: tuple[list[Segment], list[Text]], headings: tuple[Text, ...] = ()) -> list[DrawnPlan]:
+def read(*own: tuple[list[Segment], list[Text]]) -> list[DrawnPlan]:
+    """Read figures on a form that has the places of two plans, one over the other."""
+    places = [FormPlace(("accelerations", k), None, low, low + 120 + 90j) for k, low in ((2, 60 + 90j), (8, 60 - 60j))]
     words = [text for _, texts in own for text in texts]
-    return list(lettered_plans([plan(2), plan(8, -1j)], [figure_of(lines) for lines, _ in own], [*words, *headings]))
+    return list(lettered_plans([plan(2), plan(8, -1j)], [figure_of(lines) for lines, _ in own], words, places))
 
 
 def test_a_part_too_short_for_a_place_of_its_own_shares_that_of_another() -> None:
@@ -36,8 +39,10 @@ def test_a_part_too_short_for_a_place_of_its_own_shares_that_of_another() -> Non
     assert all(abs(found.arrows[one.letters].vector - one.true) < 1e-9 for one in found.asked.vectors)
 
 
-def test_a_figure_that_is_nearer_to_the_heading_of_another_is_still_told() -> None:
-    """Both figures have the one heading nearest; it is of that which it fits, and the other is the plan left over."""
-    both = drawn(plan(2), 100 + 100j), drawn(plan(8, -1j), 100 + 0j)
-    found = read(*both, headings=(Text(110 + 70j, "position 8", 5.0),))
-    assert {one.asked.position: one.places["π"] for one in found} == {2: 100 + 100j, 8: 100 + 0j}
+def test_a_figure_is_the_plan_of_its_place_whatever_it_fits() -> None:
+    found = read(drawn(plan(8, -1j), 100 + 160j), drawn(plan(2), 100 - 50j))
+    assert {one.asked.position: one.places["π"] for one in found} == {2: 100 + 160j, 8: 100 - 50j}
+
+
+def test_a_figure_outside_all_places_is_no_plan() -> None:
+    assert read(drawn(plan(2), 400 + 100j)) == []

@@ -1,4 +1,4 @@
-"""Polygons without marks: arrows near one another, each told by the letter beside it (многоугольники по буквам)."""
+"""Polygons on a form: the arrows in a place, each told by the letter beside it (многоугольники на бланке)."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ from typing import NamedTuple
 
 from drawings.checks.letters import Label, along, off
 from drawings.grading.asked import Asked, PlanAsked
-from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
-from drawings.grading.form_places import FormPlace, place_of
-from drawings.grading.lettered_plan import FAR, HEADING, LEAST, Likeness, misfit, position_named, turn_of
+from drawings.grading.form_places import FormPlace, nearest
+from drawings.grading.lettered_plan import FAR, LEAST, scale_at, turn_of
 from drawings.grading.seeing.spelling import spelled
 from drawings.grading.segments import Segment
 from drawings.lettering.extent import bounds
@@ -68,18 +67,13 @@ def _exchange(
 
 
 UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow; how far out one is drawn otherwise
-ASIDE = 6.0  # mm: arrows that run along one another are drawn beside each other, no further apart
+BESIDE = 25.0  # mm: an arrow that lies farther from a place is not of it
 
 
 class Cluster(NamedTuple):
-    """Arrows that hang together or lie side by side, and how far texts are from them."""
+    """The arrows of one place, and how far texts are from them."""
 
     arrows: Sequence[Segment]
-
-    @property
-    def ends(self) -> list[complex]:
-        """Both ends of each arrow."""
-        return [end for one in self.arrows for end in (one.start, one.end)]
 
     def away(self, text: Text) -> float:
         """Give how far a text is from the nearest arrow, mm."""
@@ -88,67 +82,30 @@ class Cluster(NamedTuple):
 
 def free_plans(
     asked: Sequence[PlanAsked],
-    lines: Sequence[Segment],
+    figures: Sequence[Sequence[Segment]],
     texts: Sequence[Text],
     labels: Sequence[Label],
-    places: Sequence[FormPlace] = (),
-) -> Iterator[DrawnPlan]:
-    """Find polygons: each cluster of arrows is the one plan whose letters stand beside them."""
-    wanted = [plan for plan in asked if plan.lettered and all(one.letter for one in plan.vectors)]
-    if not wanted:
-        return
-    clusters = [Cluster(own) for own in _clusters([one for one in lines if one.headed])]
-    found = sorted(_candidates(wanted, clusters, (texts, labels), places), key=lambda one: one[0])
-    taken, placed = set[int](), set[object]()
-    for _, k, plan in found:
-        if k not in taken and plan.asked.place not in placed:
-            taken.add(k)
-            placed.add(plan.asked.place)
-            yield plan
-
-
-def _clusters(own: Sequence[Segment]) -> list[list[Segment]]:
-    """Put together arrows that are near each other."""
-    spots = {id(one): along(one.start, one.end) for one in own}
-    found: list[list[Segment]] = []
-    for one in own:
-        touched = [group for group in found if any(_near(one, other, spots) for other in group)]
-        found = [group for group in found if group not in touched]
-        found.append([one, *(part for group in touched for part in group)])
-    return found
-
-
-def _near(one: Segment, other: Segment, spots: Mapping[int, Sequence[complex]]) -> bool:
-    pairs = (one, other), (other, one)
-    return any(_from(spot, there) <= ASIDE for here, there in pairs for spot in spots[id(here)])
-
-
-def _candidates(
-    asked: Sequence[PlanAsked],
-    clusters: Sequence[Cluster],
-    written: tuple[Sequence[Text], Sequence[Label]],
     places: Sequence[FormPlace],
-) -> Iterator[tuple[Likeness, int, DrawnPlan]]:
-    """Give what each cluster may be, where no heading says otherwise, and how like that it is."""
-    for k, cluster in enumerate(clusters):
-        position = position_named(cluster.away, written[0])
-        there = place_of(cluster.ends, places)
-        for plan in asked:
-            here = there if there is not None and there.plan == plan.place else None
-            if here is None and position not in (None, plan.position):
-                continue
-            drawn = _drawn(plan, cluster, *written, here)
-            if len(drawn.arrows) >= max(LEAST, len(plan.vectors) / 2):  # a scheme has some of the letters too
-                yield Likeness(there != here, False, len(drawn.lacking), misfit(drawn)), k, drawn
+) -> Iterator[DrawnPlan]:
+    """Find polygons: all arrows that are drawn in the place of one on the form, or beside it, are of it."""
+    due = {plan.place: plan for plan in asked if plan.lettered and all(one.letter for one in plan.vectors)}
+    own: dict[FormPlace, list[Segment]] = {}
+    for joined in figures:
+        middle = sum(one.start + one.end for one in joined) / (2 * len(joined))
+        here = nearest(middle, places)
+        if here is not None and here.plan in due and here.off(middle) <= BESIDE:
+            own.setdefault(here, []).extend(joined)
+    for here, arrows in own.items():
+        drawn = _drawn(due[here.plan], Cluster(arrows), texts, labels, here)
+        if len(drawn.arrows) >= max(LEAST, len(drawn.asked.vectors) / 2):
+            yield drawn
 
 
 def _drawn(
-    plan: PlanAsked, cluster: Cluster, texts: Sequence[Text], labels: Sequence[Label], place: FormPlace | None
+    plan: PlanAsked, cluster: Cluster, texts: Sequence[Text], labels: Sequence[Label], place: FormPlace
 ) -> DrawnPlan:
     names = {spelled(one.letter): one for one in plan.vectors if one.corners}
-    away = cluster.away if place is None else place.away
-    near = [(away(text), mu) for text, mu in scales_written(texts, plan)]
-    scale = min(near)[1] if near and min(near)[0] <= HEADING else None
+    scale = scale_at(place, texts, plan)
     turn = turn_of([text for text in texts if spelled(text.plain) in names], cluster.away)
     arrows = _named(names, cluster, labels, (scale or 0.0) * turn)
     bare = DrawnPlan(plan, arrows, 1.0, {}, False)

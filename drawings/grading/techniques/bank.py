@@ -18,8 +18,6 @@ from plans.model.balance.bank import Harmonic, Member
 from plans.rotor.heading import heading
 from plans.study import Study
 
-Forces = Mapping[str, Mark]  # of the mechanisms, by their letters
-
 
 def record_of(study: Study, leaf: Leaf) -> Record:
     """Give the record of the polygons of a bank's sheet."""
