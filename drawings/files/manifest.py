@@ -107,7 +107,9 @@ def _parsed(plain: Any) -> Manifest:
         raise ValueError("another format")
     files = {entry["name"]: entry["sha256"] for entry in plain["files"]}
     seals = {entry["name"]: entry["seal"] for entry in plain["files"] if "seal" in entry}
-    return Manifest(plain["set"], plain["scene"]["name"], plain["scene"]["sha256"], files, seals, version=plain["plandraft"])
+    return Manifest(
+        plain["set"], plain["scene"]["name"], plain["scene"]["sha256"], files, seals, version=plain["plandraft"]
+    )
 
 
 def _plain(name: object) -> bool:
