@@ -136,7 +136,8 @@ class _Lever:
                     far, near = (QUARTER * bill.speed(link, bill.place(one)) for one in (end, start))
                     line, force = f"{start}{end}", 1j * moment / run.conjugate()
                     written = f"{self.acting.letter(name)}/l_{{{line}}}"
-                    if abs(far) <= ABOUT * NOTHING * abs(near):  # what acts at the pole is not drawn: the other is
+                    alone = f"−{self.acting.name(name)}/{line}" not in self.said
+                    if alone and abs(far) <= ABOUT * NOTHING * abs(near):  # at the pole nothing is drawn: the other is
                         force, far, near = -force, near, far
                     yield _Hung(f"{self.acting.name(name)}/{line}", written, force, far, moment * spin, near)
 

@@ -67,11 +67,11 @@ class VectorPlans:
         return found
 
     def _across(self, plan: str, k: int) -> dict[str, complex]:
-        """Give the vectors to all images of a link, and between any two of them or of the places under a pin."""
-        found = dict[str, complex]()
-        for images in (*(own := self._images(plan, k)), *self._under(plan, own)):
-            found |= {f"{POLES[plan]} {end}": value for end, value in images.items()}
-            found |= {f"{start} {end}": images[end] - images[start] for start, end in permutations(images, 2)}
+        """Give the vectors to all images and places under pins, and between any two of them."""
+        own = self._images(plan, k)
+        images = dict(chain(*(some.items() for some in (*own, *self._under(plan, own)))))
+        found = {f"{POLES[plan]} {end}": value for end, value in images.items()}
+        found |= {f"{start} {end}": images[end] - images[start] for start, end in permutations(images, 2)}
         return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
 
     def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
