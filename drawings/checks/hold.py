@@ -160,9 +160,10 @@ def apart(drawn: Complexes, path: Complexes) -> float:
     Where that bends a place may lie as far from its lines as an arc does from its chords.
     """
     start, run, bow = path[:-1], np.diff(path), bows(path)
-    size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
+    along = run.conj() / np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
     farthest = 0.0
     for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
-        share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
-        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot) - bow)))
+        off = start - spot
+        share = np.minimum(np.maximum(-(off * along).real, 0.0), 1.0)
+        farthest = max(farthest, float(np.min(np.abs(off + share * run) - bow)))
     return math.inf if math.isnan(farthest) else farthest
