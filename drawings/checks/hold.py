@@ -137,12 +137,14 @@ def _follows(drawn: Complexes, found: Read, due: Expected) -> bool:
     (low, high), near = due.ends, 2 * QUANTUM * found.scale
     if not (abs(drawn.real.min() - low) <= near and abs(drawn.real.max() - high) <= near):
         return False
-    beside = np.clip(np.add.outer(near * np.array(SIDES), drawn.real), low, high)
-    true = np.reshape(due.value(beside.ravel()), beside.shape)
     slack = due.allowed + 2 * QUANTUM * found.up
+    left = drawn[~(np.abs(drawn.imag - due.value(np.clip(drawn.real, low, high))) <= slack)]
+    if not left.size:
+        return True
+    beside = np.clip(np.add.outer(near * np.array(SIDES), left.real), low, high)
+    true = np.reshape(due.value(beside.ravel()), beside.shape)
     least, most = np.fmin.reduce(true, axis=0), np.fmax.reduce(true, axis=0)  # beside a gap there is one side alone
-    inside = (drawn.imag >= least - slack) & (drawn.imag <= most + slack)
-    return bool(inside.all())
+    return bool(((left.imag >= least - slack) & (left.imag <= most + slack)).all())
 
 
 def bows(path: Complexes) -> Floats:
@@ -158,9 +160,10 @@ def apart(drawn: Complexes, path: Complexes) -> float:
     Where that bends a place may lie as far from its lines as an arc does from its chords.
     """
     start, run, bow = path[:-1], np.diff(path), bows(path)
-    size = np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
+    along = run.conj() / np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
     farthest = 0.0
     for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
-        share = np.clip(((spot - start) * run.conj()).real / size, 0.0, 1.0)
-        farthest = max(farthest, float(np.min(np.abs(start + share * run - spot) - bow)))
+        off = start - spot
+        share = np.minimum(np.maximum(-(off * along).real, 0.0), 1.0)
+        farthest = max(farthest, float(np.min(np.abs(off + share * run) - bow)))
     return math.inf if math.isnan(farthest) else farthest

@@ -12,7 +12,7 @@ from typing import NoReturn
 from drawings.commands.stderr import FILES, UNREADABLE, tell
 from drawings.files.signals import ENDING, Stopped, raise_signals
 
-COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
+COLLECTED = 1_000_000  # new objects between two collections: a sheet makes fewer, and hardly any of them in rings
 STREAMS = 3  # stdin, stdout, stderr
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,8 +26,7 @@ FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
 
 
-@dataclass(frozen=True)
-class ExpectedRow:
+class ExpectedRow(NamedTuple):
     """A row: ordinates at the positions, the thick and the thin curve at any angle, values by chords."""
 
     key: str

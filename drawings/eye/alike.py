@@ -94,7 +94,8 @@ def picked(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fo
     return tuple(_runs(_signs_of(seen, (0, *spaces[1:]), said, fonts)))
 
 
-def regular(runs: Sequence[Run]) -> tuple[Run, ...]:
+@lru_cache(maxsize=4096)
+def regular(runs: tuple[Run, ...]) -> tuple[Run, ...]:
     """Give runs as the eye sees them: signs that are raised by themselves where they stand, no spaces at the ends."""
     own = [(sign.seen, run.level or sign.level) for run in runs for sign in signs(run.text)]
     plain = "".join(run.text for run in runs)

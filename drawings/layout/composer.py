@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from heapq import nlargest
 from itertools import chain
+from typing import NamedTuple
 
 from drawings.layout.common_scales import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
@@ -40,8 +41,7 @@ def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
     return _Composer(request(contents, page), page).composed()
 
 
-@dataclass(frozen=True)
-class _Cutting:
+class _Cutting(NamedTuple):
     """All runs of units in one order, at the scales of a state."""
 
     slicing: Slicing

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from drawings.layout.labels import Labels
 from drawings.paper.strokes import Group, Stroke
@@ -25,8 +24,7 @@ class Figure(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class StillFigure:
+class StillFigure(NamedTuple):
     """A figure that has no letters to be placed."""
 
     lines: tuple[Group, ...]

@@ -95,7 +95,7 @@ class _Cells:
         own = self._map[rows, columns]
         high, wide = (side // COARSE for side in own.shape)
         cells = own[: high * COARSE, : wide * COARSE].reshape(high, COARSE, wide, COARSE)
-        coarse = (cells > 0).any(axis=1).any(axis=2)
+        coarse = np.any(np.any(cells > 0, axis=1), axis=2)
         left, low, right, top = barest(coarse)
         start, step = complex(columns.start, rows.start) * CELL, COARSE * CELL
         ends = start + step * complex(left, low), start + step * complex(right, top)

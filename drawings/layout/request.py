@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from drawings.layout.common_scales import State, Steps, rungs_of, steps_of
 from drawings.layout.contents import Contents
@@ -19,8 +19,7 @@ from plans.words.words import Message, message
 FEW = 8  # figures of a set: among more of them tables and notes have places enough
 
 
-@dataclass(frozen=True)
-class Request:
+class Request(NamedTuple):
     """Units in their reading orders, the steps of their scales, the least steps.
 
     The `further` orders are for sets of some sheets, where one of them would stay bare. Behind a set that is `followed`

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -21,8 +20,7 @@ class Edge(NamedTuple):
     where: str  # the mark whose loci miss or touch
 
 
-@dataclass(frozen=True)
-class Barrier:
+class Barrier(NamedTuple):
     """A part of the turn that the crank cannot pass, from one edge counter-clockwise to the other."""
 
     edges: tuple[Edge, Edge]

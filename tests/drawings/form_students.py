@@ -11,8 +11,10 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.form_places import FormPlace, form_places
 from drawings.paper.strokes import Leaf
 from tests.drawings.students import task, true_places
+from tests.drawings.vector_students import laid, written
 
 MARKER = '<defs><marker id="head" orient="auto"><path d="M0 0L5 2"/></marker></defs>'
+LOOK = 'style="stroke:#000;fill:none;stroke-width:0.7;marker-end:url(#head)"'
 
 
 @cache
@@ -28,13 +30,34 @@ def on_form(leaf: Leaf, plans: Iterable[PlanAsked], scale: float) -> bytes:
     return blank_file(leaf).replace(b"</svg>", f"{MARKER}{own}</svg>".encode())
 
 
+def polygon_on_form(leaf: Leaf, plan: PlanAsked, share: float) -> bytes:
+    """Draw a polygon about the middle of its place on a form, so much of the place wide or high."""
+    place = next(one for one in form_places(leaf) if one.plan == plan.place)
+    own = laid((plan,), {})
+    ends = [
+        spot for start, value in ((one.start, one.value) for one in own.values()) for spot in (start, start + value)
+    ]
+    low = complex(min(one.real for one in ends), min(one.imag for one in ends))
+    size, room = max(one.real for one in ends) + 1j * max(one.imag for one in ends) - low, place.high - place.low
+    scale = max(size.real / room.real, size.imag / room.imag) / share
+    parts = [f'<text x="{place.low.real}" y="{leaf.height - place.high.imag}">mu_{plan.symbol} = {scale:.9g}</text>']
+    for one in plan.vectors:
+        vector, start = own[plan.plan, one.name]
+        begun = (place.low + place.high) / 2 + (start - low - size / 2) / scale
+        at, by = begun.conjugate() + 1j * leaf.height, vector.conjugate() / scale
+        parts.append(f'<path {LOOK} d="m {at.real:.4f},{at.imag:.4f} {by.real:.4f},{by.imag:.4f}"/>')
+        beside = at + by / 2 + 1 - 1j
+        parts.append(f'<text x="{beside.real}" y="{beside.imag}" style="font-size:3.5px">{written(one.letter)}</text>')
+    return blank_file(leaf).replace(b"</svg>", f"{MARKER}{''.join(parts)}</svg>".encode())
+
+
 def _plan(plan: PlanAsked, place: FormPlace, scale: float, high: float) -> str:
     assert place.pole is not None
     spots = {letter: place.pole + value / scale for letter, value in true_places(plan).items()}
     at = {letter: complex(spot.real, high - spot.imag) for letter, spot in spots.items()}
     lines = (
-        f'<path style="stroke:#000;fill:none;stroke-width:0.7;marker-end:url(#head)" '
-        f'd="M {at[one.start].real:.4f},{at[one.start].imag:.4f} L {at[one.end].real:.4f},{at[one.end].imag:.4f}"/>'
+        f'<path {LOOK} d="M {at[one.start].real:.4f},{at[one.start].imag:.4f} '
+        f'L {at[one.end].real:.4f},{at[one.end].imag:.4f}"/>'
         for one in plan.vectors
     )
     letters = (

@@ -9,8 +9,9 @@ from drawings.grading.form_places import FormPlace, form_places, place_of
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Text
-from tests.drawings.form_students import form_leaf, on_form
+from tests.drawings.form_students import form_leaf, on_form, polygon_on_form
 from tests.drawings.students import task
+from tests.drawings.test_grading import laid
 
 SCALE = 0.25  # of the shaper's acceleration plans, (m/s2)/mm, as its form states it
 
@@ -23,6 +24,16 @@ def test_a_plan_on_a_form_is_the_one_that_its_pole_is_for() -> None:
     graded = grade(on_form(form_leaf("shaper"), plans, SCALE), SheetTask(own.plans), Allowances())
     said = {(one.position, one.kind) for one in graded.verdicts if one.plan == "accelerations"}
     assert said == {(2, "right"), (9, "right")}
+
+
+@pytest.mark.parametrize("share", [0.8, 1.2])
+@pytest.mark.parametrize("turn", [0, 90])
+def test_a_polygon_on_a_form_is_that_of_its_place_though_it_does_not_keep_within_it(share: float, turn: int) -> None:
+    own, leaf = task("fan"), form_leaf("fan")
+    source = laid(polygon_on_form(leaf, own.plan("couples", None), share), f"rotate({turn} 150 150)")
+    graded = grade(source, SheetTask(own.plans), Allowances())
+    assert {one.kind for one in graded.verdicts if one.plan == "couples"} == {"right"}
+    assert {one.plan for one in graded.wrong} == {"unbalances"}  # which is not drawn
 
 
 @pytest.mark.rest

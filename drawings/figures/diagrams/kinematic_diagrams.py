@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 from drawings.figures.diagrams.frame import NAME, DiagramRow, DiagramsFrame, DiagramsPlate
 from drawings.figures.diagrams.row_graph import graph_part, numbered_positions
@@ -23,8 +24,7 @@ APART = 1.6  # sizes of a text from a row's caption to the line under it
 PER_CENT = 2  # digits of an error
 
 
-@dataclass(frozen=True)
-class DiagramsFigure:
+class DiagramsFigure(NamedTuple):
     """The diagrams placed on paper: the figure's heading and its parts."""
 
     head: Group

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -126,8 +125,7 @@ def scale_of(curve: GraphCurve, room: Picture, spot: Spot, standard: str) -> Sca
     return fitting(high - low, room.high / spot.scale.mu, symbol, curve.unit, standard)
 
 
-@dataclass(frozen=True)
-class GraphFigure:
+class GraphFigure(NamedTuple):
     """A graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     curve: GraphCurve

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from itertools import groupby
+from typing import NamedTuple
 
 from drawings.figures.linkage.guides import axes, grounds
 from drawings.figures.linkage.outlines import outlines, reach_of
@@ -54,8 +54,7 @@ HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circl
 SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
 
 
-@dataclass(frozen=True)
-class PositionFigure:
+class PositionFigure(NamedTuple):
     """A plan of positions placed on paper: its lines, and the letters still to be placed among those of all figures."""
 
     pairs: Pairs

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
 from drawings.figures.linkage.part_letters import LaidPart, is_relative, least_length, letter_parts, part_letter
@@ -35,8 +36,7 @@ SAME = 1e-6  # of a vector: two constructions of one point differ by rounding, a
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
 
-@dataclass(frozen=True)
-class Arrow:
+class Arrow(NamedTuple):
     """A vector of a plan between two marks, in true units."""
 
     start: Mark
@@ -142,8 +142,7 @@ def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
     return rays
 
 
-@dataclass(frozen=True)
-class PlanFigure:
+class PlanFigure(NamedTuple):
     """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     shown: VectorDiagram

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from drawings.checks.letters import Label, along, off
 from drawings.grading.asked import Asked, PlanAsked
@@ -70,16 +69,6 @@ UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow
 BESIDE = 25.0  # mm: an arrow that lies farther from a place is not of it
 
 
-class Cluster(NamedTuple):
-    """The arrows of one place, and how far texts are from them."""
-
-    arrows: Sequence[Segment]
-
-    def away(self, text: Text) -> float:
-        """Give how far a text is from the nearest arrow, mm."""
-        return min(_distance(bounds(text), one) for one in self.arrows)
-
-
 def free_plans(
     asked: Sequence[PlanAsked],
     figures: Sequence[Sequence[Segment]],
@@ -96,24 +85,25 @@ def free_plans(
         if here is not None and here.plan in due and here.off(middle) <= BESIDE:
             own.setdefault(here, []).extend(joined)
     for here, arrows in own.items():
-        drawn = _drawn(due[here.plan], Cluster(arrows), texts, labels, here)
+        drawn = _drawn(due[here.plan], arrows, texts, labels, here)
         if len(drawn.arrows) >= max(LEAST, len(drawn.asked.vectors) / 2):
             yield drawn
 
 
 def _drawn(
-    plan: PlanAsked, cluster: Cluster, texts: Sequence[Text], labels: Sequence[Label], place: FormPlace
+    plan: PlanAsked, drawn: Sequence[Segment], texts: Sequence[Text], labels: Sequence[Label], place: FormPlace
 ) -> DrawnPlan:
     names = {spelled(one.letter): one for one in plan.vectors if one.corners}
     scale = scale_at(place, texts, plan)
-    turn = turn_of([text for text in texts if spelled(text.plain) in names], cluster.away)
-    arrows = _named(names, cluster, labels, (scale or 0.0) * turn)
+    own = [text for text in texts if spelled(text.plain) in names]
+    turn = turn_of(own, lambda text: min(_distance(bounds(text), one) for one in drawn))
+    arrows = _named(names, drawn, labels, (scale or 0.0) * turn)
     bare = DrawnPlan(plan, arrows, 1.0, {}, False)
     return DrawnPlan(plan, arrows, scale or bare.fitted, {}, scale is not None, turn, lettered=True)
 
 
 def _named(
-    names: Mapping[str, Asked], cluster: Cluster, labels: Sequence[Label], scale: complex
+    names: Mapping[str, Asked], arrows: Sequence[Segment], labels: Sequence[Label], scale: complex
 ) -> dict[tuple[str, str], Arrow]:
     """Give the arrows by the letters beside them: all letters together as close to their arrows as they can be.
 
@@ -122,14 +112,11 @@ def _named(
     """
     own = {name: [label.place for label in labels if spelled(label.text.plain) == name] for name in names}
     read = [name for name, boxes in own.items() if boxes]
-    rows = [
-        [_cost(names[name], own[name], one, scale) for one in cluster.arrows] + [FAR + UNSURE] * len(read)
-        for name in read
-    ]
+    rows = [[_cost(names[name], own[name], one, scale) for one in arrows] + [FAR + UNSURE] * len(read) for name in read]
     found = {}
     for name, row, k in zip(read, rows, paired(rows), strict=True):
-        if k < len(cluster.arrows) and row[k] < FAR + UNSURE:
-            found[names[name].letters] = Arrow(cluster.arrows[k].start, cluster.arrows[k].end)
+        if k < len(arrows) and row[k] < FAR + UNSURE:
+            found[names[name].letters] = Arrow(arrows[k].start, arrows[k].end)
     return found
 
 

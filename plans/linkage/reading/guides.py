@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from math import pi
+from typing import NamedTuple
 
 from geometry.meet import cross
 from plans.linkage.reading.fields import split_letters
@@ -21,8 +21,7 @@ from plans.words.words import message
 Spot = tuple[Decimal, Decimal]  # a place in a link's own frame, or measured from the datum: exact metres
 
 
-@dataclass(frozen=True)
-class Shaper:
+class Shaper(NamedTuple):
     """Gives links their shapes; `places` are the rough places at the first position, measured from the datum."""
 
     survey: Survey
@@ -169,8 +168,7 @@ def from_datum(place: Spot, datum: Spot) -> Spot:
     return EXACT.subtract(place[0], datum[0]), EXACT.subtract(place[1], datum[1])
 
 
-@dataclass(frozen=True)
-class Guides:
+class Guides(NamedTuple):
     """Makes the slides (направляющие) of a scene from its links' shapes."""
 
     survey: Survey
