@@ -101,7 +101,7 @@ def obscured(leaf: Leaf, seen: SeenSheet) -> list[Message]:
     right = {id(item.stroke): item for item in items(laid)}
     under = list(veiled(laid))
     own = [(right[id(one.stroke)], one.reason) for one in under]
-    large = {id(one.stroke) for one in veiled(laid, small(laid, SYMBOL))}
+    large = {id(one.stroke) for one in veiled(laid, small(laid, SYMBOL), among={id(one.stroke) for one in under})}
     large -= {id(one.stroke) for one in under if isinstance(one.stroke, Arc) and one.reason == COVERED}
     held = [(item, why) for item, why in own if isinstance(item.stroke, Text) or id(item.stroke) in large]
     return [lone("hidden", item, figures, reason=reason).told for item, reason in held]

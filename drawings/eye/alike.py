@@ -43,6 +43,7 @@ def folded(plain: str) -> str:
     return "".join("\u2009" * sign.thin + sign.seen for sign in signs(plain))
 
 
+@cache
 def width(space: str) -> int:
     """Give the width of a space, in thin ones."""
     return sum(_SPACES[one] for one in space)
@@ -119,7 +120,7 @@ def _signs_of(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str,
 def _as_said(sign: Sign, level: int) -> Sign:
     """A raised sign is said so only where it is seen on a level of its own: in a subscript it stays."""
     if not sign.level:
-        return sign._replace(level=level)
+        return sign._replace(level=level) if level else sign
     if level == 0:
         return Sign(sign.seen, sign.seen, 0, sign.space)
     return sign._replace(level=0 if level == sign.level else level)

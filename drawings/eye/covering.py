@@ -51,8 +51,10 @@ class _Area(NamedTuple):
         return sum(crosses(a - spot, b - spot) for a, b in sides) % 2 == 1
 
 
-def veiled(leaf: Leaf, clear: Collection[int] = (), gone: Collection[int] = ()) -> Iterator[Unseen]:
-    """Give what of a leaf is covered or off the paper.
+def veiled(
+    leaf: Leaf, clear: Collection[int] = (), gone: Collection[int] = (), among: Collection[int] | None = None
+) -> Iterator[Unseen]:
+    """Give what of a leaf, or `among` some strokes of it, is covered or off the paper.
 
     Of strokes by their ids: areas of `clear` let show through what is under them, those of `gone` are not painted.
     """
@@ -61,8 +63,7 @@ def veiled(leaf: Leaf, clear: Collection[int] = (), gone: Collection[int] = ()) 
     areas = [area for order, (one, _) in enumerate(own) if id(one) not in idle for area in _areas(order, one)]
     wide, cells = _squares(areas)
     for order, (one, name) in enumerate(own):
-        reason = _reason(order, one, leaf, wide, cells)
-        if reason:
+        if (among is None or id(one) in among) and (reason := _reason(order, one, leaf, wide, cells)):
             yield Unseen(one, reason, name)
 
 

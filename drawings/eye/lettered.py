@@ -118,7 +118,7 @@ def _levelled(options: list[_Set], low: float, size: float, stance: Stance, even
         for level, share in _RISES.items():
             if abs(one.rise - low - share * size) <= even and (level or one.unit * 10 == size):
                 lean = LEAN * share * size if stance.slanted else 0.0
-                return one._replace(level=level, along=one.along - lean)
+                return one._replace(level=level, along=one.along - lean) if level else one
     return None
 
 

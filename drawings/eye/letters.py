@@ -27,13 +27,17 @@ class Stance(NamedTuple):
     @property
     def turn(self) -> complex:
         """The direction of its line of writing."""
-        quarters, rest = divmod(self.rotation, 90)
-        return complex(1j ** int(quarters)) * cmath.rect(1, math.radians(rest))
+        return _turned(self.rotation)
+
+
+@lru_cache(maxsize=256)
+def _turned(rotation: float) -> complex:
+    quarters, rest = divmod(rotation, 90)
+    return complex(1j ** int(quarters)) * cmath.rect(1, math.radians(rest))
 
 
 # As texts of a drawing stand, the most usual way first: along it, up its left side, upside down, down its right side.
 STANCES = tuple(Stance(rotation, slanted) for rotation in (0.0, 90.0, 180.0, 270.0) for slanted in (False, True))
-_TURNS = tuple((stance, stance.turn) for stance in STANCES)
 
 
 class Reading(NamedTuple):
@@ -83,8 +87,8 @@ def _angle(letter: LetterShape, trail: Trail, unit: float, stance: Stance) -> fl
 
 def _of(letters: Iterable[LetterShape], trail: Trail, unit: float, near: float) -> Iterator[Reading]:
     own = tuple(letters)
-    for stance, direction in _TURNS:
-        turn = direction * unit
+    for stance in STANCES:
+        turn = stance.turn * unit
         for letter in own:
             first = _leaning(letter.points[0], stance)
             if all(

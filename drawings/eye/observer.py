@@ -57,7 +57,7 @@ def _idle(name: str, value: str) -> bool:
     """Tell whether a property is followed, or has no effect."""
     if name.startswith(_FOREIGN):
         return value in ("none", "normal", "auto")
-    return value in _IDLE.get(name, (value,)) and not any(made in value for made in _MADE)
+    return value in _IDLE.get(name, (value,)) and not ("(" in value and any(made in value for made in _MADE))
 
 
 # What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
