@@ -11,8 +11,8 @@ from drawings.commands import cli
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.sheet_task import SheetTask
+from tests.drawings.form_students import form_leaf, on_form
 from tests.drawings.students import Task, task
-from tests.drawings.test_grading import by_an_editor
 from tests.gallery import GALLERY
 
 HAND = Allowances()
@@ -31,14 +31,14 @@ def of(own: Task) -> str:
     "how",
     [
         lambda path: path + back(path),
-        lambda path: path.replace("marker-end", "marker-start:url(#arrow);marker-end"),
+        lambda path: path.replace("marker-end", "marker-start:url(#head);marker-end"),
     ],
     ids=["a second arrow back", "heads at both ends"],
 )
 def test_arrows_that_go_both_ways_answer_nothing(own: Task, how: object) -> None:
     plan = next(plan for plan in own.plans if plan.plan == "velocities")
-    source = by_an_editor(plan, plan.scales[plan.plan]).decode()
-    path = re.search(r"<path style[^>]*>", source)
+    source = on_form(form_leaf("slider-crank"), [plan], plan.scales[plan.plan]).decode()
+    path = re.search(r"<path [^>]*marker-end[^>]*>", source)
     assert path is not None and callable(how)
     graded = grade(source.encode(), SheetTask(own.plans), HAND)
     assert graded.reason is None
@@ -50,9 +50,7 @@ def test_arrows_that_go_both_ways_answer_nothing(own: Task, how: object) -> None
 
 def back(path: str) -> str:
     """Draw an arrow's way back."""
-    x, y, by_x, by_y = map(float, re.findall(r"-?\d+\.\d+", path[path.index(' d="') :])[:4])
-    path = re.sub(r' id="[^"]*"', "", path)
-    return re.sub(r' d="[^"]*"', f' d="m {x + by_x:.5f},{y + by_y:.5f} {-by_x:.5f},{-by_y:.5f}"', path)
+    return re.sub(r'd="M (\S+) L ([^"]+)"', r'd="M \2 L \1"', path)
 
 
 def test_a_right_plan_that_is_hidden_counts_for_nothing(own: Task) -> None:
