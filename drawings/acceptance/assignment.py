@@ -13,8 +13,7 @@ from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import Asked, Place, PlanAsked, ends_of
 from drawings.grading.drawn_plan import from_marks
 from drawings.grading.graded import OURS, PASS, REJECTED, Graded, grade
-from drawings.grading.own_sheets import grade_own
-from drawings.grading.roll import grade_all
+from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import Hints, hints
 from drawings.grading.tolerance_text import allowance

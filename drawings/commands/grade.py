@@ -21,10 +21,8 @@ from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.idle_keys import idle_keys
-from drawings.grading.marking import Marking, MarkingError, read_marking
-from drawings.grading.own_sheets import grade_own
-from drawings.grading.records import RECORDS
-from drawings.grading.roll import grade_all
+from drawings.grading.marking import RECORDS, Marking, MarkingError, read_marking
+from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import sheet_task
 from drawings.grading.told import HEAD, Hints, curve_hints, hints, lines, plain, plain_name, row
 from drawings.grading.tolerance_text import allowance, written

@@ -13,9 +13,8 @@ import numpy as np
 from drawings.lettering.indices import with_index
 from drawings.lettering.words import letter, word
 from plans.checks.comparison import Finding
-from plans.checks.force_bill import ActingForce, ForceBill
+from plans.checks.force_bill import ActingForce, ExpectedForces, ForceBill
 from plans.checks.force_comparison import ForceComparison
-from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import Cut, Equation, indices
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import NOTHING

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.eye.sheet import SeenSheet, see
-from drawings.form.given import Given, given
-from drawings.form.laid import SCALE
+from drawings.form.laid import SCALE, Given, given
 from drawings.form.task import TABLES, table_of
 from drawings.measure.measure import check
 from drawings.page.page import BLOCK

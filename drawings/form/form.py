@@ -2,28 +2,231 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import groupby
 from typing import Any, NamedTuple
 
 from drawings import VERSION
-from drawings.form.blank_figure import NOTHING, Fixed, draw, fixed, measure
+from drawings.figures.graphs.axes import arrow
 from drawings.form.blank_table import blank
-from drawings.form.given import Given, data, given
-from drawings.form.laid import PARTS, LaidFigure, LaidTable, figures, tables
+from drawings.form.laid import PARTS, Given, LaidFigure, LaidTable, data, figures, given, tables
 from drawings.form.task import FRAME, GRAPH
 from drawings.layout.contents import EVEN, Panel
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.layout.place import Place
+from drawings.lettering.indices import with_index
+from drawings.lettering.lettering import text_width
 from drawings.original.edition import leaves_of
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf, SheetError
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Circle, Group, Leaf, Line, SheetError, Stroke, Text, numeral, stated
 from drawings.sheets.documents import bind
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import key_of
+from drawings.sheets.stated_scales import Draft, Exhibit, key_of
+from drawings.symbols import symbols
+from drawings.symbols.figure import heading
+from plans.model.mechanism import FRAME as GROUND
+from plans.model.mechanism import Mechanism
 from plans.scene.scene import Scene
 from plans.study import Study
+
+MARGINS = (2.0, 2.0, 4.0)  # paper beside, under and over a place, in sizes of its letters
+AXES = (28.0, 18.0)  # length of a graph's axes, in sizes of its letters
+OFF = 2.5  # mm from a pole to its letter
+TICKS = 12  # of an abscissa that is not numbered by positions
+GROUNDED = 28.0  # mm of ground at each end of a guide
+CORNER = 5.0  # mm of each line that marks a corner of a place
+
+
+class Guide(NamedTuple):
+    """A guide on the frame: a point of its line and its direction, true units."""
+
+    through: complex
+    direction: complex
+
+
+class Fixed(NamedTuple):
+    """What the scene fixes of a mechanism: its points on the frame by their letters, and its guides there."""
+
+    points: Mapping[str, complex]
+    hinges: frozenset[str]
+    guides: tuple[Guide, ...]
+    positions: int = TICKS
+
+
+NOTHING = Fixed({}, frozenset(), ())
+
+
+def fixed(mechanism: Mechanism, positions: int) -> Fixed:
+    """Give what a scene fixes of a mechanism."""
+    points, slides = mechanism.links[GROUND].points, mechanism.slides
+    guides = (Guide(one.on_owner.through, one.on_owner.direction) for one in slides if one.owner == GROUND)
+    hinges = frozenset(name for name in points if name in mechanism.hinges)
+    return Fixed(dict(points), hinges, tuple(guides), positions)
+
+
+@dataclass(frozen=True)
+class BlankFigure:
+    """A place on paper: its lines, and the letters of what stands in it."""
+
+    lines: tuple[Group, ...]
+    letters: tuple[tuple[complex, str, float], ...]  # of what, and mm from it
+    hand: Hand
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole place, its poles and fixed points lettered."""
+        size, prefer = self.hand.letter, -3 * math.pi / 4
+        texts = (labels.beside(at, with_index(name), size, gap, prefer) for at, name, gap in self.letters)
+        return *self.lines, Group(tuple(texts))
+
+
+def measure(laid: LaidFigure, own: Fixed, drafting: Drafting) -> Picture:
+    """Measure the room of a place: as far about its pole as is known coarsely."""
+    hand = drafting.hand
+    side, below, above = (share * hand.letter for share in MARGINS)
+    margins = Margins(side, below, above + hand.title)
+    width = text_width(Text(0j, laid.heading.title, hand.title))
+    if laid.what == GRAPH:
+        wide, high = (share * hand.letter for share in AXES)
+        mid = complex(wide, high) / 2
+        return Picture(f"axes-{laid.name}", wide, high, mid, "l", "mm", margins, width, 0.0, exact=1.0)
+    left, low, right, high = laid.reach
+    middle = _zero(laid) + complex(right - left, high - low) / 2
+    return Picture(laid.name, left + right, low + high, middle, laid.letter, laid.unit, margins, width, 0.0)
+
+
+def _zero(laid: LaidFigure) -> complex:
+    """Give where the pole lies in the figure's own measure: of a mechanism it is a fixed point of the scene."""
+    x, y = map(float, laid.pole.get("value", "0 0").split()) if laid.what == FRAME else (0.0, 0.0)
+    return complex(x, y)
+
+
+def draw(laid: LaidFigure, own: Fixed, room: Picture, spot: Spot, drafting: Drafting) -> BlankFigure:
+    """Draw a place in its spot."""
+    if laid.what == GRAPH:
+        return _graph(laid, own, spot, drafting)
+    place, hand = room.place(*spot), drafting.hand
+    head = heading(spot.box, laid.heading.title, drafting.scale(spot.scale), hand)
+    if laid.what == FRAME and own.points:
+        marks, off = list(_frame(laid, own, place, hand)), OFF + symbols.HINGE * hand.symbol
+        letters = [(place.on(at), name, off) for name, at in own.points.items()]
+        lines = list(_guides(own, room, place, hand))
+    else:
+        marks, lines = list(_pole(laid, place)), []
+        letters = [(place.on(0j), laid.pole["name"], OFF)] if laid.pole else []
+    data = {
+        "kind": "place",
+        **laid.of,
+        "scale": numeral(spot.scale.mu),
+        "unit": laid.unit,
+    }
+    strokes = (*_corners(_box(room, place), hand), *lines, *marks)
+    return BlankFigure((head, Group(strokes, laid.name, data)), tuple(letters), hand)
+
+
+def _box(room: Picture, place: Place) -> Field:
+    """Give the paper that is left for the figure, mm."""
+    middle, half = place.on(room.middle), complex(room.wide, room.high) / place.scale.mu / 2
+    low, high = middle - half, middle + half
+    return Field(low.real, low.imag, high.real, high.imag)
+
+
+def _corners(box: Field, hand: Hand) -> Iterator[Line]:
+    """Mark the corners of a place thin, so that it is seen where the figure has room."""
+    for x, inward in ((box.left, 1), (box.right, -1)):
+        for y, up in ((box.bottom, 1j), (box.top, -1j)):
+            at = complex(x, y)
+            yield from (Line(at, at + CORNER * hand.symbol * way, hand.drafted) for way in (inward, up))
+
+
+def _pole(laid: LaidFigure, place: Place) -> Iterator[Group]:
+    if laid.pole:
+        at = place.on(0j)
+        yield Group((symbols.pole(at),), "", _data(laid, place, "pole", laid.pole["name"], 0j), laid.pole["name"])
+
+
+def _frame(laid: LaidFigure, own: Fixed, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the fixed points: hinges with their stands."""
+    for name, value in own.points.items():
+        at = place.on(value)
+        kind = "pole" if name == laid.pole.get("name") else "point"
+        radius = symbols.HINGE * hand.symbol
+        if name in own.hinges:
+            yield from symbols.fixed_hinge(at, hand, radius)
+        circle = (
+            symbols.hinge(at, hand)[0] if name in own.hinges else Circle(at, symbols.POINT * hand.symbol, hand.body)
+        )
+        yield Group((circle,), "", _data(laid, place, kind, name, value), name)
+
+
+def _data(laid: LaidFigure, place: Place, kind: str, name: str, value: complex) -> dict[str, str]:
+    own = {key: laid.pole[key] for key in ("plan", "quantity", "position") if key in laid.pole}
+    scale = {"unit": laid.unit, "scale": numeral(place.scale.mu)}
+    return {"kind": kind, "name": name, **own, "value": stated(value), **scale}
+
+
+def _guides(own: Fixed, room: Picture, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the line of each guide through its place from side to side, and ground at its ends."""
+    box = _box(room, place)
+    for guide in own.guides:
+        ends = _across(place.on(guide.through), guide.direction, box)
+        if ends is not None:
+            yield Line(*ends, hand.axis)
+            yield from _ground(ends, hand)
+
+
+def _ground(ends: tuple[complex, complex], hand: Hand) -> Iterator[Stroke]:
+    start, end = ends
+    along = (end - start) / abs(end - start)
+    long, under = min(GROUNDED * hand.symbol, abs(end - start) / 3), -1j * along * symbols.BLOCK[1] / 2 * hand.symbol
+    under = under if under.imag <= 0 else -under
+    into = under / abs(under)
+    for foot in (start, end - long * along):
+        yield from symbols.ground(foot + under, foot + under + long * along, into, hand)
+
+
+def _across(at: complex, way: complex, box: Field) -> tuple[complex, complex] | None:
+    """Give the ends of a line's part within a box; None where it passes by."""
+    low, high = -math.inf, math.inf
+    rows = ((at.real, way.real, box.left, box.right), (at.imag, way.imag, box.bottom, box.top))
+    for start, step, least, most in rows:
+        if abs(step) > 1e-9:  # a direction of length one: less rises by no width of a line on any sheet
+            near, far = sorted(((least - start) / step, (most - start) / step))
+            low, high = max(low, near), min(high, far)
+        elif not least <= start <= most:
+            return None
+    return (at + low * way, at + high * way) if low < high else None
+
+
+def _graph(laid: LaidFigure, own: Fixed, spot: Spot, drafting: Drafting) -> BlankFigure:
+    """Draw bare axes: the abscissa with ticks in the middle of the height, for it is not told what is below zero."""
+    hand, box = drafting.hand, spot.box
+    wide, high = (share * hand.letter for share in AXES)
+    zero = complex(box.centre.real - wide / 2, box.bottom + MARGINS[1] * hand.letter + high / 2)
+    under = ";  ".join(laid.scales) or " "
+    head = heading(box, laid.heading.title, under, hand)
+    ticks = [symbols.tick(zero + wide * (k + 1) / (own.positions + 1), 1 + 0j, hand) for k in range(own.positions)]
+    axes = (*arrow(zero, zero + wide, hand), *arrow(zero - 0.5j * high, zero + 0.5j * high, hand))
+    data = {"kind": "axes", "plan": laid.name}
+    return BlankFigure((head, Group((*axes, *ticks), f"axes-{laid.name}", data), _axes(laid, zero, hand)), (), hand)
+
+
+def _axes(laid: LaidFigure, zero: complex, hand: Hand) -> Group:
+    wide, high = (share * hand.letter for share in AXES)
+    places: Sequence[tuple[complex, str]] = (
+        (zero + complex(1.5, high / 2 - hand.text), "start"), (zero + complex(wide, 0.8 * hand.text), "end"),
+    )  # fmt: skip
+    texts = (
+        Text(at, text, hand.text, "start" if anchor == "start" else "end", True)
+        for (at, anchor), text in zip(places, laid.axes, strict=False)
+    )
+    return Group(tuple(texts))
+
 
 FOREMOST = 1.5  # weight of the plan of positions
 SHARE = 1 / 3  # of its sheet

@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 from drawings.gallery.catalogue import Entry
 from drawings.gallery.engines import engines
-from drawings.report.subject import Subject
-from drawings.report.table import REPORTS
+from drawings.report.table import REPORTS, Subject
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import word

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple, TypeAlias
 
-from drawings.grading.records import RECORDS, Found, Record
+from drawings.grading.marking import RECORDS, Found, Record
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.original.originals import Original, Originals
 from drawings.paper.walk import groups

@@ -13,7 +13,7 @@ from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
 from drawings.grading.graded import Graded
-from drawings.grading.seeing.page_units import shown
+from drawings.grading.seeing.units import shown
 from drawings.grading.told import Hints, gathered, plain_name, without_values
 from drawings.grading.verdict import Verdict
 from plans.words.words import word

@@ -15,23 +15,17 @@ from drawings.grading.allowance import Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form.form_figure import empty_axes
-from drawings.grading.curves.form.form_line import every_axes
+from drawings.grading.curves.form.form_figure import empty_axes, every_axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
-from drawings.grading.drawing_faults import drawing_faults, written_scale
+from drawings.grading.drawing_faults import drawing_faults, figures, segments, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
-from drawings.grading.form_places import form_places
+from drawings.grading.form_places import form_places, left_out, own_places, scales_of
 from drawings.grading.judgement import Judge
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
-from drawings.grading.own_places import left_out, own_places, scales_of
-from drawings.grading.polygons.free_plan import free_plans
-from drawings.grading.polygons.scheme_arcs import arc_verdicts
-from drawings.grading.polygons.scheme_arrows import arrow_verdicts, once
-from drawings.grading.seeing.legible import legible
-from drawings.grading.seeing.onlooker import Onlooker
-from drawings.grading.seeing.page_units import in_millimetres
+from drawings.grading.polygons.free_plan import arc_verdicts, arrow_verdicts, free_plans, once
+from drawings.grading.seeing.onlooker import Onlooker, legible
 from drawings.grading.seeing.spelling import spelled_labels
-from drawings.grading.segments import figures, segments
+from drawings.grading.seeing.units import in_millimetres
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts

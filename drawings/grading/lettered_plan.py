@@ -11,11 +11,10 @@ from typing import NamedTuple
 
 from drawings.checks.letters import off
 from drawings.grading.asked import Place, PlanAsked
-from drawings.grading.drawing_faults import scales_written
+from drawings.grading.drawing_faults import JOINED, Segment, scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.form_places import FormPlace, place_of
 from drawings.grading.seeing.spelling import spelled
-from drawings.grading.segments import JOINED, Segment
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Text
 from plans.linkage.letters import POLES

@@ -14,10 +14,20 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from drawings.files.file_error import of_system
-from drawings.grading.graded import OURS, REJECTED, Graded
+from drawings.grading.allowance import Allowances
+from drawings.grading.graded import OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.sheet_task import SheetTask
+from drawings.original.originals import Originals
 from drawings.paper.limits import SHEET_BYTES
 from geometry.regular_file import regular_bytes
 from plans.words.words import message
+
+
+def grade_own(originals: Originals, task: SheetTask, by: Allowances) -> Graded:
+    """Grade the scene's own sheets; the first that is not right is told."""
+    every = [grade(originals.drawn(one), task, by) for one in originals.sheets if one.name in task.sheets]
+    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else REJECTED))
+
 
 # Seconds of work on one sheet: our own take under two, one of ten megabytes takes eight.
 SECONDS = 30.0

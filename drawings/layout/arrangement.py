@@ -15,8 +15,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from drawings.layout.bareness import Area, Grid
 from drawings.layout.slicing import GAP, SAME, Size
+from drawings.layout.standing import Area, Grid
 from drawings.page.page import Field, Page
 from drawings.paper.ties import PLACES
 from plans.model.motion import Floats

@@ -17,13 +17,11 @@ from typing import NamedTuple
 
 from drawings.layout.common_scales import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
-from drawings.layout.filling import filled
-from drawings.layout.parting import SheetRun, fewest, partings
+from drawings.layout.filling import Stood, filled, size_of
 from drawings.layout.picture import Picture, Rung
-from drawings.layout.request import Request, request
+from drawings.layout.request import Request, SheetRun, fewest, partings, request
 from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nested
 from drawings.layout.slicing import Cuts, Slicing, Tree, pieces
-from drawings.layout.stood import Stood, size_of
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from drawings.paper.ties import tied

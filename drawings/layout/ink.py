@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from drawings.layout.bareness import barest
+from drawings.layout.standing import barest
 from drawings.lettering.extent import bounds
 from drawings.page.page import Field
 from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text

@@ -10,12 +10,11 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
-from drawings.measure.marks import LINES, LONGEST, SheetMark, called, drawn, marked
+from drawings.measure.marks import LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import about, transform
 from drawings.measure.viewport import Viewport, viewport
 from drawings.measure.visibility import ANIMATIONS, UNDRAWN, Look, properties, telling, unfollowed
-from drawings.measure.witness import Frame, Witness
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
 from plans.words.words import Message, message

@@ -13,10 +13,10 @@ from drawings.lettering.words import ROUNDING
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.cam_letters import letters, ways_told
 from drawings.report.cam_notes import MM, CamNotes
-from drawings.report.chapters import Chapters
-from drawings.report.listed import entry, plain
+from drawings.report.formula import Chapters
 from drawings.report.markdown import header, row
-from drawings.report.subject import Subject
+from drawings.report.run_tables import entry, plain
+from drawings.report.table import Subject
 from plans.cam.study import LAWS, CamDrawing
 from plans.model.cam_motion import CamFound
 from plans.model.motion import Floats

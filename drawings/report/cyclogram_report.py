@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.report.chapters import Chapters
 from drawings.report.cyclogram_notes import CyclogramNotes
+from drawings.report.formula import Chapters
 from drawings.report.linkage import linkage_subject
-from drawings.report.listed import plain
 from drawings.report.markdown import chapter
-from drawings.report.subject import Subject
+from drawings.report.run_tables import plain
+from drawings.report.table import Subject
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.study import Study
 from plans.words.words import word

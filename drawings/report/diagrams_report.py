@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.lettering.words import decimal, number
-from drawings.report.chapters import Chapters
+from drawings.report.formula import Chapters
 from drawings.report.markdown import chapter, header, heading, row
 from plans.checks.comparison import Finding
 from plans.diagrams.study import DiagramsStudy

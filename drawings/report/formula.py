@@ -7,11 +7,22 @@ punctuation mark, and every underscore after a letter or a digit.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from drawings.lettering.words import letter as lettered
 from drawings.lettering.words import word
 from drawings.page.drafting import Drafting
+
+
+class Chapters(NamedTuple):
+    """What one technique tells in the report, in the places that the report gives to all techniques."""
+
+    subject: Iterable[str] = ()  # what is studied
+    values: Iterable[str] = ()  # what is found: equations, tables of all positions
+    conditions: Iterable[str] = ()  # how sharply it is determined, after the comparison of the two roads
+    left_out: Iterable[str] = ()  # what the sheets leave out
+
 
 DIGITS = 5
 DIRECTION, FULL = 1, 2  # lines under a vector: its direction alone is known, or all of it

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from drawings.lettering.words import decimal
-from drawings.report.chapters import Chapters
+from drawings.report.formula import Chapters
 from drawings.report.gap_lines import positions
 from drawings.report.markdown import chapter, header, heading, quantity, row
 from drawings.report.table import REPORTS

@@ -10,11 +10,11 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
-from drawings.report.chapters import Chapters
-from drawings.report.listed import listed, plain
+from drawings.report.formula import Chapters
 from drawings.report.markdown import chapter
 from drawings.report.rotor_notes import GRAM_MILLIMETRES, RotorNotes, grade_name
-from drawings.report.subject import Subject
+from drawings.report.run_tables import listed, plain
+from drawings.report.table import Subject
 from plans.model.balance_quality import letters
 from plans.model.rotor import Balance, Rotor
 from plans.rotor.balancing import UNBALANCES

@@ -2,14 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 
+from drawings.lettering.phrase import Phrase, template_of
 from drawings.lettering.words import decimal
 from drawings.page.drafting import Drafting
 from drawings.report.markdown import header, row
 from plans.model.run import Run, Stage
 from plans.words.words import word
+
+
+def plain(note: str) -> str:
+    """Write a note without the braces of its indices.
+
+    >>> plain("r_{C1} = 12  mm^2")
+    'r_C1 = 12 mm²'
+    """
+    return " ".join(note.replace("{", "").replace("}", "").replace("^2", "²").split())
+
+
+def listed(title: str, notes: Iterable[str]) -> list[str]:
+    """Write a chapter as a list; one without notes is left out."""
+    told = [*map(entry, notes)]
+    return [title, *told] if told else []
+
+
+def entry(note: str) -> Phrase:
+    """Give a note as a line of a list, its numbers still those of their quantities."""
+    return Phrase(f"- {plain(note)}", f"- {plain(template_of(note))}")
+
 
 DIGITS = 6
 NOISE = 1e-9  # of the largest work or energy: what is left of a solver's account is rounding

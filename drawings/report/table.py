@@ -6,6 +6,14 @@ from collections.abc import Mapping
 from typing import Final, NamedTuple
 
 
+class Subject(NamedTuple):
+    """The subject of a study: its structure and what comes out of it, and both in a sentence."""
+
+    structure: str
+    output: str
+    sentence: str
+
+
 class Report(NamedTuple):
     """What one technique tells; each text is "module:name", imported when a scene asks for it."""
 

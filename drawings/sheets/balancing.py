@@ -30,9 +30,9 @@ from drawings.lettering.balance_letters import lowered
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.balance.balance_report import notes_of
-from drawings.sheets.draft import Draft, Exhibit, captions
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.positions import position
+from drawings.sheets.stated_scales import Draft, Exhibit, captions
 from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.balance.mass_centre import Side

@@ -23,8 +23,8 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.agreement import agreed
 from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import EQUATION, lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.bank.letters import FORCE as F
 from plans.bank.letters import MOMENT as M
 from plans.bank.study import BankStudy

@@ -27,8 +27,8 @@ from drawings.paper.strokes import Leaf
 from drawings.report.agreement import agreed
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets import cam_charts, cam_column
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.checks.cam.comparison import of_cam
 from plans.checks.comparison import Finding

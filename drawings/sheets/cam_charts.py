@@ -11,7 +11,7 @@ from drawings.figures.cyclogram.bar_chart import Chart
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting
 from drawings.report.cyclogram_notes import settings_of
-from drawings.sheets.draft import Draft, Exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.cyclogram.rows import EVERY, rows_of_cams
 from plans.model.cam import Cam
 

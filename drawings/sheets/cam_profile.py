@@ -8,16 +8,15 @@ from functools import partial
 from typing import Any
 
 from drawings.figures.cam import manufacturing_figure, manufacturing_notes, radius_table
-from drawings.figures.cam.manufacturing import Manufacture, manufacture
-from drawings.figures.cam.manufacturing_figure import TRUE
+from drawings.figures.cam.manufacturing_figure import TRUE, Manufacture, manufacture
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import page_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import compositions, lay_out_each
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.scene.scene import Scene
 from plans.study import Study
 

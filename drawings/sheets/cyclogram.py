@@ -12,8 +12,8 @@ from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cyclogram_notes import CyclogramNotes
-from drawings.sheets.draft import Caption, Draft, Exhibit
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit
 from plans.checks.cyclogram_comparison import CyclogramComparison
 from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy

@@ -16,9 +16,8 @@ from drawings.figures.dynamics import (
     quantities,
     tachogram,
 )
-from drawings.figures.dynamics.bare_speeds import bare_speeds
 from drawings.figures.dynamics.load_course import LoadCourse, courses
-from drawings.figures.dynamics.plate import Content
+from drawings.figures.dynamics.plate import Content, bare_speeds
 from drawings.figures.graphs import curve_graph
 from drawings.figures.workings import loop_working
 from drawings.layout.contents import Panel
@@ -30,8 +29,8 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
-from drawings.sheets.draft import Caption, Draft, Exhibit, captions
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
 from plans.model.account import Account
 from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods

@@ -14,8 +14,7 @@ from drawings.sheets.notes import accord, driving, lengths
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.quantity import SLIP
-from plans.forces.lines import told_line
-from plans.forces.statics import Statics
+from plans.forces.statics import Statics, told_line
 from plans.model.kinetostatics import NOTHING
 from plans.model.machine import ALWAYS, GEAR, Force, Moment
 from plans.model.rates import Rates

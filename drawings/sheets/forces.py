@@ -28,11 +28,10 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import unknown
-from drawings.sheets.draft import Caption, Draft, Exhibit, captions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.positions import force_positions
-from drawings.sheets.stated_scales import see_ordinates
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, see_ordinates
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.forces import forces_by_hand

@@ -26,10 +26,10 @@ from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.draft import Caption, Draft, Exhibit, captions
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.notes import notes
 from drawings.sheets.positions import force_positions, plans, position
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
 from geometry.board import Mark
 from plans.checks.compare import MotionComparison
 from plans.checks.hand.motion import MotionByHand

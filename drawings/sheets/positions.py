@@ -13,9 +13,9 @@ from drawings.figures.linkage.skeleton import skeletons
 from drawings.layout.contents import Panel
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.notes import notes
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.checks.compare import MotionComparison
 from plans.forces.reading.form import ForceForm
 from plans.linkage.study import LinkageStudy

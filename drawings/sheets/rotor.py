@@ -7,8 +7,7 @@ from functools import partial
 from typing import Any
 
 from drawings.figures.rotor import across, along, rotor_polygon, rotor_table
-from drawings.figures.rotor.rotor_polygon import RotorPolygon
-from drawings.figures.rotor.rotor_view import RotorView, rotor_view
+from drawings.figures.rotor.rotor_polygon import RotorPolygon, RotorView, rotor_view
 from drawings.figures.workings import segment_working
 from drawings.figures.workings.working import Working
 from drawings.layout import value_table
@@ -21,8 +20,8 @@ from drawings.page.page import Field
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.agreement import agreed
 from drawings.report.rotor_notes import RotorNotes
-from drawings.sheets.draft import Caption, Draft, Exhibit, captions
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
 from plans.checks.comparison import Comparison
 from plans.checks.hand.rotor import rotor_by_hand
 from plans.rotor.study import RotorStudy

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from plans.analytic.assembly import unbalanced
 from plans.analytic.closure import BLUNT, inverses, rank_loss, reciprocal_condition, solutions
-from plans.analytic.gaps import unbalanced
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
 from plans.analytic.placement import Placement

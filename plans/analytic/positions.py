@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plans.analytic.assembly import Assembly, Shape, assemblies, signs_of
+from plans.analytic.assembly import Assembly, Shape, assemblies, gap, signs_of
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
-from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, SHORTEST, End, Station
-from plans.analytic.gaps import gap
+from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, DOUBTFUL, SHORTEST, End, Station, least
 from plans.analytic.points import TURN, Indices
-from plans.analytic.sharpness import DOUBTFUL, least
 from plans.analytic.turn import FULL, March, survey
 from plans.model.mechanism import Drive
 from plans.model.motion import (

@@ -16,9 +16,8 @@ import numpy as np
 from plans.analytic.assembly import Assembly, Shape
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, closed, inverses, solutions
-from plans.analytic.ends import BESIDE, CLEAR, SHORTEST, End, Station, end_of
+from plans.analytic.ends import BESIDE, CLEAR, DOUBTFUL, MERGED, SHORTEST, End, Station, determinants, end_of, least_of
 from plans.analytic.points import Constraints
-from plans.analytic.sharpness import DOUBTFUL, MERGED, determinants, least_of
 from plans.model.motion import CHANGE_POINT, NOT_REACHABLE, Floats
 
 Blocks = Sequence[Block]

@@ -23,8 +23,7 @@ from plans.bank.shaking import Shaking, SliderCrank, Source
 from plans.forces.statics import Statics
 from plans.linkage.crank_positions import even
 from plans.linkage.drafts import Drafts
-from plans.linkage.obstruction import obstruction
-from plans.linkage.study import LinkageStudy
+from plans.linkage.study import LinkageStudy, obstruction
 from plans.model.balance.bank import CONSTRUCTION, EPS, ROUNDING, STEPS, BankBalance, BankTask, Member
 from plans.model.balance.linkage import NONE
 from plans.model.motion import Complexes, Floats

@@ -8,11 +8,9 @@ from functools import partial
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import Touch, pressure_bounds, touch
+from plans.cam.centre.bounds import SlopeDiagram, Touch, pressure_bounds, stretches, touch
 from plans.cam.centre.flat_sizes import flat_sizing, rocking_face_sizing
-from plans.cam.centre.rocker_sizes import rocker_sizing
-from plans.cam.centre.slope_diagram import SlopeDiagram, stretches
-from plans.cam.centre.tangents import (
+from plans.cam.centre.rocker_sizes import (
     Choice,
     Place,
     axis,
@@ -22,6 +20,7 @@ from plans.cam.centre.tangents import (
     on_line,
     place,
     required,
+    rocker_sizing,
     tangents,
     touched,
 )

@@ -16,8 +16,7 @@ from plans.cyclogram.stations import Stations
 from plans.forces.stroke import output_at
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions, extremes
-from plans.linkage.obstruction import obstruction
-from plans.linkage.study import LinkageStudy
+from plans.linkage.study import LinkageStudy, obstruction
 from plans.model.cam import Cam
 from plans.model.cyclogram import BEGIN, END, TURN, Along, Cyclogram, CyclogramTask, Window
 from plans.model.mechanism import Output, StructureError

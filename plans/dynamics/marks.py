@@ -9,8 +9,7 @@ from geometry.board import Mark
 from geometry.steps import behind
 from plans.dynamics.cycle import WORKS
 from plans.dynamics.loop import LOOP, Loop
-from plans.dynamics.reduction import Reducing
-from plans.dynamics.speeds import SPEEDS
+from plans.dynamics.reduction import SPEEDS, Reducing
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
 from plans.model.edge_names import edge_names

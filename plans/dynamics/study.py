@@ -14,15 +14,12 @@ from geometry.errors import ConstructionError
 from plans.dynamics.cycle import Turn, Works
 from plans.dynamics.form import DRIVE, DynamicsForm, DynamicsTable, motor_of, run_task
 from plans.dynamics.loop import Loop, loop
-from plans.dynamics.methods import methods
+from plans.dynamics.methods import methods, rim_of
 from plans.dynamics.reading import task_of
-from plans.dynamics.reduction import Reduction
-from plans.dynamics.rim import rim_of
+from plans.dynamics.reduction import Reduction, SpeedCurve, natural, speed_curve
 from plans.dynamics.run import run
-from plans.dynamics.speeds import SpeedCurve, natural, speed_curve
 from plans.forces.statics import Statics
-from plans.linkage.obstruction import obstruction
-from plans.linkage.study import LinkageStudy
+from plans.linkage.study import LinkageStudy, obstruction
 from plans.model.account import Account
 from plans.model.dynamics import CONSTRUCTION, ROUNDED, TURN, Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods

@@ -10,24 +10,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from plans.forces.cylinder import driven, push
+from plans.forces.cylinder import driven, joined, push, without
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
-from plans.forces.joining import joined, without
-from plans.forces.lines import check_lines
 from plans.forces.loading import loading
 from plans.forces.primary import balancing_quantity
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.forces.stroke import NoStroke, OtherStroke, Stroke, strokes
-from plans.linkage.assembly_limits import at_angles
-from plans.linkage.carrying import Drawing
+from plans.forces.stroke import ROUNDING, NoStroke, OtherStroke, Stroke, strokes
+from plans.linkage.assembly_limits import Drawing, at_angles
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes
 from plans.linkage.gaps import near_edge
-from plans.linkage.obstruction import obstruction
 from plans.linkage.plan_template import PlanTemplate
-from plans.linkage.study import BLOCK, LinkageStudy
+from plans.linkage.study import BLOCK, LinkageStudy, obstruction
 from plans.model.group import Pair
 from plans.model.kinetostatics import (
     FORCES,
@@ -37,17 +33,59 @@ from plans.model.kinetostatics import (
     pairs,
     without_forces,
 )
-from plans.model.machine import Machine, Track
+from plans.model.machine import Force, Machine, Track
 from plans.model.mechanism import Output, StructureError
-from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Complexes, Extremes, Floats, Gap, Motion
 from plans.model.order import VELOCITIES
 from plans.model.working import NoWorkingStroke
 from plans.scene.faults import SceneError, dotted
+from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.model.losses import Friction
     from plans.study import Study
+
+
+def off_their_lines(machine: Machine, motion: Motion) -> Iterator[tuple[int, Force]]:
+    """Give the forces between two links that are off the line they are told to act along, each with its number."""
+    places = [np.nanmax(np.abs(point.r), initial=0.0) for point in motion.points.values()]
+    for index, force in enumerate(machine.forces):
+        if told_line(force) and _off(force, motion) > ROUNDING * max(places):
+            yield index, force
+
+
+def check_lines(scene: Scene, machine: Machine, motion: Callable[[int], Motion]) -> None:
+    """See that forces between two links act along lines that their points lie on; `motion` makes that of an order."""
+    if not any(map(told_line, machine.forces)):
+        return
+    off = list(off_their_lines(machine, motion(0)))
+    if off:
+        paths = [(("loads", "forces", index, "direction"), "".join(force.line or ())) for index, force in off]
+        raise SceneError(scene.fault(path, "off_line", line=line) for path, line in paths)
+
+
+def told_line(force: Force) -> bool:
+    """Tell whether a force between two links acts along a line of other points than its own."""
+    if force.other is None or force.line is None:
+        return False
+    return {*force.line} != {force.point, force.other.point}
+
+
+def _off(force: Force, motion: Motion) -> float:
+    """Give how far m the line is from either point of a force, at the position where it is farthest."""
+    assert force.line is not None  # it is told
+    assert force.other is not None
+
+    def place(point: str) -> Complexes:
+        return motion.points[point].r
+
+    start, end = map(place, force.line)
+    way = (end - start).conj()
+    with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
+        across = [((place(point) - start) * way).imag / np.abs(way) for point in (force.point, force.other.point)]
+    return float(np.nanmax(np.abs(across), initial=0.0))
+
 
 ADVICE = {INDETERMINATE: message("gap.indeterminate"), DEAD_CENTRE: message("gap.no_force")}
 

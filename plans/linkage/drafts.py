@@ -10,9 +10,8 @@ import numpy.typing as npt
 
 from plans.linkage import gaps
 from plans.linkage.acceleration import accelerations
-from plans.linkage.assembly_limits import Sweep
+from plans.linkage.assembly_limits import Drawing, Sweep
 from plans.linkage.barrier import Barrier
-from plans.linkage.carrying import Drawing
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate

@@ -14,28 +14,58 @@ import numpy.typing as npt
 
 from geometry.errors import ConstructionError, DraftError
 from plans.linkage import assembly_limits, gaps
-from plans.linkage.assembly_limits import Sweep
+from plans.linkage.assembly_limits import FAN, Sweep, at_angles
 from plans.linkage.barrier import Barrier
 from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes, output
-from plans.linkage.obstruction import no_extreme
+from plans.linkage.gaps import of_positions
+from plans.linkage.margin import margins
 from plans.linkage.primaries import stroke
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
-from plans.model.motion import Floats, Motion
+from plans.model.motion import OUT_OF_REACH, Floats, Motion
 from plans.model.order import PLANS, numbers_of
 from plans.model.rates import Pace, Rates, rates_at, steady
 from plans.model.structure import decompose
 from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
-from plans.words.words import Message, placed
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
+
+
+def obstruction(sweep: Sweep) -> Message:
+    """Say what first bars the turn, at which crank angles, and what would mend it where the loci miss the most."""
+    barrier = sweep.barriers[0]
+    parts: dict[str, object] = {"reason": barrier.kind, "where": barrier.where}
+    if barrier.end - barrier.start < 2 * np.pi:
+        parts |= {name: f"{np.degrees(edge):.2f}" for name, edge in (("low", barrier.start), ("high", barrier.end))}
+    key = "barrier.turn" if "low" in parts else "barrier.nowhere"
+    if barrier.kind != OUT_OF_REACH:
+        return message(key, **parts)
+    return message(f"{key}_advice", **parts, advice=_mending(sweep, barrier))
+
+
+def _mending(sweep: Sweep, barrier: Barrier) -> Message:
+    phi = np.linspace(barrier.start, barrier.end, FAN)
+    _, marks = margins(sweep.plan(phi), sweep.groups, sweep.sides)
+    miss = np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)
+    worst = int(np.nanargmax(miss))
+    return of_positions(sweep, at_angles(phi[worst : worst + 1]), [0], None, ())[0].advice
+
+
+def no_extreme(sweep: Sweep, link: int, assembled: bool) -> Message:
+    """Say why an output link has no extreme positions."""
+    if not assembled:
+        return message("extreme.unassembled", why=obstruction(sweep))
+    why = obstruction(sweep) if sweep.barred else message("extreme.turns")
+    return message("extreme.none", link=link, why=why)
+
 
 Flags = npt.NDArray[np.bool_]
 

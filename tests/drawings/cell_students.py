@@ -13,8 +13,8 @@ from drawings.form.blank_file import SEAL
 from drawings.form.task import table_of
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import Key, SeenCell, TableAsked, tables_seen
+from drawings.grading.cells.frames import ruling
 from drawings.grading.cells.own_tables import tables_asked
-from drawings.grading.cells.ruling import ruling
 from drawings.measure.transform import STAY
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Group, Leaf, Stroke

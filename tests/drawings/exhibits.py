@@ -12,8 +12,8 @@ from drawings.measure.measure import Measured, check, measure
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.scene.scene import parse_scene
 
 SHEET = (

@@ -19,7 +19,7 @@ from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Leaf
 from plans.analytic.kinematics import solve
-from plans.checks.force_expected import ExpectedForces
+from plans.checks.force_bill import ExpectedForces
 from plans.forces.force import ForcePlan
 from plans.forces.force_template import forces
 from plans.forces.lever import Lever, lever

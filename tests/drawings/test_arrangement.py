@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import combinations
 
 from drawings.layout.arrangement import Arrangement
-from drawings.layout.bareness import bareness
 from drawings.layout.room import room_of
 from drawings.layout.slicing import GAP
+from drawings.layout.standing import bareness
 from drawings.page.page import Field, page_of
 from plans.scene.scene import read_scene
 from tests.gallery import LINKAGES

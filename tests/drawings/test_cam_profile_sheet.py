@@ -10,7 +10,7 @@ import pytest
 
 from drawings.checks.letters import unlettered
 from drawings.figures.cam import sizes_table
-from drawings.figures.cam.manufacturing import Manufacture, manufacture
+from drawings.figures.cam.manufacturing_figure import Manufacture, manufacture
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf

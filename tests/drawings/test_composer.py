@@ -14,11 +14,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
-from drawings.layout.bareness import bareness
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.picture import Margins, Picture, picture
+from drawings.layout.standing import bareness
 from drawings.layout.table import RuledTable, Setting, TableRow
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError

@@ -20,7 +20,7 @@ from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.curves.asked_figure import Values
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.curves.form.form_line import axes
+from drawings.grading.curves.form.form_figure import axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.graded import PASS, REJECTED, grade

@@ -15,8 +15,8 @@ from drawings.page.drafting import drafting_of
 from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import texts
-from drawings.sheets.draft import Draft, Exhibit
 from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions

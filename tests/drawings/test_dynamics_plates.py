@@ -10,9 +10,8 @@ from functools import cache
 import pytest
 
 from drawings.figures.dynamics.curves import dense
-from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.loop import Loop, Tangent
 from drawings.figures.dynamics.rays import MARKED, strips
-from drawings.figures.dynamics.tangent import Tangent
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, check, measure

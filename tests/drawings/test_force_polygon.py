@@ -21,7 +21,7 @@ from drawings.paper.strokes import Fill, Group, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.polygon import ShownVector
-from plans.checks.force_expected import missed
+from plans.checks.force_bill import missed
 from plans.forces.cut import CLOSING, KNOWN
 from tests import parts
 from tests.drawings.collisions import collisions

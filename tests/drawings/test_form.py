@@ -18,7 +18,7 @@ from drawings.files.json_text import json_text
 from drawings.form import laid, task
 from drawings.form.blank_file import blank_file, see_blank
 from drawings.form.form import form_of
-from drawings.form.given import given
+from drawings.form.laid import given
 from drawings.layout.place import Place
 from drawings.original.edition import leaves_of
 from drawings.page.page import BLOCK

@@ -25,8 +25,7 @@ from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.idle_keys import idle_keys
-from drawings.grading.marking import Marking, MarkingError, points_of, read_marking
-from drawings.grading.records import RECORDS
+from drawings.grading.marking import RECORDS, Marking, MarkingError, points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import gathered, row
 from drawings.grading.verdict import OF_QUANTITIES, Verdict

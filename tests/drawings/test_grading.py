@@ -17,7 +17,7 @@ import pytest
 from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
-from drawings.grading.moments import turned_over
+from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from geometry.draughtsman import Draughtsman, copies

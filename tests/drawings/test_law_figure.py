@@ -11,9 +11,8 @@ import pytest
 
 from drawings.checks.letters import unlettered
 from drawings.figures.cam import law_diagrams
+from drawings.figures.cam.law_diagrams import graph_part, pole_part
 from drawings.figures.cam.law_frame import LawFrame, LawPlate, rows
-from drawings.figures.cam.law_graph import graph_part
-from drawings.figures.cam.law_pole import pole_part
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.drawing_faults import Segment
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.form_places import FormPlace
 from drawings.grading.lettered_plan import figure_of, lettered_plans
-from drawings.grading.segments import Segment
 from drawings.paper.strokes import Text
 
 SPOTS = {"π": 0j, "a": 60 + 0j, "n_BA": 60 + 0.6j, "b": 30 + 40j}  # mm from the pole: n_BA is hardly off a

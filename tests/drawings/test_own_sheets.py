@@ -10,7 +10,7 @@ import pytest
 from drawings.commands import cli
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import FAIL, PASS
-from drawings.grading.own_sheets import grade_own
+from drawings.grading.roll import grade_own
 from drawings.grading.sheet_task import SheetTask
 from drawings.original.originals import Original, Originals
 from tests.drawings import (

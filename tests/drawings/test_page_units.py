@@ -11,7 +11,7 @@ import pytest
 from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import PASS, grade
-from drawings.grading.seeing.page_units import stated
+from drawings.grading.seeing.units import stated
 from drawings.grading.sheet_task import SheetTask
 from drawings.measure.viewport import PIXEL, viewport
 from tests import parts

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.position_plan import layers
 from drawings.figures.linkage.skeleton import skeletons
+from drawings.figures.linkage.trajectories import phases
 from drawings.layout.picture import Margins, picture
 from drawings.page.page import Field
 from drawings.paper.hand import Hand

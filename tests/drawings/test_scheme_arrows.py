@@ -10,9 +10,9 @@ import pytest
 from drawings.eye.sheet import see
 from drawings.grading.allowance import Allowance, Allowances
 from drawings.grading.asked import PlanAsked
+from drawings.grading.drawing_faults import segments
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.polygons.scheme_arrows import arrow_verdicts
-from drawings.grading.segments import segments
+from drawings.grading.polygons.free_plan import arrow_verdicts
 from drawings.paper.strokes import Group, Leaf, Line
 from drawings.pens.svg import svg
 

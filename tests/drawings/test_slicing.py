@@ -10,11 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
-from drawings.layout.bareness import bareness
-from drawings.layout.parting import fewest, partings
 from drawings.layout.picture import BANDS, outline
+from drawings.layout.request import fewest, partings
 from drawings.layout.slicing import GAP, Cuts, Piece, Size, Slicing, Tree, pieces
-from drawings.layout.standing import Occupant, Standing, natural
+from drawings.layout.standing import Occupant, Standing, bareness, natural
 from drawings.page.page import Field
 from tests.drawings.emptiness import largest
 

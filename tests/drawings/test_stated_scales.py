@@ -21,7 +21,7 @@ from drawings.paper.walk import stated
 from drawings.pens.svg import svg
 from drawings.sheets import forces, kinematics
 from drawings.sheets.documents import of_scales
-from drawings.sheets.draft import Exhibit
+from drawings.sheets.stated_scales import Exhibit
 from drawings.sheets.table import SHEETS
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy

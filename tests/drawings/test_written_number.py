@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 
 from drawings.grading.allowance import Allowances
-from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.cells.written_number import number
+from drawings.grading.cells.asked_table import TableAsked, number
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Text

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import grade
-from drawings.grading.seeing.written_scale import stated_scales
+from drawings.grading.seeing.onlooker import stated_scales
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Stroke, Text
 from tests.drawings.curve_students import curve_task

@@ -11,8 +11,8 @@ import numpy.typing as npt
 from drawings.grading.allowance import Allowances
 from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
+from drawings.grading.form_places import left_out, own_places, scales_of
 from drawings.grading.judgement import Judge
-from drawings.grading.own_places import left_out, own_places, scales_of
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import QUANTUM
 from geometry.board import Mark

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.balance.balance import balance
-from plans.analytic.balance.states import Course
+from plans.analytic.balance.counterweights import Course
 from plans.analytic.kinematics import Analysis
 from plans.model.balance.linkage import STEPS, Balance, Task
 from plans.model.group import Group

@@ -9,9 +9,9 @@ import pytest
 
 from geometry.precision import condition
 from plans.analytic.blocks import triangular
+from plans.analytic.ends import least, sharpness
 from plans.analytic.kinematics import Analysis
 from plans.analytic.points import Constraints
-from plans.analytic.sharpness import least, sharpness
 from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.margin import meeting
 from plans.linkage.sketch import assembly

@@ -20,7 +20,7 @@ from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import profile
 from plans.cam.profile.resting import resting
-from plans.cam.profile.stretches import Stretches
+from plans.cam.profile.touch import Stretches
 from plans.model.cam import FLAT, LAWS, RETURN, RISE, ROLLER, Cam, Follower, Load
 from plans.model.cam_motion import Contour, Sizes
 from tests.parts import examples

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from plans.cam.reading.cams import asked_of, cams_of
-from plans.cam.reading.shape import Shape, cancelled
+from plans.cam.reading.phase_form import Shape, cancelled
 from plans.model.cam import DWELL, RETURN, RISE, Cam, Follower, GivenSizes, Law, Limits, Load
 from plans.model.cyclogram import Window
 from plans.scene.faults import Fault, SceneError

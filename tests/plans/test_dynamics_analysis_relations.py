@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from plans.analytic.dynamics.curve import wave
+from plans.analytic.dynamics.breaks import wave
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
 from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points
 from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from plans.analytic.dynamics.rim import wheel
-from plans.dynamics.rim import rim_of
+from plans.dynamics.methods import rim_of
 from plans.model.dynamics import Rim
 from plans.model.flywheel_rim import THICKEST, Wheel
 

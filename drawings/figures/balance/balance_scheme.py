@@ -15,11 +15,9 @@ import numpy as np
 
 from drawings.figures.balance.scheme import AFTER, BalanceScheme, PlacedWeight
 from drawings.figures.graphs.curve_graph import stretches
-from drawings.figures.linkage.guides import frame_slides, grounds, travel
-from drawings.figures.linkage.link_numbers import link_numbers
+from drawings.figures.linkage.guides import frame_slides, grounds, ties, travel, turnings
+from drawings.figures.linkage.numbering import link_numbers
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.rotation import turnings
-from drawings.figures.linkage.ties import ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.parallel_offsets import APART, Segment, merging, offset

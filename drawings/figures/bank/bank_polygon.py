@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from drawings.figures.bank.bank_view import RESULT, SIDE, ShownOrder
-from drawings.figures.rotor.letters import FEW, MOST
+from drawings.figures.rotor.dimension import FEW, MOST
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from drawings.figures.cam.manufacturing import TabledProfile
+from drawings.figures.cam.manufacturing_figure import TabledProfile
 from drawings.figures.cam.outlines import SHOWN
 from drawings.lettering.phrase import Slot, joined
 from drawings.page.drafting import Drafting

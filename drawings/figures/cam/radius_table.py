@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from drawings.figures.cam.manufacturing import TabledProfile
+from drawings.figures.cam.manufacturing_figure import TabledProfile
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting

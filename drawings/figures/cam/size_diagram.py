@@ -10,8 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from drawings.figures.cam.size_marks import offset_seen
-from drawings.figures.cam.size_rulers import region, rulers
+from drawings.figures.cam.size_marks import offset_seen, region, rulers
 from drawings.figures.cam.size_view import NAME, QUANTITY, SizeView, direction
 from drawings.figures.graphs.axes import arrow
 from drawings.figures.graphs.part import Letter

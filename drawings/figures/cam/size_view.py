@@ -12,8 +12,7 @@ import numpy as np
 
 from geometry.board import Line as Ruler
 from geometry.board import Mark
-from plans.cam.centre.bounds import PressureBound
-from plans.cam.centre.slope_diagram import SlopeDiagram, sampled, stretches
+from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches
 from plans.cam.sizing import Sizing, Tangent
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Points

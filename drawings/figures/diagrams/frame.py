@@ -10,8 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.graphs.axes import Curve
-from drawings.figures.graphs.row_frame import LONG, Proportions, RowFrame, RowPlate
-from drawings.figures.graphs.smooth import smooth
+from drawings.figures.graphs.row_frame import LONG, Proportions, RowFrame, RowPlate, smooth
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale

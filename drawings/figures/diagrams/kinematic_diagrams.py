@@ -8,8 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.figures.diagrams.frame import NAME, DiagramRow, DiagramsFrame, DiagramsPlate
-from drawings.figures.diagrams.row_graph import graph_part, numbered_positions
-from drawings.figures.diagrams.row_pole import letters_of, pole_part
+from drawings.figures.diagrams.row_graph import graph_part, letters_of, numbered_positions, pole_part
 from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot

@@ -6,10 +6,11 @@ import cmath
 import math
 from collections.abc import Collection, Iterator
 
-from drawings.figures.diagrams.frame import DiagramRow, DiagramsPlate
+from drawings.figures.diagrams.frame import VELOCITY, DiagramRow, DiagramsPlate
 from drawings.figures.graphs.axes import BEYOND, Axes, Curve
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part
+from drawings.figures.graphs.pole import Pole
 from drawings.lettering.lettering import text_width
 from drawings.lettering.thinning import every
 from drawings.paper.statement import Kind, Statement
@@ -18,6 +19,24 @@ from drawings.paper.ties import tied
 from drawings.paper.walk import stating
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
+
+POLES = {True: ("P_1", "H_1"), False: ("P_2", "H_2")}  # of the velocity; of the acceleration
+POLE_APART = 0.7  # sizes of a letter between the ends of two rays that are drawn
+OFF = 1.2  # sizes of a letter from the highest ray to the dimension of the pole distance
+
+
+def letters_of(row: DiagramRow) -> tuple[str, str]:
+    """Give the letters of a row's pole and of its distance."""
+    return POLES[row.key == VELOCITY]
+
+
+def pole_part(row: DiagramRow, plate: DiagramsPlate, axes: Axes, distance: float) -> Part:
+    """Draw the pole at its distance, mm, and rays along the chords, each carried to where its value belongs."""
+    size = plate.hand.letter
+    off = 1j * (OFF * size + row.span[1] / axes.up.mu)
+    own = Pole(letters_of(row), distance, row.chords.x, row.chords.y, POLE_APART * size, off)
+    return own.part(plate.named(f"{row.key}-pole"), axes, plate.hand)
+
 
 DOT, RING = 0.6, 1.0  # mm, radii: of a point by chords, of one by the plans
 LEAST = 0.05  # mm: a shorter ordinate is a point

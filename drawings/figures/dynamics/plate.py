@@ -11,12 +11,14 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
+import numpy as np
+
 from drawings.figures.dynamics import equations, quantities
 from drawings.figures.dynamics.curves import Dense, dense
-from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.loop import TAIL, Loop
 from drawings.figures.dynamics.rays import Strips, strips
-from drawings.figures.dynamics.tangent import TAIL
 from drawings.figures.graphs.axes import BEYOND
+from drawings.figures.graphs.curve_graph import GraphCurve
 from drawings.figures.graphs.part import wide
 from drawings.layout.picture import Margins, Picture
 from drawings.layout.table import RuledTable, Setting
@@ -25,6 +27,27 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from plans.model.account import Account
 from plans.model.dynamics import TURN, Cycle, Task
+
+NUMBERED = 36  # positions: of more the curve alone is drawn
+
+
+def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve | None:
+    """Give the curve of the speeds without the flywheel; None where there is none, or it stands beside the others."""
+    cycle, before, after = account.cycle, account.before, account.speeds
+    if cycle is None or before is None:
+        return None
+    if after is not None and (after.inertia == before.inertia or quantities.beside(after, before)):
+        return None
+    shown = dense(cycle)
+    steps = strips(cycle, task.divisions).steps[:-1]
+    own = np.flatnonzero(~np.isnan(steps) & (task.divisions <= NUMBERED))
+    omega = quantities.omega(cycle, shown, before)
+    stations, ordinates = np.degrees(cycle.turned[own]), before.omega[own]
+    title = drafting.word("speed without flywheel")
+    return GraphCurve(
+        "ω_0", "rad/s", np.degrees(shown.turned), omega, stations, ordinates, title, task.divisions, states="ω_0"
+    )
+
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise

@@ -8,10 +8,10 @@ from itertools import product
 
 from drawings.figures.dynamics import equations, quantities, rays, strip_graph
 from drawings.figures.dynamics import loop as loop_figure
+from drawings.figures.dynamics.loop import TAIL
 from drawings.figures.dynamics.plate import TITLE, Content, Plate, plate_of, room_of_plate
 from drawings.figures.dynamics.plate_frame import PlateFrame
 from drawings.figures.dynamics.strip_graph import StripGraph
-from drawings.figures.dynamics.tangent import TAIL
 from drawings.figures.graphs.axes import Axes
 from drawings.figures.graphs.part import Part, caption
 from drawings.layout.labels import Labels

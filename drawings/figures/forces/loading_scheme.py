@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.figures.forces.scheme import Scheme, scheme
 from drawings.figures.forces.scheme_layout import Layout
-from drawings.figures.linkage.link_numbers import link_numbers
+from drawings.figures.linkage.numbering import link_numbers
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 
-from drawings.figures.forces.attachments import coupled, friction_circles, springs
-from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
+from drawings.figures.forces.force_fan import UNSIZED, coupled, fan, friction_circles, lengths, springs
 from drawings.figures.forces.force_kinds import KNOWN, PRESSING
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
+from drawings.figures.linkage.guides import ties
 from drawings.figures.linkage.pairs import Joints
-from drawings.figures.linkage.ties import ties
 from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting

@@ -9,14 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.linkage.link_numbers import frame_number, link_numbers
-from drawings.figures.linkage.numbering import numbers
+from drawings.figures.linkage.guides import Turning
+from drawings.figures.linkage.numbering import frame_number, link_numbers, numbers
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.phases import Phase, phases, sized
-from drawings.figures.linkage.pushing import Push, arrows
-from drawings.figures.linkage.rotation import Turning
-from drawings.figures.linkage.tracks import output_point
-from drawings.figures.linkage.trajectories import Traced, traced
+from drawings.figures.linkage.tracks import Push, arrows, output_point
+from drawings.figures.linkage.trajectories import Phase, Traced, phases, sized, traced
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.place import Place
 from drawings.lettering.indices import with_index

@@ -8,19 +8,15 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
-from drawings.figures.linkage.guides import axes, grounds
+from drawings.figures.linkage.guides import Turning, axes, grounds, ties
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.poses import Poses
 from drawings.figures.linkage.position_letters import letters, path_ticks, swings
-from drawings.figures.linkage.pushing import Push, arrows, stroke_line
-from drawings.figures.linkage.rotation import Turning
 from drawings.figures.linkage.skeleton import Skeletons
 from drawings.figures.linkage.stroke_dimension import strokes
-from drawings.figures.linkage.ties import ties
-from drawings.figures.linkage.tracks import same
-from drawings.figures.linkage.trajectories import trajectories
+from drawings.figures.linkage.tracks import Push, arrows, same, stroke_line
+from drawings.figures.linkage.trajectories import phases, trajectories
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture

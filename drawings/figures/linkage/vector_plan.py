@@ -8,8 +8,16 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
-from drawings.figures.linkage.part_letters import LaidPart, is_relative, least_length, letter_parts, part_letter
+from drawings.figures.linkage.coriolis import (
+    LaidPart,
+    QuarterTurn,
+    draw_nearby,
+    is_relative,
+    least_length,
+    letter_parts,
+    part_letter,
+    quarter_turn,
+)
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place

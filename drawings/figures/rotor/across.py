@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from drawings.figures.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
-from drawings.figures.rotor.dimension import dimension, extension, step
-from drawings.figures.rotor.letters import letter, size
-from drawings.figures.rotor.rotor_view import RotorView, ShownBody
+from drawings.figures.rotor.dimension import dimension, extension, letter, size, step
+from drawings.figures.rotor.rotor_polygon import RotorView, ShownBody
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place

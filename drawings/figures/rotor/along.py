@@ -7,8 +7,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from drawings.figures.rotor.letters import FEW, letter, size
-from drawings.figures.rotor.rotor_view import RotorView, ShownBody
+from drawings.figures.rotor.dimension import FEW, letter, size
+from drawings.figures.rotor.rotor_polygon import RotorView, ShownBody
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place

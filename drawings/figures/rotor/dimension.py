@@ -4,11 +4,29 @@ from __future__ import annotations
 
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.phrase import telling
+from drawings.lettering.rotor_letters import INDEX, lowered
+from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
+
+FEW, MOST = 9, 40  # masses: of more each is numbered alone; of more still the table alone tells them apart
+
+
+def letter(name: str, count: int, drafting: Drafting) -> str:
+    """Letter one of so many vectors: with its letters, or of many masses by the number of its mass alone."""
+    number = INDEX.search(name)
+    if count > FEW and number is not None and number[1].isdigit():
+        return number[1]
+    return lowered(name, drafting.language)
+
+
+def size(text: str, drafting: Drafting) -> float:
+    """Give the size of a letter, mm: numbers alone are smaller."""
+    return drafting.hand.number if text.isdigit() else drafting.hand.letter
+
 
 PAST = 1.5  # mm an extension line goes past the lowest arrow
 ABOVE = 0.9  # mm from the dimension line to its number

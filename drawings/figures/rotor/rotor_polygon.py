@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
-from drawings.figures.rotor.letters import FEW, MOST, letter, size
+from drawings.figures.rotor.dimension import FEW, MOST, letter, size
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -20,8 +22,91 @@ from drawings.paper.ties import tied
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.symbols.symbols import pole
+from plans.model.rotor import Balance, Rotor
 from plans.rotor.balancing import COUPLES
 from plans.rotor.polygon import Polygon as Construction
+
+SLIM = 5  # times as long as it is thick: a rotor of which no radius is known
+NOMINAL = 0.8  # of the largest known radius: where a mass without one is drawn
+
+
+class ShownBody(NamedTuple):
+    """A mass or a counterweight: its name, its centre in a plane across the shaft m, its place along it m.
+
+    One whose radius nothing gives stands at its angle alone; a counterweight is `added`.
+    """
+
+    name: str
+    centre: complex
+    place: float
+    arm: float  # m, from the last plane of correction
+    added: bool
+    known: bool
+
+    @property
+    def mark(self) -> str:
+        """Its letters: m_1."""
+        return f"m_{self.name}"
+
+
+class RotorView(NamedTuple):
+    """A rotor to be seen: its bodies, the planes of correction, the bearings; metres."""
+
+    bodies: tuple[ShownBody, ...]
+    planes: tuple[tuple[str, float], ...]  # name and place
+    bearings: tuple[float, ...]
+    turning: float  # the sense in which it turns: 1, -1, or 0 where it is not given
+
+    @property
+    def reach(self) -> float:
+        """The largest distance of a centre from the axis, m; 1 where no radius is known."""
+        return max((abs(one.centre) for one in self.bodies), default=0.0) or 1.0
+
+    @property
+    def scaled(self) -> bool:
+        """Whether some radius is known, so that the view has a scale."""
+        return any(one.known for one in self.bodies)
+
+    @property
+    def many(self) -> bool:
+        """Whether there are too many masses to letter each."""
+        return len(self.bodies) > MOST
+
+    @property
+    def distinct(self) -> tuple[ShownBody, ...]:
+        """The bodies that are lettered and measured: of too many masses the counterweights alone."""
+        return tuple(one for one in self.bodies if one.added or not self.many)
+
+    @property
+    def places(self) -> list[float]:
+        """All places along the shaft, m."""
+        return [*(one.place for one in self.bodies), *(place for _, place in self.planes), *self.bearings]
+
+
+def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
+    """Put masses and counterweights where they are; one that vanishes is left out."""
+    radii = [one.radius for own in (rotor.masses, balance.corrections) for one in own if one.radius]
+    nominal = NOMINAL * max(radii, default=_length(rotor) / SLIM)
+    bodies = [_body(rotor, one.name, float(one.angle), one.place, one.radius, nominal) for one in rotor.masses]
+    for one in balance.corrections:
+        if one.moment.angle is not None:
+            name, place = one.plane.name, one.plane.place
+            bodies.append(_body(rotor, name, one.moment.angle, place, one.radius, nominal)._replace(added=True))
+    planes = tuple((one.name, float(one.place)) for one in rotor.planes)
+    turning = 0.0 if rotor.speed is None else math.copysign(1.0, rotor.speed)
+    return RotorView(tuple(bodies), planes, tuple(map(float, rotor.bearings)), turning)
+
+
+def _length(rotor: Rotor) -> float:
+    """Give how far along the shaft the rotor reaches, m; 1 of a thin disc."""
+    places = [*(one.place for one in rotor.masses), *(one.place for one in rotor.planes), *rotor.bearings]
+    return float(max(places) - min(places)) or 1.0
+
+
+def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float | None, nominal: float) -> ShownBody:
+    centre = cmath.rect(radius or nominal, math.radians(angle))
+    return ShownBody(name, centre, float(place), rotor.arm(place), False, bool(radius))
+
 
 SYMBOLS = {COUPLES: ("{mDh}", "kg*m2")}  # letter and unit of the scale
 SYMBOL = ("{mD}", "kg*m")

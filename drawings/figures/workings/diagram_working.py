@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from drawings.figures.diagrams.frame import NAME, DiagramRow, DiagramsFrame, DiagramsPlate
-from drawings.figures.diagrams.row_pole import letters_of
+from drawings.figures.diagrams.row_graph import letters_of
 from drawings.figures.workings.working import SCALES, Working, told
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from bisect import bisect
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -10,13 +11,110 @@ from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
 from drawings.eye.alike import folded
+from drawings.eye.letters import UNREAD
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
-from drawings.grading.cells.ruling import Box, Ruling
+from drawings.grading.cells.frames import Box, Ruling
 from drawings.grading.curves.asked_figure import PRICKED
+from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
 from geometry.scatter import POINT
 from geometry.span import Reading
 from plans.checks.hand.quantity import SLIP
+
+SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
+_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
+_LEVEL = str.maketrans(_RAISED, "0123456789-+")
+_POWERS = re.compile(f"[{_RAISED}]+")
+_SIGNS = str.maketrans({"−": "-", "–": "-", "—": "-", "‐": "-", "‑": "-", "µ": "μ", "∙": "·", "⋅": "·", "*": "·"})
+_GAPS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?!\d)")  # thousands, and no two numbers
+_POWER = r"\s*\(?(?P<{}>[-+]?\d{{1,2}})\)?"
+NUMBER = (
+    r"(?P<sign>[-+]?)\s*(?P<digits>\d+(?:[.,]\d*)?|[.,]\d+)"
+    rf"(?:\s*[·×xх]\s*10\s*\^?{_POWER.format('power')}"
+    rf"|\s+10\s*\^{_POWER.format('apart')}"
+    r"|[eEеЕ](?P<exponent>[-+]?\d{1,2}))?"
+)
+_WRITTEN = re.compile(rf"[=≈~±]?\s*{NUMBER}\s*(?P<unit>.*)")
+# What follows a number is no unit if it begins as another number does, or holds one.
+_ANOTHER = re.compile(r"(?!1/[^\W\d])[-+\d.,/×:^·]|.*\s[-+]?\d")
+_ANGLE = re.compile(r"(?P<sign>-?)\s*(?P<degrees>\d+)\s*°\s*(?P<minutes>\d{1,2}(?:[.,]\d+)?)\s*['′’]")
+MINUTE = 1 / 60  # of a degree
+
+
+class Written(NamedTuple):
+    """A number that is written in a cell: its value in the column's unit, and what half of its last digit is worth.
+
+    The value is NaN where the unit that is written is not understood.
+    """
+
+    value: float
+    rounding: float
+
+    @property
+    def understood(self) -> bool:
+        """Whether its unit is."""
+        return not math.isnan(self.value)
+
+
+def is_read(texts: Sequence[Text]) -> bool:
+    """Tell whether all letters of a cell are read."""
+    return not any(UNREAD in text.plain for text in texts)
+
+
+def number(texts: Sequence[Text], unit: str = "") -> Written | None:
+    """Read the number of a cell; None where there is none, or more than one.
+
+    >>> number([Text(0j, "−1,52·10^{3} mm/s")], "m/s")
+    Written(value=-1.52, rounding=0.005)
+    >>> number([Text(0j, "1.5")]).rounding, number([Text(0j, "2 of 3")]), number([Text(0j, "5 ells")], "m").understood
+    (0.0, None, False)
+    >>> number([Text(0j, "30°15'")], "°"), number([Text(0j, "0.0000 9.99")])
+    (Written(value=30.25, rounding=0.008333333333333333), None)
+    """
+    plain = plainly(" ".join(map(levelled, texts)))
+    if (angle := _ANGLE.fullmatch(plain)) is not None:
+        return _angle(angle, unit)
+    found = _WRITTEN.fullmatch(plain)
+    if found is None or _ANOTHER.match(found["unit"]):
+        return None
+    times = in_unit(found["unit"], unit)
+    value, half = value_of(found)
+    if not math.isfinite(value):
+        return None
+    if times is None:
+        return Written(math.nan, 0.0)
+    return Written(value * times, half * times)
+
+
+def plainly(text: str) -> str:
+    """Write a text with one sign for each that is written in several ways, and powers after a ^."""
+    signed = _POWERS.sub(lambda one: f"^{one[0].translate(_LEVEL)}", text.translate(_SIGNS))
+    return _GAPS.sub(lambda one: re.sub(r"\s", "", one[0]), signed).strip()
+
+
+def value_of(found: re.Match[str]) -> tuple[float, float]:
+    """Give the value of a number that was found, and what half of its last digit is worth if it is rounded."""
+    digits = found["digits"].replace(",", ".")
+    times = math.pow(10.0, int(found["power"] or found["apart"] or found["exponent"] or 0))
+    sure = len(digits.replace(".", "").lstrip("0")) >= SURE
+    half = 0.5 * math.pow(10.0, -len(digits.partition(".")[2])) * times
+    return float(f"{found['sign']}{digits}") * times, half if sure else 0.0
+
+
+def _angle(found: re.Match[str], unit: str) -> Written:
+    """Read an angle in degrees and minutes."""
+    minutes = found["minutes"].replace(",", ".")
+    value = float(found["degrees"]) + MINUTE * float(minutes)
+    half = 0.5 * math.pow(10.0, -len(minutes.partition(".")[2])) * MINUTE
+    times = in_unit("°", unit)
+    times = math.nan if times is None else times
+    return Written((-value if found["sign"] else value) * times, half * times)
+
+
+def levelled(text: Text) -> str:
+    """Write a text with a ^ before what is raised over a ten."""
+    return "".join(f"^{run.text}" if run.level > 0 and "10" in text.plain else run.text for run in text.runs)
+
 
 Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen
 _NUMBER = re.compile(r"\d+")

@@ -14,9 +14,8 @@ from drawings.eye.alike import folded
 from drawings.figures.diagrams.output_table import NAME
 from drawings.form.blank_table import BESIDE
 from drawings.form.task import table_of
-from drawings.grading.cells.asked_table import CellAsked, Key, SeenTable, Sought, TableAsked, tables_seen
-from drawings.grading.cells.ruling import ruling
-from drawings.grading.cells.written_number import number
+from drawings.grading.cells.asked_table import CellAsked, Key, SeenTable, Sought, TableAsked, number, tables_seen
+from drawings.grading.cells.frames import ruling
 from drawings.lettering.words import word
 from drawings.original.originals import Original, Originals
 from drawings.page.drafting import drafting_of

@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.due.cam_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
 from drawings.grading.curves.asked_figure import Sizes, Values
-from drawings.grading.curves.dynamics_courses import moved_means
+from drawings.grading.curves.run_figures import moved_means
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import Side, least, sides_of, sizes

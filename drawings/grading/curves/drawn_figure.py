@@ -12,7 +12,7 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
 from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, foot, heights, through
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.seeing.written_scale import stated_scales
+from drawings.grading.seeing.onlooker import stated_scales
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.measure.transform import Affine
 from drawings.paper.strokes import Line

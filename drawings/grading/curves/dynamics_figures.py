@@ -24,10 +24,9 @@ from drawings.grading.curves.asked_figure import (
     Sizes,
     Values,
 )
-from drawings.grading.curves.dynamics_courses import BEARING, CUT, Turned
 from drawings.grading.curves.figure_records import OwnSheet, items
 from drawings.grading.curves.load_figures import load_diagrams
-from drawings.grading.curves.run_figures import bare_speeds, tachogram
+from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
 from geometry.board import Board
 from geometry.calculus import integral
 from geometry.hand_error import SlippingHand, slopes

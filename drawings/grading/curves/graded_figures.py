@@ -16,8 +16,7 @@ from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, 
 from drawings.grading.curves.drawn_curve import PLACED, THROUGH
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
 from drawings.grading.curves.figure_judge import FigureJudge
-from drawings.grading.curves.form.form_figure import from_form
-from drawings.grading.curves.form.form_line import line_on_form
+from drawings.grading.curves.form.form_figure import from_form, line_on_form
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Circle, Line

@@ -10,7 +10,7 @@ from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME
 from drawings.figures.balance.shaking_hodograph import NAME as SHAKING
 from drawings.figures.balance.static_polygon import NAME as MOMENTS
 from drawings.grading import verdict
-from drawings.grading.records import Found, Letters, Record, Slip
+from drawings.grading.marking import Found, Letters, Record, Slip
 from drawings.lettering.balance_letters import CENTRE, FORCE, RESULT
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups

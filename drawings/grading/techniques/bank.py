@@ -9,7 +9,7 @@ from drawings.due.shaken_bank import Bank, Polygon
 from drawings.figures.bank.bank_polygon import plan_of
 from drawings.figures.bank.bank_view import fanned
 from drawings.grading import verdict
-from drawings.grading.records import Found, Letters, Record, Slip
+from drawings.grading.marking import Found, Letters, Record, Slip
 from drawings.paper.strokes import Leaf
 from geometry.board import Board, Mark
 from geometry.span import Span

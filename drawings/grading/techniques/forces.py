@@ -9,16 +9,14 @@ from drawings.figures.forces.lever_layout import PLAN as LEVER
 from drawings.figures.forces.lever_plan import balance, hanging
 from drawings.figures.forces.leverage import leverages
 from drawings.grading import verdict
-from drawings.grading.polygons.scheme_arcs import turns_of
-from drawings.grading.polygons.scheme_arrows import senses_of
-from drawings.grading.records import Found, Letters, Record, Slip
+from drawings.grading.marking import Found, Letters, Record, Slip
+from drawings.grading.polygons.free_plan import senses_of, turns_of
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
 from geometry.board import Board, Mark
 from geometry.span import Span
-from plans.checks.force_bill import ForceBill
-from plans.checks.force_expected import ExpectedForces
+from plans.checks.force_bill import ExpectedForces, ForceBill
 from plans.checks.hand.forces import FIGURES
 from plans.forces.cut import Cut
 from plans.forces.force_template import ForcePlans

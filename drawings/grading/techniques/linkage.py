@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.due.linkage import mass_centres
-from drawings.grading.records import Found, Letters, Record
+from drawings.grading.marking import Found, Letters, Record
 from drawings.paper.strokes import Leaf
 from geometry.span import Span
 from plans.checks.compare import MotionComparison

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.grading import verdict
-from drawings.grading.records import Found, Letters, Record, Slip
+from drawings.grading.marking import Found, Letters, Record, Slip
 from drawings.paper.strokes import Leaf
 from geometry.board import Board
 from geometry.span import Span

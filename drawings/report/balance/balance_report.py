@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.balance import balance_tables as tables
 from drawings.report.balance.balance_notes import BalanceNotes
-from drawings.report.chapters import Chapters
-from drawings.report.listed import plain
+from drawings.report.formula import Chapters
 from drawings.report.markdown import chapter
+from drawings.report.run_tables import plain
 from plans.balance.study import BalanceStudy
 from plans.study import Study
 from plans.words.words import Message, word

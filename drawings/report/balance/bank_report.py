@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.balance.bank_notes import BankNotes
-from drawings.report.chapters import Chapters
-from drawings.report.listed import listed, plain
+from drawings.report.formula import Chapters
 from drawings.report.markdown import chapter, header, row
-from drawings.report.subject import Subject
+from drawings.report.run_tables import listed, plain
+from drawings.report.table import Subject
 from plans.model.balance.bank import BankBalance
 from plans.study import Study
 from plans.words.words import word

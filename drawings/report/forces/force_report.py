@@ -11,15 +11,13 @@ import numpy as np
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.page.drafting import drafting_of
-from drawings.report.chapters import Chapters
-from drawings.report.forces.balancing_table import balancing_table
 from drawings.report.forces.losses import least
-from drawings.report.formula import Formula
-from drawings.report.gap_lines import gap_line, gap_lines
+from drawings.report.formula import Chapters, Formula
+from drawings.report.gap_lines import gap_line, gap_lines, stroke_line
 from drawings.report.linkage.first_numbers import DIGITS as FEW_DIGITS
 from drawings.report.linkage.first_numbers import greatest
 from drawings.report.markdown import chapter, header, row
-from drawings.report.stroke_lines import stroke_line
+from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices
 from plans.forces.primary import BalancingQuantity, balancing_quantity
@@ -30,10 +28,49 @@ from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.study import Study
-from plans.words.words import Message, message, word
+from plans.words.words import Message, message, term, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+
+TABLE_DIGITS = 6
+LEVER = "lever"
+
+
+def balancing_table(comparison: ForceComparison, told: BalancingQuantity, language: str) -> Iterator[str]:
+    """Tell the balancing moment, or force, by force plans and analysis, then by the lever, powers and energy."""
+    found = [one for one in comparison.of(FORCES) if one.name.partition(" ")[0] == told.name]
+    if not found:
+        return
+    unit = lettering.word(language, told.unit)
+    letter = lettering.letter(language, told.name)
+    first, *others = found
+    heads = [word(language, f"report.{key}", letter=letter, unit=unit) for key in ("by_plans", "by_equilibrium")]
+    heads += [f"{letter} {_way(one, language)}, {unit}" for one in others]
+    columns = [first.construction, first.analysis, *(_own(one) for one in others)]
+    yield word(language, "report.what_balances")
+    yield from header([word(language, "table.position"), *heads])
+    least = comparison.construction.nothing_over[1]
+    for k in range(len(comparison.construction.phi)):
+        yield row([str(k), *(_table_cell(float(np.real(column[k])), float(least[k]), language) for column in columns)])
+    yield ""
+
+
+def _way(one: Finding, language: str) -> str:
+    """Tell in words which way finds it; it has one letter in all columns."""
+    return term(language, "quantity_part", one.name.partition(" ")[2])
+
+
+def _own(one: Finding) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Give what a way finds: the lever is of the construction, powers and energy are of the analysis."""
+    return np.real(one.construction if one.name.endswith(LEVER) else one.analysis)
+
+
+def _table_cell(value: float, least: float, language: str) -> str:
+    if np.isnan(value):
+        return word(language, "table.gap")
+    return number(value if abs(value) > least else 0.0, language, TABLE_DIGITS)
+
 
 DIGITS = 10
 WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on its reversals too

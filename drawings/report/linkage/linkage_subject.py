@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from drawings.lettering.words import number
-from drawings.report.subject import Subject
+from drawings.report.table import Subject
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.group import Group

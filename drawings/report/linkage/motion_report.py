@@ -14,14 +14,12 @@ from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import decimal, fixed, number
 from drawings.page.drafting import drafting_of
 from drawings.paper.limits import MANY
-from drawings.report.chapters import Chapters
-from drawings.report.formula import Formula
-from drawings.report.gap_lines import gap_line, gap_lines, positions
+from drawings.report.formula import Chapters, Formula
+from drawings.report.gap_lines import gap_line, gap_lines, positions, stroke_line
 from drawings.report.linkage.data_chapter import data, structure
 from drawings.report.linkage.equations_chapter import drawn_scales, equations, shown_positions
 from drawings.report.linkage.first_numbers import first_numbers
 from drawings.report.markdown import chapter, header, row
-from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.checks.parts import alike

@@ -9,9 +9,8 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from plans.analytic.balance.counterweights import Found, carrying, counterweights, shared, sought
+from plans.analytic.balance.counterweights import Course, Found, carrying, counterweights, shared, sought, state
 from plans.analytic.balance.mass_centre import bodies, mass_centre
-from plans.analytic.balance.states import Course, state
 from plans.model.balance.linkage import (
     ANALYSIS,
     EPS,

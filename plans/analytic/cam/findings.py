@@ -12,9 +12,8 @@ import numpy as np
 
 from plans.analytic.cam.contact import Forces, forces_of
 from plans.analytic.cam.contour import Curve, contour
-from plans.analytic.cam.extremes import Extremes
+from plans.analytic.cam.extremes import Extremes, Place, Turn, Value
 from plans.analytic.cam.loops import Loops
-from plans.analytic.cam.series import Place, Turn, Value
 from plans.analytic.cam.shocks import shocks
 from plans.analytic.cam.sizes import sizes as sizes_of
 from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of

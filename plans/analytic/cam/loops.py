@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from plans.analytic.cam.contour import Curve
-from plans.analytic.cam.series import Turn
+from plans.analytic.cam.extremes import Turn
 from plans.model.cam_motion import Extreme, Flaw, Points
 from plans.model.motion import Floats
 

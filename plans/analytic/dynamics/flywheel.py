@@ -9,8 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from plans.analytic.closure import EPS
-from plans.analytic.dynamics.breaks import Run, Sided, breaks, roots
-from plans.analytic.dynamics.curve import LEAST, Curve, broken, looks, smooth
+from plans.analytic.dynamics.breaks import LEAST, Curve, Run, Sided, breaks, broken, looks, roots, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Task, Touch, settled
 from plans.model.machine import Track

@@ -8,10 +8,18 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from geometry.meet import dot
-from plans.cam.centre.bounds import Bound, CurvatureBound, Lines, limit, touch
-from plans.cam.centre.rocker_sizes import rocker_sizes
-from plans.cam.centre.slope_diagram import Instant, SlopeDiagram, Stretch, stretches
-from plans.cam.centre.tangents import axis, on_circle, place
+from plans.cam.centre.bounds import (
+    Bound,
+    CurvatureBound,
+    Instant,
+    Lines,
+    SlopeDiagram,
+    Stretch,
+    limit,
+    stretches,
+    touch,
+)
+from plans.cam.centre.rocker_sizes import axis, on_circle, place, rocker_sizes
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam

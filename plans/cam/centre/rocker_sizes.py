@@ -7,34 +7,182 @@ leans as the arc does at its position; the construction by the chord stands besi
 from __future__ import annotations
 
 import cmath
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from itertools import combinations
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import Bound, Touch, pressure_bounds
-from plans.cam.centre.slope_diagram import SlopeDiagram
-from plans.cam.centre.tangents import (
-    Choice,
-    Laid,
-    Place,
-    bound_by,
-    met,
-    nearest,
-    on_circle,
-    place,
-    required,
-    tangents,
-    touched,
-)
+from geometry.meet import EPS, cross, dot
+from plans.cam.centre.bounds import Bound, Limit, PressureBound, SlopeDiagram, Touch, limit, pressure_bounds, side_of
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Chord, Sizing, Tangent
-from plans.model.cam import Cam, Limits, limits_of
-from plans.model.cam_faults import no_triangle
+from plans.model.cam import LEAST_BASE, Cam, Limits, limits_of
+from plans.model.cam_faults import no_region, no_triangle, vanishing
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats
 from plans.words.words import because
+
+ROUNDS = 60  # of pushing a ruler; about six are needed
+ROUNDED = 32 * EPS  # of the size of the diagram: a line that is broken by less is kept
+PARALLEL = 1e-9  # sine of the angle of two lines that touch one curve at one place: they have no meeting of their own
+
+# The lines so far, how far one may be broken -> the best place within them and the lines that it lies on.
+Choice: TypeAlias = Callable[[Sequence[Limit], float], "Place | None"]
+
+
+class Place(NamedTuple):
+    """A place for the centre, and the limiting lines that it lies on: two, one, or none."""
+
+    centre: complex
+    limits: tuple[Limit, ...]
+
+
+def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) -> Place | None:
+    """Find the best place within all bounds, beginning from one; None: there is none."""
+    best = Place(start, ())
+    known: list[Limit] = []
+    for _ in range(ROUNDS):
+        broken = [one for bound in bounds if (one := limit(bound, best.centre)).beyond(best.centre) > ROUNDED * size]
+        if not broken:
+            # What is held to a rounding is touched to the root of it only: the last touches are anew.
+            return choice([limit(one.bound, best.centre) for one in best.limits], ROUNDED * size) or best
+        known = [*best.limits, *broken]
+        found = choice(known, ROUNDED * size)
+        if found is None:
+            return None
+        best = found
+    return None
+
+
+def nearest(to: complex) -> Choice:
+    """Choose the place nearest to a point: a corner of the region, or the foot of a perpendicular on its edge."""
+
+    def choice(limits: Sequence[Limit], slack: float) -> Place | None:
+        return _best([*_feet(to, limits), *_corners(limits)], limits, slack, lambda at: abs(at - to))
+
+    return choice
+
+
+def _best(
+    places: Sequence[Place], limits: Sequence[Limit], slack: float, cost: Callable[[complex], float]
+) -> Place | None:
+    within = [one for one in places if all(line.beyond(one.centre) <= slack for line in limits)]
+    return min(within, key=lambda one: cost(one.centre), default=None)
+
+
+def _feet(to: complex, limits: Sequence[Limit]) -> Iterator[Place]:
+    for one in limits:
+        yield Place(to - one.beyond(to) * one.normal, (one,))
+
+
+def _corners(limits: Sequence[Limit]) -> Iterator[Place]:
+    for first, second in combinations(limits, 2):
+        sine = float(cross(first.normal, second.normal))
+        if abs(sine) > PARALLEL:
+            yield Place(1j * (second.reach * first.normal - first.reach * second.normal) / sine, (first, second))
+
+
+def on_line(through: complex, along: complex, ahead: complex) -> Choice:
+    """Choose the place on a line nearest to a point of it, on the side `ahead`."""
+
+    def choice(limits: Sequence[Limit], slack: float) -> Place | None:
+        places = [Place(through, ())]
+        for line in limits:
+            rate = float(dot(line.normal, along))
+            if abs(rate) > PARALLEL:
+                places.append(Place(through - line.beyond(through) / rate * along, (line,)))
+        ahead_of = [one for one in places if dot(one.centre - through, ahead) >= -slack]
+        return _best(ahead_of, limits, slack, lambda at: abs(at - through))
+
+    return choice
+
+
+def on_circle(radius: float, cost: Callable[[complex], float], start: complex, ahead: complex) -> Choice:
+    """Choose the cheapest place on a circle about the origin, on the side `ahead`."""
+
+    def choice(limits: Sequence[Limit], slack: float) -> Place | None:
+        places = [Place(start, ()), *(one for line in limits for one in _cuts(radius, line))]
+        return _best([one for one in places if dot(one.centre, ahead) >= -slack], limits, slack, cost)
+
+    return choice
+
+
+def _cuts(radius: float, line: Limit) -> Iterator[Place]:
+    """Give where a line cuts the circle."""
+    if abs(line.reach) <= radius:
+        half = math.acos(line.reach / radius)
+        for turned in (half, -half):
+            yield Place(radius * line.normal * cmath.exp(1j * turned), (line,))
+
+
+# A touch and its number -> on the board D there, and the way of K there.
+Laid: TypeAlias = Callable[[Touch, str], tuple[Mark, Mark]]
+
+
+def tangents(
+    board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: Sequence[Limit], laid: Laid, prime: str = ""
+) -> tuple[Tangent, ...]:
+    """Draw the limiting lines through the points that rulers touch, numbered; those that O lies on come first."""
+    bounds = [one.bound for one in binding]
+    ordered = [*sorted(binding, key=_rise_first), *(one for one in limits if one.bound not in bounds)]
+    return tuple(_tangents(board, diagram, ordered, len(binding), laid, prime))
+
+
+def _rise_first(one: Limit) -> int:
+    return -side_of(one.touch.stretch.phase.kind)
+
+
+def axis(board: Board) -> tuple[Mark, Mark, Mark]:
+    """Draw the way of a follower that translates: its start A, the way's direction, the axis of S through A."""
+    start = board.given("A", 0j, because("cam_start"))
+    way = board.given("S", 1j, because("cam_way"))
+    return start, way, board.parallel("AS", start, way, because("cam_way"))
+
+
+def required(cam: Cam, limits: Limits, found: Place | None, start: complex = 0j) -> Place:
+    """Give the place that was found for O; raises CamError where the limits leave none, or one at the start of K."""
+    if found is None:
+        raise no_region(cam, limits)
+    free = not found.limits and (cam.rocks or cam.given.base is None) and not cam.sized
+    if free or (cam.given.base is None and abs(found.centre - start) < LEAST_BASE * cam.way):
+        raise vanishing(cam, limits)
+    return found
+
+
+def touched(bounds: Sequence[Bound], found: Place) -> list[Limit]:
+    """Push a ruler against every bound; none where nothing moves."""
+    return [limit(bound, found.centre) for bound in bounds if bound.along]
+
+
+def bound_by(cam: Cam, lines: Sequence[Tangent]) -> tuple[Tangent, ...]:
+    """Give tangents as they bind O: with R0 given none does."""
+    return tuple(one._replace(binding=one.binding and cam.given.base is None) for one in lines)
+
+
+def _tangents(
+    board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: int, laid: Laid, prime: str
+) -> Iterator[Tangent]:
+    for number, one in enumerate(limits):
+        bound, name = one.bound, f"{number + 1}{prime}"
+        assert isinstance(bound, PressureBound)
+        point, way = laid(one.touch, name)
+        angle = f"{math.degrees(bound.side * bound.angle):.4g}"
+        by = diagram.limit(bound.side, bound.angle) / 1j
+        direction = board.turn(f"t_{name}", way, by, because("cam_limit_angle", angle=angle))
+        line = board.parallel(f"τ_{name}", point, direction, because("cam_ruler"))
+        yield Tangent(bound, one.touch, point, direction, line, number < binding)
+
+
+def met(board: Board, name: str, lines: Sequence[Tangent], start: Mark, why: str) -> Mark:
+    """Give where two limiting lines meet; of one alone the foot of the perpendicular from the start."""
+    if len(lines) == 2:
+        return board.meet(name, lines[0].line, lines[1].line, why=because(why))
+    square = board.square("n", start, lines[0].direction, because("cam_square"))
+    return board.meet(name, square, lines[0].line, why=because("cam_foot"))
 
 
 def rocker_sizing(course: Course) -> Sizing:

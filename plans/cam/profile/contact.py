@@ -2,18 +2,198 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
+from plans.cam.course import Course
+from plans.cam.profile.outline import curvature, curvature_slope
 from plans.cam.profile.profile import slip, slip_slope
-from plans.cam.profile.remedy import pressure, pressure_slope
-from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Touch
-from plans.model.cam import Cam, Load
-from plans.model.cam_motion import Extreme, Pressing
+from plans.cam.profile.touch import Place, Stretches, Touch, Value
+from plans.cam.sizes import sizing
+from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, Load, Phase, interval_of
+from plans.model.cam_faults import CamError
+from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
+
+
+def pressure(tip: Tip) -> Floats:
+    """Give the pressure angle, rad."""
+    if tip.cam.flat:
+        return Touch(tip).pressure
+    return np.asarray(tip.cam.sense * np.angle(tip.lever / tip.heading))
+
+
+def pressure_slope(tip: Tip) -> Floats:
+    """Give its derivative by the turn."""
+    if tip.cam.flat:
+        return Touch(tip).pressure_slope
+    _, first, second, _ = tip.orders
+    lever = abs(tip.turns) * first + 1j * tip.cam.sense * second
+    turning = tip.cam.rising * tip.travel.slope if tip.cam.rocks else 0.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(tip.cam.sense * ((lever / tip.lever).imag - turning))
+
+
+ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice, alike but for rounding
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The extremes of a cam's profile, each with its place; corners of the law and ends of dwells are legal places."""
+
+    stretches: Stretches
+
+    @cached_property
+    def outrun(self) -> Extreme | None:
+        """Where a rocker's face turns as fast as the cam, or faster, most of all: it touches nowhere then."""
+        cam = self.stretches.course.cam
+        if not (cam.flat and cam.rocks):
+            return None
+        places = self.stretches.places(lambda tip: tip.travel.bend)
+        most = self.stretches.most(lambda tip: 1 - Touch(tip).lead, places)
+        return most if most and most.value >= 1 else None
+
+    @cached_property
+    def peaks(self) -> dict[str, Extreme]:
+        """The largest S' and S'' by their size, signed; at a hard shock S'' has none."""
+        rows: dict[str, tuple[Value, Value]] = {
+            SLOPE: (lambda tip: tip.travel.slope, lambda tip: tip.travel.bend),
+            BEND: (lambda tip: tip.travel.bend, lambda tip: tip.jerk),
+        }
+        if any(one.order == 1 for one in self.stretches.course.shocks):
+            del rows[BEND]
+        found = {name: self._largest(value, self.stretches.places(slope)) for name, (value, slope) in rows.items()}
+        return {name: one for name, one in found.items() if one is not None}
+
+    @cached_property
+    def turning(self) -> tuple[Place, ...]:
+        """Where the pressure angle can be largest."""
+        return self.stretches.places(pressure_slope)
+
+    @cached_property
+    def pressure(self) -> dict[str, Extreme]:
+        """The largest pressure angle by its size on every kind of phase that there is, signed."""
+        kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
+        return {kind: found for kind in kinds if (found := self._largest(pressure, self._turning_on(kind))) is not None}
+
+    def _turning_on(self, kind: str) -> tuple[Place, ...]:
+        phases = [one for one in self.stretches.course.cam.phases if one.kind == kind]
+        return tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
+
+    def _largest(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
+        """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
+        found = self.stretches.most(lambda tip: np.abs(value(tip)), places)
+        if found is None:
+            return None
+        signed = self.stretches.read(value, places)
+        alike = np.flatnonzero(np.abs(signed) >= found.value * (1 - ALIKE))
+        best = min(alike.tolist(), key=lambda k: (signed[k] < 0, places[k].turned))
+        return Extreme(float(signed[best]), places[best].turned)
+
+    @cached_property
+    def bends(self) -> tuple[Place, ...]:
+        """Where the curve can be sharpest."""
+        flat = self.stretches.course.cam.flat
+        return self.stretches.places((lambda tip: Touch(tip).radius_slope) if flat else curvature_slope)
+
+    @cached_property
+    def sharpest(self) -> Extreme | None:
+        """The least convex radius of the theoretical profile; of the profile under a flat face the least, signed."""
+        if self.outrun:
+            return None
+        if self.stretches.course.cam.flat:
+            found = self.stretches.most(lambda tip: -Touch(tip).radius, self.bends)
+            return found and Extreme(-found.value, found.turned)
+        found = self.stretches.most(curvature, self.bends)
+        return Extreme(1 / found.value, found.turned) if found and found.value > 0 else None
+
+    @cached_property
+    def hollow(self) -> Extreme | None:
+        """The smallest hollow radius by size, below 0."""
+        if self.stretches.course.cam.flat:
+            return None
+        found = self.stretches.most(lambda tip: -curvature(tip), self.bends)
+        return Extreme(-1 / found.value, found.turned) if found and found.value > 0 else None
+
+    @cached_property
+    def face(self) -> tuple[float, float]:
+        """Where contact on a flat face is farthest to both sides, m: the least and the greatest place."""
+        if not self.stretches.course.cam.flat or self.outrun:
+            return 0.0, 0.0
+        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
+        found = self.stretches.read(lambda tip: Touch(tip).place, places)
+        return float(np.nanmin(found)), float(np.nanmax(found))
+
+
+def within(place: Place, phase: Phase) -> bool:
+    """Tell whether a place belongs to a phase: on a joint by its side.
+
+    >>> within(Place(1.0, before=True), Phase("dwell", 1.0, 0.0, 0.0, 0.0))
+    True
+    """
+    if place.before:
+        return phase.start < place.turned <= phase.end
+    return phase.start <= place.turned < phase.end
+
+
+def base_needed(stretches: Stretches) -> float | None:
+    """Give R0, m, with which the pressure angle keeps to its limits; None of a rocker, a flat face, a cam on a bar.
+
+    Every position asks for S0 >= (S' - e)/tan α - S with both limits α: the lines of the S-S' diagram through O at the
+    offset e.
+    """
+    cam = stretches.course.cam
+    intervals = {kind: interval for kind in (RISE, RETURN) if (interval := interval_of(cam, kind)) is not None}
+    if cam.rocks or cam.flat or cam.translates or not intervals:
+        return None
+    asked = [_height(stretches, kind, 1 / math.tan(end)) for kind, interval in intervals.items() for end in interval]
+    return math.hypot(max(0.0, *asked), stretches.sizes.offset)
+
+
+def base_convex(extremes: Extremes) -> float | None:
+    """Give R0, m, with which the profile under a flat face is convex and as its limit asks; None where none does.
+
+    R0 is added to the radius of curvature everywhere. A rocker's is not, and where S' falls at once no R0 helps.
+    """
+    course, sharpest = extremes.stretches.course, extremes.sharpest
+    falls = any(one.order == 1 and one.jump < 0 for one in course.shocks)
+    if course.cam.rocks or not course.cam.flat or sharpest is None or falls:
+        return None
+    return extremes.stretches.sizes.base - sharpest.value + course.cam.limits.curvature
+
+
+def sizes_advised(cam: Cam) -> Sizes | None:
+    """Give the sizes that the limits alone would give; None where there are none, of a flat face, of a cam on a bar."""
+    if cam.flat or cam.translates:
+        return None
+    try:
+        return sizing(Course(replace(cam, given=NO_SIZES))).sizes
+    except CamError:
+        return None
+
+
+def _height(stretches: Stretches, kind: str, slope: float) -> float:
+    """Give the S0 that the positions on a kind of phase ask for, to one side."""
+    offset = stretches.sizes.offset
+
+    def height(tip: Tip) -> Floats:
+        asked = (tip.travel.slope - offset) * slope - tip.travel.s
+        return np.where(on(tip, kind), asked, -np.inf)
+
+    places = stretches.places(lambda tip: tip.travel.bend * slope - tip.travel.slope)
+    found = stretches.most(height, places)
+    return found.value if found else 0.0
+
+
+def on(tip: Tip, kind: str) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Tell which turns are on a kind of phase: on a joint by the side that is taken."""
+    sides = [tip.within(one) for one in tip.cam.phases if one.kind == kind]
+    return np.any(sides, axis=0) if sides else np.zeros(len(tip.turned), dtype=bool)
+
 
 NOTHING = Extreme(np.nan, 0.0)  # of a force that no turn bears: the normal stands across the follower's way
 

@@ -9,14 +9,22 @@ from typing import Final
 import numpy as np
 
 from plans.cam.course import Course
-from plans.cam.profile.contact import Contact, contact_of, pressing
+from plans.cam.profile.contact import (
+    Contact,
+    Extremes,
+    base_convex,
+    base_needed,
+    contact_of,
+    on,
+    pressing,
+    pressure,
+    sizes_advised,
+)
 from plans.cam.profile.outline import curvature
 from plans.cam.profile.profile import Roller, profile, roller_of
-from plans.cam.profile.remedy import Extremes, base_convex, base_needed, on, pressure, sizes_advised
 from plans.cam.profile.resting import Edge, crossings, loss
-from plans.cam.profile.stretches import Place, Span, Stretches, Value
 from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Touch
+from plans.cam.profile.touch import Place, Span, Stretches, Touch, Value
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Extreme, Flaw, Sizes
 from plans.model.motion import Floats

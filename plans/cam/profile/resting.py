@@ -13,8 +13,8 @@ import numpy as np
 
 from geometry.meet import EPS, cross
 from plans.cam.profile.outline import Outline
-from plans.cam.profile.stretches import Span, Stretches
 from plans.cam.profile.tip import Tip, guide_start
+from plans.cam.profile.touch import Span, Stretches
 from plans.model.cam import Cam
 from plans.model.cam_motion import Extreme, Points
 from plans.model.motion import Floats

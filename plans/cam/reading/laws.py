@@ -8,8 +8,7 @@ from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 from plans.cam.reading.misplaced import Entry, shown
-from plans.cam.reading.phase_form import LawTable, PhaseTable
-from plans.cam.reading.shape import Shape, cancelled
+from plans.cam.reading.phase_form import LawTable, PhaseTable, Shape, cancelled
 from plans.model.cam import CUBICS, DWELL, LINES, RETURN, RISE, SHAPE, TABLE, Law
 from plans.scene import units
 from plans.scene.faults import Path

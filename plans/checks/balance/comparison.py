@@ -10,12 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plans.analytic.balance.balance import balance, weighing
-from plans.analytic.balance.counterweights import uncertain
-from plans.analytic.balance.states import Course
+from plans.analytic.balance.counterweights import Course, uncertain
 from plans.analytic.kinematics import Analysis
 from plans.balance.study import COSTS, BalanceStudy
-from plans.checks.balance.centre import Centre, Centres, Stretch, scene_stretch, turn_stretch
-from plans.checks.balance.weights import Weights
+from plans.checks.balance.centre import Centre, Centres, Stretch, Weights, scene_stretch, turn_stretch
 from plans.checks.compare import MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
 from plans.checks.force_comparison import ForceFindings

@@ -10,9 +10,8 @@ import numpy as np
 from geometry.board import Board, Mark, between
 from geometry.hand_error import SlippingHand, slopes
 from geometry.scatter import Slopes, number_error, size_error
-from plans.cam.centre.bounds import PressureBound
+from plans.cam.centre.bounds import PressureBound, SlopeDiagram
 from plans.cam.centre.rocker_sizes import laid_end as laid_on_arc
-from plans.cam.centre.slope_diagram import SlopeDiagram
 from plans.cam.sizes import laid_end
 from plans.cam.sizing import SIZES, Sizing
 from plans.cam.study import CamDrawing

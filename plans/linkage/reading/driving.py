@@ -13,8 +13,7 @@ from geometry.meet import cross
 from plans.linkage.primaries import between, ram
 from plans.linkage.reading.form import SlideTable
 from plans.linkage.reading.guides import Spot, plain
-from plans.linkage.reading.line import LineTable
-from plans.linkage.reading.stroke import StrokeTable
+from plans.linkage.reading.stroke import LineTable, StrokeTable
 from plans.linkage.reading.survey import Survey
 from plans.linkage.sketch import SketchError
 from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Mechanism, Ram, Slide, StructureError

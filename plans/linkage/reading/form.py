@@ -8,8 +8,7 @@ from typing import Any
 
 from geometry.errors import LimitError
 from plans.linkage.reading import fields as g
-from plans.linkage.reading.line import LineTable, Place
-from plans.linkage.reading.stroke import StrokeTable
+from plans.linkage.reading.stroke import LineTable, Place, StrokeTable
 from plans.model.mechanism import SLOWER, THROUGH
 from plans.model.working import PARTINGS, STROKES
 from plans.scene import fields as f

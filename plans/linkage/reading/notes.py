@@ -9,7 +9,7 @@ from math import pi
 
 from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import LinkageForm
-from plans.linkage.reading.line import LineTable
+from plans.linkage.reading.stroke import LineTable
 from plans.linkage.reading.survey import spread
 from plans.scene.faults import TWINS, Fault, Path
 from plans.scene.lengths import odd_lengths

@@ -2,26 +2,218 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, chains, heights
+from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, chains, foot, heights
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form.form_line import (
-    AXES,
-    FRAME,
-    Blank,
-    axes,
-    course_on_form,
-    every_axes,
-    lines_within,
-    written_at,
-)
 from drawings.grading.drawn_plan import Arrow
+from drawings.grading.seeing.onlooker import stated_scales
+from drawings.paper.strokes import Circle, Group, Line
+from drawings.paper.walk import flat, groups, texts
+
+FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
+NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs
+
+
+class Blank(NamedTuple):
+    """The axes of a graph on a form: their origin, the ends of both, the ticks along the abscissa, mm."""
+
+    origin: complex
+    right: float
+    top: float
+    ticks: Sequence[float]
+
+    def away(self, curve: Values) -> float:
+        """Give how far a curve is from the axes, mm: about their origin's level, and to either side of their length."""
+        middle = complex(curve.real.mean(), np.abs(curve.imag - self.origin.imag).mean())
+        aside = max(self.origin.real - middle.real, middle.real - 2 * self.right + self.origin.real, 0.0)
+        return float(np.hypot(aside, middle.imag))
+
+
+def axes(seen: SeenSheet, plan: str) -> Blank | None:
+    """Give the axes of a graph on a form; None where there are none."""
+    return every_axes(seen).get(plan)
+
+
+def every_axes(seen: SeenSheet) -> dict[str, Blank]:
+    """Give all axes of a form by the plans that they are for."""
+    own = ((one.data.get("plan", ""), _blank(one)) for one in groups(seen.leaf.groups) if one.data.get("kind") == AXES)
+    return {plan: blank for plan, blank in own if blank is not None}
+
+
+def _blank(group: Group) -> Blank | None:
+    lines = [one for one in group.strokes if isinstance(one, Line)]
+    if not lines:
+        return None
+    across = max(lines, key=lambda one: abs((one.end - one.start).real))
+    upright = max(lines, key=lambda one: abs((one.end - one.start).imag))
+    origin = complex(upright.start.real, across.start.imag)
+    ticks = sorted(one.start.real for one in lines if one not in (across, upright) and _crosses(one, origin))
+    return Blank(origin, max(across.start.real, across.end.real), max(upright.start.imag, upright.end.imag), ticks)
+
+
+def _crosses(line: Line, origin: complex) -> bool:
+    """Tell whether a line is a tick of the abscissa."""
+    upright = abs((line.end - line.start).real) <= PLACED
+    return upright and abs((line.start + line.end).imag / 2 - origin.imag) <= PLACED and line.start.real > origin.real
+
+
+def written_at(seen: SeenSheet, own: Blank, due: Mapping[str, str]) -> dict[str, float]:
+    """Give the scales that are written nearest to the axes, by the letters that are due with their units."""
+    head = complex((own.origin.real + own.right) / 2, own.top)
+    near = sorted(texts(seen.leaf.groups), key=lambda one: abs(one.at - head))
+    return stated_scales((one for one in near if abs(one.at - head) <= NEAR), due)
+
+
+def course_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+    """Give a course by the lines that are drawn on its axes; None where no scales are written, or none are drawn.
+
+    At each place it is read on the branch that is nearer to what is asked for, or to a mistake that has a name if the
+    whole course is nearer to that.
+    """
+    own = axes(seen, asked.plan)
+    if asked.paper is None or own is None:
+        return None
+    written = written_at(seen, own, asked.stated)
+    across, up = (written.get(letter) for letter in asked.scales)
+    lines = [one - own.origin for one in lines_within(seen, own)]
+    if across is None or up is None or not lines:
+        return None
+    places = asked.paper.along / across
+    dues = ((values / asked.way).real / up for values in (asked.true, -asked.true, *(m.values for m in asked.mistakes)))
+    high = min((_line_read(lines, places, due) for due in dues), key=lambda one: one.off).high
+    there = np.isfinite(high)
+    if not there.any():
+        return None
+    feet = own.origin + places
+    arrows = {k: Arrow(complex(feet[k]), complex(feet[k] + 1j * high[k])) for k in np.flatnonzero(there).tolist()}
+    return DrawnFigure(asked, np.asarray(asked.way * high * up), arrows, free=True)
+
+
+class Heights(NamedTuple):
+    """How high a course is over its places, mm, and by how much it is out of what is due."""
+
+    high: Sizes
+    off: float
+
+
+def _line_read(lines: Sequence[Values], places: Sizes, due: Sizes) -> Heights:
+    high = np.array([_nearest(lines, spot) for spot in (places + 1j * due).tolist()])
+    return Heights(high, float(np.nansum(np.abs(high - due))))
+
+
+def lines_within(seen: SeenSheet, own: Blank) -> Iterator[Values]:
+    """Give the lines and chains that lie within the axes."""
+    strokes = [one for one in seen.leaf.groups if one.data.get("kind") != AXES and one.name != FRAME]
+    straight = (np.array([one.start, one.end]) for one in flat(strokes) if isinstance(one, Line))
+    for one in (*chains(strokes), *straight):
+        apart = one - own.origin
+        low, high = -PLACED, max(own.top - own.origin.imag, own.right - own.origin.real)
+        if apart.real.min() >= low and apart.real.max() <= high and np.abs(apart.imag).max() <= high:
+            yield one
+
+
+def _nearest(lines: Iterable[Values], due: complex) -> float:
+    """Give how high lines are over the place of a spot, mm: where they are nearest to it; NaN where none is over it."""
+    found = [high for one in lines for high in _heights(one[:-1], one[1:], due)]
+    return min(found, key=lambda one: abs(one - due.imag), default=float("nan"))
+
+
+def _heights(start: Values, end: Values, due: complex) -> list[float]:
+    """Give the heights of segments over a place; of an upright one that which is nearest to the spot.
+
+    >>> _heights(np.array([0j, 2 + 1j]), np.array([2 + 1j, 2 + 3j]), 2 + 2j)
+    [1.0, 2.0]
+    """
+    turned = end.real < start.real
+    low, high = np.where(turned, end, start), np.where(turned, start, end)
+    wide = high.real - low.real
+    over = (low.real <= due.real + PLACED) & (high.real >= due.real - PLACED)
+    share = np.clip((due.real - low.real) / np.where(wide > PLACED, wide, 1.0), 0.0, 1.0)
+    sloped = low.imag + share * (high.imag - low.imag)
+    upright = np.clip(due.imag, np.minimum(low.imag, high.imag), np.maximum(low.imag, high.imag))
+    return list(map(float, np.where(wide > PLACED, sloped, upright)[over]))
+
+
+class Place(NamedTuple):
+    """The place of a figure on a form: its pole, mm, the scales that it states, and the lines that are drawn in it."""
+
+    pole: complex
+    scales: dict[str, float]
+    lines: tuple[Values, ...]
+
+    def states(self, asked: FigureAsked) -> bool:
+        """Tell whether all scales of a figure are written there."""
+        return asked.scales.keys() <= self.scales.keys()
+
+
+def line_on_form(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
+    """Give a figure by the line in its place, at the points of it that are nearest to what is asked for."""
+    place = (_on_axes(asked, seen) or _in_place(asked, seen)) if asked.curved else None
+    if place is None or not place.lines:
+        return None
+    across, up = _measures(asked, place)
+    apart = [one - place.pole for one in place.lines]
+    lines = tuple(np.asarray(one.real * across + 1j * one.imag * up) for one in apart)
+    values = np.full(len(asked.true), complex(np.nan, np.nan))
+    for k in asked.curved:
+        values[k] = foot(lines, complex(asked.true[k]))
+    spots = {k: place.pole + complex(values[k].real / across, values[k].imag / up) for k in asked.curved}
+    arrows = {k: Arrow(spot, spot) for k, spot in spots.items()}
+    return DrawnFigure(asked, values, arrows, place.states(asked), free=True, lines=lines)
+
+
+def _measures(asked: FigureAsked, place: Place) -> tuple[float, float]:
+    """Give how much of a figure's values a mm shows across and up: where no scale is written, as large as it is due."""
+    if place.states(asked):
+        mu = [place.scales[letter] / (own if asked.on_paper else 1.0) for letter, own in asked.scales.items()]
+        return mu[0], mu[-1]
+    drawn, due = np.concatenate(place.lines), asked.true[list(asked.curved)]
+    return float(np.ptp(due.real) / np.ptp(drawn.real)), float(np.ptp(due.imag) / np.ptp(drawn.imag))
+
+
+def _on_axes(asked: FigureAsked, seen: SeenSheet) -> Place | None:
+    """Give the place of a figure that has axes: the curves that are nearer to these than to any others."""
+    own = axes(seen, asked.plan)
+    if own is None:
+        return None
+    every = every_axes(seen)
+    near = (one for one in _drawn(seen) if min(every, key=lambda name: every[name].away(one)) == asked.plan)
+    return Place(own.origin, written_at(seen, own, asked.stated), tuple(near))
+
+
+def _in_place(asked: FigureAsked, seen: SeenSheet) -> Place | None:
+    """Give the place of a figure that has a pole: the curves within the corners of it, by the scale of the form."""
+    own = next((one for one in groups(seen.leaf.groups) if _is(one, "place", asked.plan)), None)
+    pole = next((one for one in groups(seen.leaf.groups) if _is(one, "pole", asked.plan)), None)
+    if own is None or pole is None:
+        return None
+    centre = next((one.centre for one in flat((pole,)) if isinstance(one, Circle)), None)
+    corners = np.array([end for one in flat((own,)) if isinstance(one, Line) for end in (one.start, one.end)])
+    if centre is None or not corners.size:
+        return None
+    low, high = complex(corners.real.min(), corners.imag.min()), complex(corners.real.max(), corners.imag.max())
+    inside = (
+        one
+        for one in _drawn(seen)
+        if low.real <= one.real.mean() <= high.real and low.imag <= one.imag.mean() <= high.imag
+    )
+    return Place(centre, {letter: float(own.data["scale"]) for letter in asked.scales}, tuple(inside))
+
+
+def _is(group: Group, kind: str, plan: str) -> bool:
+    return group.data.get("kind") == kind and group.data.get("plan") == plan
+
+
+def _drawn(seen: SeenSheet) -> Iterator[Values]:
+    """Give the curves that are no part of the form's own figures."""
+    return chains([one for one in seen.leaf.groups if one.data.get("kind") != AXES and one.name != FRAME])
+
 
 ABSCISSAS = ("φ", "x", "t")  # letters of what a graph goes over: of an angle and its time, the angle
 SHIFTED = 0.3  # of what a graph is out by where it stands, and it is less out a position beside: it is shifted
