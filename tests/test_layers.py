@@ -140,7 +140,7 @@ def test_all_three_layers_are_examined() -> None:
         ("plans/rotor/reading.py", "def f():\n    from plans.analytic.rotor import balance"),
         ("drawings/page/page.py", "import svgwrite"),
         ("drawings/eye/letters.py", "from drawings.lettering.curves import curves"),
-        ("drawings/eye/observer.py", "def f():\n    from drawings.pens.letters import HUNDREDTH"),
+        ("drawings/eye/sheet.py", "def f():\n    from drawings.pens.letters import HUNDREDTH"),
         ("drawings/eye/sheet.py", "from plans.words import words"),
         ("drawings/due/rotor.py", "from drawings.figures.rotor.along import measure"),
         ("drawings/due/linkage.py", "def f():\n    from plans.linkage.drafts import Drafts"),

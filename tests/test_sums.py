@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[1]
 PRODUCT = ("geometry", "plans", "drawings")
 # Lines at the most: of what is shipped, of what is checked when a sheet is drawn, of the tests with their cases.
 MOST: Mapping[str, tuple[int, tuple[str, ...]]] = {
-    "product": (95_000, tuple(f"{top}/**/*.py" for top in PRODUCT)),
+    "product": (97_300, tuple(f"{top}/**/*.py" for top in PRODUCT)),
     "self-check": (4_500, ("drawings/checks/**/*.py",)),
     "tests": (55_000, ("tests/**/*.py", "tests/cases/**/*.*")),
 }

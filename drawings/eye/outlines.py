@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from drawings.eye.tracks import Track, tracks
+from drawings.eye.lettered import Track, tracks
 from drawings.measure.curvedata import pieces
 from drawings.measure.pathdata import number, numbers
 from drawings.measure.transform import Affine

@@ -2,15 +2,310 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
-from dataclasses import replace
+import cmath
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import NamedTuple
 
+from drawings.eye import alike
 from drawings.eye.covering import veiled
-from drawings.eye.ink import Unseen
-from drawings.eye.observer import Observer
+from drawings.eye.ink import Ink, Unseen, ink, length
+from drawings.eye.lettered import SeenLetter, any_letters, pen_of_letters, plain_letters, written
+from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
+from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure
-from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.measure.pathdata import SPACE, number
+from drawings.measure.transform import STAY, Affine
+from drawings.measure.viewport import Viewport, viewport
+from drawings.measure.visibility import Look, declarations, unfollowed
+from drawings.paper.limits import SheetRefused
+from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text
+from drawings.paper.walk import flat
+
+EM = 1.4  # a font's size over the height of its capitals
+FREE = 0.1  # sizes, which a font leaves free before its first letter
+_WORDS = 0.4  # sizes: what is farther apart is two words
+_EVEN = 0.01  # sizes: how far a level may be off
+_RISES = {-1: -LOWERED, 1: RAISED}
+
+
+class Typeset(NamedTuple):
+    """One element of text: its characters, where its ink begins (mm, y up), its size and length, mm, how it stands."""
+
+    plain: str
+    at: complex
+    size: float
+    length: float
+    rotation: float
+    slanted: bool
+
+
+def typeset(plain: str, place: Affine, look: Look, attributes: Mapping[str, str]) -> Typeset:
+    """Read one element of text."""
+    # A font stands on a line of writing that goes along x, and upward against y.
+    along, up = place.p + place.q, (place.p - place.q) * -1j
+    size = length(look.font_size) / EM * abs(up)
+    turn = along / abs(along)
+    at = place(complex(number(attributes.get("x", "0")), number(attributes.get("y", "0")))) + FREE * size * turn
+    long = number(attributes.get("textLength", "0")) * abs(along) - 2 * FREE * size
+    slanted = look.font_style in ("italic", "oblique")
+    return Typeset(plain, at, size, long, round(math.degrees(cmath.phase(turn)) % 360, 6) % 360, slanted)
+
+
+def joined(parts: Sequence[Typeset], said: str, ink: LineStyle) -> Text:
+    """Read elements of text that stand together as one text with its levels."""
+    size = max(part.size for part in parts)
+    first = parts[0]
+    turn = cmath.rect(1, math.radians(first.rotation))
+    row = sorted(parts, key=lambda part: (part.at / turn).real)
+    low = next((part.at / turn).imag for part in row if part.size == size)
+    signs = [(sign, level) for plain, level in _levels(row, turn, low, size) for sign in alike.signs(plain)]
+    seen = [(sign.seen, level or sign.level) for sign, level in signs]
+    runs = alike.picked(seen, [sign.thin for sign, _ in signs], said, fonts=True)
+    at = turn * complex((row[0].at / turn).real, low)
+    return Text(at, runs, round(size, 4), "start", first.slanted, first.rotation, ink)
+
+
+def _levels(row: Sequence[Typeset], turn: complex, low: float, size: float) -> Iterator[tuple[str, int]]:
+    """Give parts and their levels, and the spaces between them where they are apart."""
+    before = [""] + [" " if _apart(one, after, turn, size) else "" for one, after in pairwise(row)]
+    for part, space in zip(row, before, strict=True):
+        yield space + part.plain, _level(((part.at / turn).imag - low) / size)
+
+
+def _apart(one: Typeset, after: Typeset, turn: complex, size: float) -> bool:
+    return ((after.at - one.at) / turn).real - one.length > _WORDS * size
+
+
+def _level(rise: float) -> int:
+    return next((level for level, own in _RISES.items() if abs(rise - own) <= _EVEN), 0)
+
+
+# What each may say without any effect; editors write many of them so.
+_IDLE = {
+    **dict.fromkeys(("stroke-dashoffset", "letter-spacing", "word-spacing"), ("0", "0px", "normal")),
+    **dict.fromkeys(("marker", "marker-start", "marker-mid", "marker-end"), ("none",)),
+    **dict.fromkeys(("vector-effect", "mask-image", "text-decoration"), ("none",)),
+    **dict.fromkeys(("mix-blend-mode", "paint-order", "font-variant", "font-stretch"), ("normal",)),
+    "font-weight": ("normal", "400"),
+    **dict.fromkeys(("baseline-shift", "dominant-baseline", "alignment-baseline"), ("baseline", "auto", "0")),
+    "writing-mode": ("lr-tb", "lr", "horizontal-tb"),
+    "content-visibility": ("visible",),
+    "stroke-linejoin": ("round",),  # a pen draws all its corners so
+    "clip": ("auto",),
+    "all": (),
+}
+# Attributes on which it depends whether an element is shown at all, or how long its dashes are.
+_NEVER = ("systemLanguage", "requiredExtensions", "pathLength", "rotate")
+_MADE = ("var(", "env(", "attr(", "calc(")  # what a viewer works out
+_FOREIGN, _DATA = "-webkit-", "data-"
+
+
+def effects(attributes: Mapping[str, str]) -> Iterator[str]:
+    """Name the properties of an element that change what is seen of it and are not followed.
+
+    >>> list(effects({"stroke-dashoffset": "0", "style": "mix-blend-mode:screen; -webkit-filter: blur(9px)"}))
+    ['mix-blend-mode', '-webkit-filter']
+    """
+    yield from (name for name in _NEVER if name in attributes)
+    style = declarations(attributes["style"]) if "style" in attributes else {}
+    yield from filter(None, (unfollowed(style),))
+    for name, text in (*attributes.items(), *style.items()):
+        if name != "style" and not name.startswith(_DATA) and not _idle(name, text.strip(SPACE).lower()):
+            yield name
+
+
+def _idle(name: str, value: str) -> bool:
+    """Tell whether a property is followed, or has no effect."""
+    if name.startswith(_FOREIGN):
+        return value in ("none", "normal", "auto")
+    return value in _IDLE.get(name, (value,)) and not ("(" in value and any(made in value for made in _MADE))
+
+
+# What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
+UNREAD = frozenset(("use", "image", "foreignObject", "style", "script", "switch", "pattern", "marker", "tspan"))
+PLAIN = Ink(INK)
+UNPAINTED = ("hidden", "clipped")  # why a stroke is unseen that hides nothing itself
+_SAID = "data-text"
+
+
+@dataclass
+class Opened:
+    """An element that has begun, and what was seen in it."""
+
+    frame: Frame
+    attributes: Mapping[str, str]
+    strokes: list[Stroke] = field(default_factory=list)
+    data: dict[str, str] = field(default_factory=dict)
+    title: str = ""
+    heard: list[str] = field(default_factory=list)
+    letters: list[SeenLetter | Typeset] = field(default_factory=list)
+    ink: Ink = PLAIN
+
+
+class Observer:
+    """Sees the elements of a sheet one by one."""
+
+    def __init__(self) -> None:
+        self.open: list[Opened] = []
+        self.unseen: list[Unseen] = []
+        self.clear: set[int] = set()  # strokes, by their ids, whose filling hides nothing
+        self.gone: set[int] = set()  # and those that are not painted at all
+        self.description, self.lettering = "", "strokes"
+        self.paper = Viewport(0.0, 0.0, STAY, ())
+        self.root = Opened(Frame("svg", STAY, Look(), None), {})
+
+    def opened(self, attributes: Mapping[str, str]) -> Viewport:
+        """See the paper that a root lays what is drawn on."""
+        self.paper = viewport(attributes)
+        return self.paper
+
+    def enter(self, frame: Frame, attributes: Mapping[str, str]) -> None:
+        """See an element begin."""
+        one = Opened(frame, attributes)
+        self.open.append(one)
+        if len(self.open) == 1:
+            self.root = one
+        elif frame.tag in UNREAD or frame.tag == "svg":
+            self._leave_aside(f"<{frame.tag}>")
+        elif frame.tag and (own := next(effects(attributes), "")):
+            self._leave_aside(f"<{frame.tag} {own}>")
+        if frame.tag in SHAPES:
+            self._draw(one)
+
+    def hear(self, text: str) -> None:
+        """Take the characters within the innermost element."""
+        if self.open:
+            self.open[-1].heard.append(text)
+
+    def leave(self) -> None:
+        """See the innermost element end."""
+        one = self.open.pop()
+        match one.frame.tag:
+            case "g":
+                self._close(one)
+            case "text":
+                self._typeset(one)
+            case "title" if self.open:
+                self.open[-1].title = "".join(one.heard)
+            case "desc" if len(self.open) == 1:
+                self.description = "".join(one.heard)
+            case _ if one.strokes and self.open:  # a link, or what no viewer knows
+                self._close(one)
+
+    def _draw(self, one: Opened) -> None:
+        """Take a shape: as letters where it is one path of them, or else as lines."""
+        try:
+            seen = ink(one.frame.look, scale_of(one.frame.to_paper))
+            if not self._letter(one, seen):
+                self._line(one, seen)
+        except SheetRefused:
+            self._leave_aside(f"<{one.frame.tag}>")
+
+    def _line(self, one: Opened, seen: Ink) -> None:
+        own = outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style)
+        strokes = tuple(map(cornered, own))
+        outer = self.open[-2]
+        data = _marked(one.attributes)
+        if not data:
+            self._add(outer, strokes, seen)
+        elif outer.frame.tag == "g" and not outer.strokes and not outer.data:
+            outer.data = data
+            self._add(outer, strokes, seen)
+        else:
+            self._add(outer, (Group(strokes, one.attributes.get("id", ""), data),), seen)
+
+    def _letter(self, one: Opened, seen: Ink) -> bool:
+        """Take a path as letters, if it is one of them; those of several pens are one text with its levels."""
+        path, outer = one.attributes.get("d", ""), self.open[-2]
+        if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
+            return False
+        said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
+        letters = plain_letters(path, one.frame.to_paper, seen.style)
+        if not letters and said is not None:
+            letters = any_letters(path, one.frame.to_paper, seen.style)
+        read = [bool(letter.readings) for letter in letters]
+        if not letters or (said is None and not all(read)):
+            return False
+        if _SAID in outer.attributes:
+            outer.letters += letters
+            outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
+        else:
+            self._add(outer, (written(letters, said or "", _penned(seen.style)),), seen)
+        return True
+
+    def _typeset(self, one: Opened) -> None:
+        """Take an element of text."""
+        plain, outer = "".join(one.heard), self.open[-1]
+        if not plain.strip():
+            return
+        try:
+            seen = ink(one.frame.look, 1.0)
+            part = typeset(plain, one.frame.to_paper, one.frame.look, one.attributes)
+        except SheetRefused:
+            self._leave_aside(f"<{one.frame.tag}>")
+            return
+        self.lettering = "text"
+        if _SAID in outer.attributes and outer.frame.tag == "g":
+            outer.letters.append(part)
+            outer.ink = seen
+        else:
+            self._add(outer, (joined([part], plain, _filled(seen.style.fill)),), seen)
+
+    def _close(self, one: Opened) -> None:
+        """Take a group: a text of several pens or sizes, or what holds others."""
+        outer = self.open[-1]
+        if text := _text(one):
+            self._add(outer, (text,), one.ink)
+        group = Group(tuple(one.strokes), one.attributes.get("id", ""), one.data or _data(one.attributes), one.title)
+        if group.strokes or group.name or group.data or group.title:
+            outer.strokes.append(group)
+
+    def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
+        outer.strokes += strokes
+        own = [id(part) for part in flat(strokes)]
+        self.clear.update(own if seen.clear else ())
+        self.gone.update(own if seen.unseen in UNPAINTED else ())
+        if seen.unseen:
+            self.unseen += [Unseen(stroke, seen.unseen, self._group) for stroke in strokes]
+
+    def _leave_aside(self, what: str) -> None:
+        self.unseen.append(Unseen(Text(0j, (Run(what),)), "unread", self._group))
+
+    @property
+    def _group(self) -> str:
+        """The name of the innermost group that has one."""
+        return next((own for one in reversed(self.open[1:]) if (own := one.attributes.get("id", ""))), "")
+
+
+def _text(one: Opened) -> Text | None:
+    """Read the letters that were collected in a group."""
+    typed = [part for part in one.letters if isinstance(part, Typeset)]
+    lined = [part for part in one.letters if isinstance(part, SeenLetter)]
+    said = one.attributes.get(_SAID, "")
+    if typed:
+        return joined(typed, said, _filled(one.ink.style.fill))
+    return written(lined, said, _penned(one.ink.style)) if lined else None
+
+
+def _penned(style: LineStyle) -> LineStyle:
+    """Give the ink of letters that are drawn with a pen, whose corners are seen."""
+    own = _filled(style.colour)
+    return own if style.join == own.join else own._replace(join=style.join)
+
+
+def _filled(colour: str) -> LineStyle:
+    return INK if colour == INK.fill else INK._replace(fill=colour)
+
+
+def _data(attributes: Mapping[str, str]) -> dict[str, str]:
+    return {name[5:]: text for name, text in attributes.items() if name.startswith("data-") and name != _SAID}
+
+
+def _marked(attributes: Mapping[str, str]) -> dict[str, str]:
+    return _data(attributes) if attributes.get("data-kind") in KINDS else {}
 
 
 class SeenSheet(NamedTuple):

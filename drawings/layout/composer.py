@@ -15,7 +15,7 @@ from heapq import nlargest
 from itertools import chain
 from typing import NamedTuple
 
-from drawings.layout.common_scales import Growth, State, rungs_of
+from drawings.layout.arrangement import Growth, State, rungs_of
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.filling import Stood, filled, size_of
 from drawings.layout.picture import Picture, Rung

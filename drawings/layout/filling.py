@@ -11,9 +11,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.layout.arrangement import Arrangement
+from drawings.layout.arrangement import Arrangement, sizes_of
 from drawings.layout.block import Notes, TextBlock
-from drawings.layout.common_scales import sizes_of
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Picture, Rung, Spot

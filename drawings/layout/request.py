@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.common_scales import State, Steps, rungs_of, steps_of
+from drawings.layout.arrangement import State, Steps, rungs_of, steps_of
 from drawings.layout.contents import Contents
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.room import Order, Shape, Stock, Unit, corner_of, further, groups, head_of, orders, room_of

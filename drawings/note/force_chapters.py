@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_layout import PLAN as LEVER
-from drawings.figures.forces.leverage import Leverage, leverages
+from drawings.figures.forces.lever_layout import Leverage, leverages
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.forces import force_report

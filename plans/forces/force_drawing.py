@@ -1,4 +1,4 @@
-"""The force plan drawn anew at all positions, where no pattern of it can be followed (см. plans.linkage.assembly_limits)."""
+"""The force plan drawn anew at all positions, where no pattern of it can be followed."""
 
 from __future__ import annotations
 

@@ -8,11 +8,10 @@ import unicodedata
 import pytest
 
 from drawings.eye import alike
-from drawings.eye.lettered import SeenLetter, any_letters, written
+from drawings.eye.lettered import SeenLetter, Track, any_letters, tracks, written
 from drawings.eye.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.eye.shapes import notations, shape, shapes
 from drawings.eye.sheet import SeenSheet, see
-from drawings.eye.tracks import Track, tracks
 from drawings.lettering.alphabet import glyph
 from drawings.lettering.lettering import lettered
 from drawings.measure.transform import MIRROR

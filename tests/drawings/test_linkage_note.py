@@ -11,8 +11,8 @@ import pytest
 
 import drawings
 from drawings.page.scale import Scale
-from drawings.report.linkage.data_chapter import data, structure
 from drawings.report.linkage.equations_chapter import equations
+from drawings.report.linkage.motion_report import data, structure
 from geometry.board import at
 from plans.linkage.groups.vector_sums import VectorSums
 from plans.model.dyad import Dyad

@@ -8,9 +8,8 @@ from decimal import Decimal
 
 import pytest
 
-from plans.forces.reading.form import ForceForm
+from plans.forces.reading.form import ForceForm, LoadsTable
 from plans.forces.reading.inventory import letters, machine_of
-from plans.forces.reading.loads import LoadsTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.machine import (
     ALWAYS,

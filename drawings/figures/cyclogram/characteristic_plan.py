@@ -11,8 +11,8 @@ import numpy as np
 
 from drawings.figures.linkage import position_letters, position_plan
 from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.position_letters import clearest, length, stroke
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.figures.linkage.stroke_dimension import clearest, length, stroke
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot

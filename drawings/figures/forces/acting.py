@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.forces.force_kinds import KNOWN, PRESSING, UNKNOWN
-from drawings.figures.forces.leverage import largest
+from drawings.figures.forces.lever_layout import largest
 from drawings.figures.linkage.outlines import offset_foot
 from drawings.figures.linkage.poses import Poses, poses
 from drawings.symbols.polygon import ShownVector

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from drawings.figures.forces.force_kinds import CLOSING, WHOLE
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.forces.leverage import largest
+from drawings.figures.forces.lever_layout import largest
 from drawings.figures.linkage.vector_plan import BEYOND, LEAST
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.forces.lever_layout import POLE, UNIT, LeverTerm, statements
-from drawings.figures.forces.leverage import Leverage, leverages
+from drawings.figures.forces.lever_layout import POLE, UNIT, Leverage, LeverTerm, leverages, statements
 from drawings.layout.block import TextBlock
 from drawings.layout.equation import (
     DIRECTION,

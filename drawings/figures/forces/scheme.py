@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.figures.forces.acting import CutLinks, SchemeForces, acting, cut_links
-from drawings.figures.forces.leverage import Leverage, leverages
+from drawings.figures.forces.lever_layout import Leverage, leverages
 from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, Cut
 from plans.forces.force import ForcePlan

@@ -12,9 +12,8 @@ from drawings.figures.linkage.guides import Turning, axes, grounds, ties
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.poses import Poses
-from drawings.figures.linkage.position_letters import letters, path_ticks, swings
+from drawings.figures.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.figures.linkage.skeleton import Skeletons
-from drawings.figures.linkage.stroke_dimension import strokes
 from drawings.figures.linkage.tracks import Push, arrows, same, stroke_line
 from drawings.figures.linkage.trajectories import phases, trajectories
 from drawings.layout.ink import Ink

@@ -8,8 +8,7 @@ from types import MappingProxyType
 
 from drawings.eye.alike import folded
 from drawings.eye.ink import Ink, length
-from drawings.eye.observer import EM, Observer, Opened
-from drawings.eye.sheet import without
+from drawings.eye.sheet import EM, Observer, Opened, without
 from drawings.grading.cells.asked_table import NUMBER, levelled, plainly, value_of
 from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_layout import PLAN as LEVER
+from drawings.figures.forces.lever_layout import leverages
 from drawings.figures.forces.lever_plan import balance, hanging
-from drawings.figures.forces.leverage import leverages
 from drawings.grading import verdict
 from drawings.grading.marking import Found, Letters, Record, Slip
 from drawings.grading.polygons.free_plan import senses_of, turns_of

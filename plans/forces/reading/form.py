@@ -6,11 +6,22 @@ from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.ends import Vector, point_of
-from plans.forces.reading.loads import LoadsTable
+from plans.forces.reading.ends import (
+    ENDS,
+    ON_LINK,
+    PART,
+    POINT_OF_LINK,
+    Ends,
+    LoadTable,
+    Vector,
+    only_with_stroke,
+    point_of,
+    symbol,
+)
+from plans.forces.reading.pressed import PressedTable, with_piston
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.form import LinkageForm, check_capacity
-from plans.model.machine import COUPLING, FORCE, MOMENT
+from plans.model.machine import ALWAYS, COUPLING, FORCE, MOMENT, WORKING
 from plans.model.mechanism import Link
 from plans.scene import fields as f
 from plans.scene.faults import wrong
@@ -18,6 +29,185 @@ from plans.scene.forms import Form
 from plans.scene.readers import either, many, named
 from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
+from plans.words.words import message
+
+# What editors are told of keys that fit each other or do not.
+_LIST = {"required": ["value"], "properties": {"value": {"type": "array"}}}
+_ASIDE: list[Form] = [{"required": ["against"]}, {"required": ["direction"]}]
+_ON: list[Form] = [{"required": ["on"]}, {"required": ["point"]}]
+_SIZES = ("value", "diagram", "pressure")
+_BACK = {"diagram": {"required": ["back"]}}
+
+
+class ForceTable(PressedTable):
+    """A force on a point of a link: a vector N; or a size or a diagram of sizes, against the motion or at an angle."""
+
+    on: int | None = key(h.LOADED_LINK, None, meaning="The link.", missing=ON_LINK)
+    point: str | None = key(f.POINT, None, meaning="Point of the link.", missing=POINT_OF_LINK)
+    between: Ends | None = key(
+        ENDS,
+        None,
+        meaning=(
+            'Instead of on and point: points of two links, ["B", "C"], that the force acts on, equal and opposite: it '
+            'pushes them apart, a negative one draws them together; with direction = "AB" that way on the first.'
+        ),
+    )
+    value: Decimal | Vector | None = key(
+        either(list, f.pair(h.FORCE, "[Fx, Fy]"), h.FORCE),
+        None,
+        meaning="The force; or its size, against the motion or in a direction.",
+    )
+    against: str | None = key(
+        f.words("motion"),
+        None,
+        meaning="The force acts against the motion of its point; between two links, against their parting or nearing.",
+    )
+    direction: Decimal | tuple[str, ...] | None = key(
+        h.DIRECTION,
+        None,
+        meaning='The direction of the force: its angle from +x, or "AB", from point A to point B, turning with them.',
+    )
+
+    @property
+    def phase(self) -> str:
+        """The part of the turn in which the force acts: of a diagram against the motion, the stroke that it is of."""
+        whole = self.diagram is None or self.against is None or bool(self.diagram.back)
+        return self.during or (ALWAYS if whole else WORKING)
+
+    @property
+    def changes(self) -> bool:
+        """Whether the force needs to know the stroke."""
+        return self.diagram is not None or super().changes
+
+    @property
+    def owns_stroke(self) -> bool:
+        """Whether the stroke that counts is another than the output's."""
+        return super().owns_stroke or self.between is not None
+
+    def check(self) -> None:
+        """See that the force has one place and one form."""
+        self._check_place()
+        self._check_alone("value", "pressure")
+        self._check_alone("pressure", "diagram")
+        self._check_alone("value", "diagram")
+        if self.given.isdisjoint(_SIZES):
+            raise wrong("one_of_two", first="value", second="diagram", found="none")
+        if self.between is None:
+            self._check_alone("against", "direction")
+        elif isinstance(self.direction, Decimal):
+            raise wrong("fixed_direction", at=("direction",))
+        self._check_direction()
+        if self.diagram is not None and self.diagram.back and self.phase != ALWAYS:
+            raise wrong("one_stroke", at=("during",))
+        super().check()
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say which form a force has one of, and that only one which changes over a stroke names one."""
+        sized = {"if": _LIST, "then": {"not": {"anyOf": _ASIDE}}, "else": {"oneOf": _ASIDE}}
+        return {
+            "oneOf": [{"required": [name]} for name in _SIZES],
+            "allOf": [with_piston()],
+            "if": {"required": ["between"]},
+            "then": {"not": {"anyOf": [*_ON, _LIST]}, "properties": {"direction": g.LINE.form()}},
+            "else": {"required": ["on", "point"], **sized},
+            "not": {"required": ["diagram", *PART["required"]], "properties": PART["properties"] | _BACK},
+            **only_with_stroke({"required": ["diagram"]}, owned=("stroke", "between")),
+        }
+
+    def _check_alone(self, first: str, second: str) -> None:
+        if self.given >= {first, second}:
+            raise wrong("one_of_two", first=first, second=second, found="both")
+
+    def _check_place(self) -> None:
+        """See that the force is on a point of a link, or between two links."""
+        for name in ("on", "point"):
+            self._check_alone(name, "between")
+        if self.between is None and self.given.isdisjoint(("on", "point")):
+            raise wrong("acts_nowhere")
+        lacking = [name for name in ("on", "point") if name not in self.given]
+        if self.between is None and lacking:
+            raise wrong("missing", at=(lacking[0],))
+
+    def _check_direction(self) -> None:
+        vector = isinstance(self.value, tuple)
+        aside = self.against is not None or self.direction is not None or self.between is not None
+        if not aside and not vector:
+            wanted, advice = "a vector [Fx, Fy] in N", message("advice.vector")
+            if self.value is None:
+                wanted, advice = "a direction of the force", message("advice.direction")
+            raise wrong("force_value", wanted=wanted, advice=advice, at=(self._sized,))
+        if vector and aside:
+            raise wrong("force_value", wanted=self._wanted, advice=message("advice.size"), at=("value",))
+
+    @property
+    def _sized(self) -> str:
+        """The key that gives the force its size."""
+        return next(name for name in _SIZES if name in self.given)
+
+    @property
+    def _wanted(self) -> str:
+        """What is wanted of a value whose direction is told beside it."""
+        if self.between is not None:
+            return "the size of the force, because it acts between two points"
+        if self.direction is not None:
+            return "the size of the force, because its direction is given"
+        return "the size of the force, because its direction is against the motion"
+
+
+class MomentTable(LoadTable):
+    """A moment on a link, N*m, positive counter-clockwise; or its size, against the link's rotation."""
+
+    value: Decimal = key(
+        h.MOMENT,
+        meaning="Moment, positive counter-clockwise; or its size, against the rotation.",
+        missing=Missing("moment", "value = 12"),
+    )
+    against: str | None = key(f.words("motion"), None, meaning="The moment acts against the rotation of its link.")
+    on: int = key(h.LOADED_LINK, meaning="The link.", missing=ON_LINK)
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that only a moment which changes over a stroke names one."""
+        return only_with_stroke()
+
+
+class SpringTable(Table):
+    """A spring between points of two links: its ends, stiffness N/m and free length m."""
+
+    between: Ends = key(
+        ENDS,
+        meaning='Its two ends: points of two links, ["B", "O"].',
+        missing=Missing("pair of ends", 'between = ["B", "O"]'),
+    )
+    stiffness: Decimal = key(h.STIFFNESS, meaning="Stiffness.", missing=Missing("stiffness", 'stiffness = "20 N/mm"'))
+    free: Decimal = key(h.FREE_LENGTH, meaning="Free length.", missing=Missing("free length", 'free = "80 mm"'))
+    name: str | None = symbol()
+
+
+class LoadsTable(Table):
+    """Gravity, forces, moments and springs; gravity as a number is downward, and none where it is not given."""
+
+    gravity: Decimal | Vector | None = key(
+        either(list, f.pair(h.GRAVITY, "[gx, gy]"), h.GRAVITY),
+        None,
+        meaning="Gravity, downward or as a vector; without it links have no weight.",
+    )
+    forces: tuple[ForceTable, ...] = key(many(table(ForceTable), first=f.FEW), (), meaning="Forces on points of links.")
+    moments: tuple[MomentTable, ...] = key(many(table(MomentTable), first=f.FEW), (), meaning="Moments on links.")
+    springs: tuple[SpringTable, ...] = key(
+        many(table(SpringTable), first=f.FEW), (), meaning="Springs between points of two links (пружины)."
+    )
+
+    def check(self) -> None:
+        """See that no two loads bear the same letters."""
+        seen = set()
+        for kind in ("forces", "moments", "springs"):
+            for index, load in enumerate(getattr(self, kind)):
+                if load.name in seen:
+                    raise wrong("repeated", entry=load.name, at=(kind, index, "name"))
+                seen |= {load.name} - {None}
+
 
 FORCES = "forces"  # the sheet
 # Links times positions of a run with forces: their numbers by both roads, and the text of them, take up to 3.8 kB each.

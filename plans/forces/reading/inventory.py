@@ -11,8 +11,16 @@ from math import radians
 
 from plans.forces.reading import references
 from plans.forces.reading.ends import Ends, LoadTable, Vector, holders, point_of
-from plans.forces.reading.form import ForceForm, FrictionTable, GearTable, PairTable
-from plans.forces.reading.loads import ForceTable, LoadsTable, MomentTable, SpringTable
+from plans.forces.reading.form import (
+    ForceForm,
+    ForceTable,
+    FrictionTable,
+    GearTable,
+    LoadsTable,
+    MomentTable,
+    PairTable,
+    SpringTable,
+)
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.guides import direction
 from plans.model.kinetostatics import pairs

@@ -7,8 +7,7 @@ from decimal import Decimal
 from itertools import combinations
 
 from geometry.errors import DraftError
-from plans.forces.reading.form import FORCES, ForceForm, MassTable
-from plans.forces.reading.loads import ForceTable
+from plans.forces.reading.form import FORCES, ForceForm, ForceTable, MassTable
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.mechanism import Link, Mechanism
