@@ -13,10 +13,11 @@ from drawings.lettering.words import number, runs
 from drawings.page.drafting import drafting_of
 from drawings.report.forces.losses import least
 from drawings.report.formula import Chapters, Formula
-from drawings.report.gap_lines import gap_line, gap_lines, stroke_line
+from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.first_numbers import DIGITS as FEW_DIGITS
 from drawings.report.linkage.first_numbers import greatest
 from drawings.report.markdown import chapter, header, row
+from drawings.report.stroke_lines import stroke_line
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices

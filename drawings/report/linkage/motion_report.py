@@ -16,10 +16,11 @@ from drawings.lettering.words import decimal, fixed, number, span
 from drawings.page.drafting import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
-from drawings.report.gap_lines import gap_line, gap_lines, positions, stroke_line
+from drawings.report.gap_lines import gap_line, gap_lines, positions
 from drawings.report.linkage.equations_chapter import drawn_scales, equations, shown_positions
 from drawings.report.linkage.first_numbers import first_numbers
 from drawings.report.markdown import chapter, header, row
+from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.checks.parts import alike
