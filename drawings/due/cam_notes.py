@@ -77,7 +77,11 @@ class CamNumbers:
         """A main size, mm or degrees."""
         own, slack = self.found.sizes, self.slack("R_0")
         level = math.sqrt(max(own.base**2 - own.offset**2, 0.0))
-        moved = (own.base * slack + abs(own.offset) * self.slack("e")) / level if level else math.inf
+        moved = (
+            (own.base * slack + (abs(own.offset) * self.slack("e") if own.offset else 0.0)) / level
+            if level
+            else math.inf
+        )
         known = {
             "R_0": (MM * own.base, MM * slack),
             "e": (MM * own.offset, MM * self.slack("e")),

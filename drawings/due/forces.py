@@ -292,7 +292,7 @@ class _Sheet:
                 for name, (moment, product) in terms.items():
                     sign = "+ " if moment > 0 else "− "
                     sign = "" if sign == "+ " and name == next(iter(terms)) else sign
-                    none = name in couples and abs(moment) <= self.acting.none[1]
+                    none = abs(moment) <= self.acting.none[1]
                     allowed = math.inf if self.acting.doubtful or none else 0.0
                     text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
                     lost = none or self.acting.doubtful or len(terms) == 1
