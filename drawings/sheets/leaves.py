@@ -219,6 +219,8 @@ class _Leaves:
         stood = self._stood(composed, number, count)
         labels = Labels(stood.ink, page.hand.drafted)
         letters = (group for figure in stood.figures for group in figure.letter(labels))
+        facts = draft.facts(composed.spots.keys())
+        graded = draft.later is not None or "vectors" in facts  # what a hand may be out is told or graded by the scales
         return Leaf(
             *page.size,
             (page.frame(), page.corners(), *stood.still, *letters),
@@ -227,8 +229,8 @@ class _Leaves:
             metadata={
                 "sheet": draft.kind,
                 "title": self.title,
-                **draft.facts(composed.spots.keys()),
-                **({} if draft.later is None else {"scales": {k: one.scale.mu for k, one in self.spots.items()}}),
+                **facts,
+                **({"scales": {k: one.scale.mu for k, one in self.spots.items()}} if graded else {}),
                 "notes": composed.notes is not None,
                 "rows": _rows([one.table for one in composed.tables]),
                 "number": number,

@@ -1,10 +1,9 @@
 """Random scenes of every technique, drawn with the self-check: `python -m tests.alarms --scenes 2000 --seed 1`.
 
 Scenes of course projects, chains of dyads and scenes near those of the gallery are drawn in both languages, by both
-standards, on paper from A1 to A4; `--technique cam` draws those of one source alone, and `--gallery` the gallery itself
-and the scenes of tests/cases/alarms on all of that paper. None may be withheld, and none crash; what is refused has no
-sheet that could be. Each that is withheld, crashes or is refused is told in a line, and written into `--folder` beside
-the summary. `--only 17` draws the scene of that number alone.
+standards, on paper from A1 to A4; `--technique cam` draws those of one source alone. None may be withheld, and none
+crash; what is refused has no sheet that could be. Each that is withheld, crashes or is refused is told in a line, and
+written into `--folder` beside the summary. `--only 17` draws the scene of that number alone.
 """
 
 from __future__ import annotations
@@ -16,11 +15,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from tests.alarms.drawing import DRAWN, OUTCOMES, REFUSED, Outcome, drawings
-from tests.alarms.machines import PAPER, papered
 from tests.alarms.scenes import SOURCES, scene, scenes
-from tests.gallery import SCENES
-
-CASES = Path(__file__).parents[1] / "cases" / "alarms"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -39,19 +34,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 1 if any(one.alarm for one in outcomes) else 0
 
 
-def gallery() -> Iterator[tuple[str, str]]:
-    """Give the scenes of the gallery and of earlier alarms, on all kinds of paper, in both languages."""
-    for path in (*SCENES, *sorted(CASES.glob("*.toml"))):
-        for size in PAPER["format"]:
-            for language in PAPER["language"]:
-                text = papered(path.read_text(encoding="utf-8"), {"format": size, "language": language})
-                yield f"gallery-{path.stem}-{size}-{language}", text
-
-
 def table(outcomes: Sequence[Outcome]) -> Iterator[str]:
     """Count what came of the scenes of each source."""
     counts = Counter((one.name.partition("-")[0], one.outcome) for one in outcomes)
-    sources = [name for name in (*SOURCES, "gallery") if any(name == source for source, _ in counts)]
+    sources = [name for name in SOURCES if any(name == source for source, _ in counts)]
     yield f"{'':<12}" + "".join(f"{outcome:>14}" for outcome in OUTCOMES)
     for source in sources:
         yield f"{source:<12}" + "".join(f"{counts[source, outcome]:>14}" for outcome in OUTCOMES)
@@ -62,8 +48,6 @@ def table(outcomes: Sequence[Outcome]) -> Iterator[str]:
 
 
 def _scenes(wanted: argparse.Namespace) -> Iterator[tuple[str, str]]:
-    if wanted.gallery:
-        return gallery()
     techniques = [wanted.technique] if wanted.technique else SOURCES
     made = scenes(wanted.seed, wanted.scenes, techniques, wanted.first)
     return ((one.name, one.text) for one in ([scene(wanted.seed, wanted.only)] if wanted.only is not None else made))
@@ -76,7 +60,6 @@ def _wanted(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="draws other ones")
     parser.add_argument("--technique", choices=SOURCES, help="those of one source alone")
     parser.add_argument("--only", type=int, metavar="NUMBER", help="one of them")
-    parser.add_argument("--gallery", action="store_true", help="the gallery and earlier alarms instead")
     parser.add_argument("-j", "--workers", type=int, default=2, metavar="N", help="processes")
     parser.add_argument("--folder", type=Path, default=Path("out/alarms"), metavar="DIR", help="for what is not drawn")
     return parser.parse_args(arguments)

@@ -163,40 +163,6 @@ start = "extreme"
 positions = 36
 """
 
-ENGINE = """
-title = "Engine of two cylinders"
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-4 = "AD"
-5 = "D"
-[mechanism.lengths]
-OA = 0.045
-AB = 0.17
-AD = 0.17
-[masses]
-2 = { mass = 1, centre = [0.06, 0] }
-[mechanism.points]
-S4 = { on = 4, at = [0.06, 0] }
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0], angle = 135 }
-[[mechanism.slides]]
-link = 5
-along = { through = [0, 0], angle = 45 }
-[mechanism.sketch]
-B = [-0.12, 0.12]
-D = [0.12, 0.12]
-[drive]
-link = 1
-speed = 300
-start = 90
-positions = 12
-"""
-
 ECCENTRIC = """
 title = "Eccentric, 1 to 100"
 [mechanism.frame]
@@ -227,6 +193,5 @@ ALL = {
     "offset stone": OFFSET_STONE,
     "offset block": OFFSET_BLOCK,
     "conveyor": CONVEYOR,
-    "engine": ENGINE,
     "eccentric": ECCENTRIC,
 }

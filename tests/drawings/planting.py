@@ -18,15 +18,13 @@ OWN = ("geometry", "plans", "drawings")
 
 
 class DrawingFault(NamedTuple):
-    """A fault of drawing: the text of a file, what replaces it, the scene and sheet that show it, what is said then."""
+    """A fault of drawing: the text of a file, what replaces it, the scene that shows it."""
 
     name: str
     scene: str
     file: str
     right: str
     wrong: str
-    says: str = ""
-    sheet: str = "cam"
 
     @property
     def text(self) -> str:

@@ -108,7 +108,7 @@ def test_lost_row_is_seen() -> None:
 )
 def test_a_fault_of_the_table_is_seen(right: str, wrong: str, column: str) -> None:
     file = "drawings/files/coordinate_table.py"
-    with planted(DrawingFault(column, "", file, right, wrong, column)):
+    with planted(DrawingFault(column, "", file, right, wrong)):
         content = written(USUAL, drawn(CASE))
     assert f"{column} in row" in " ".join(told(content, CASE))
 

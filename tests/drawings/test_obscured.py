@@ -1,4 +1,4 @@
-"""What a sheet itself covers, or has off the paper, is withheld as what is not there."""
+"""What a sheet itself covers, or has off the paper, is told as what cannot be read."""
 
 from __future__ import annotations
 

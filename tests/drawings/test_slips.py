@@ -15,7 +15,10 @@ from geometry.errors import DraftError
 from tests.drawings.planting import DrawingFault, planted
 
 TABLES = sorted((Path(__file__).parents[1] / "cases" / "slips").glob("*.toml"))
-SLIPS = [DrawingFault(**one) for table in TABLES for one in tomllib.loads(table.read_text("utf-8"))["slips"]]
+READ = [tomllib.loads(table.read_text("utf-8")) for table in TABLES]
+SLIPS = [
+    DrawingFault(name, **{"scene": table["scene"]} | one) for table in READ for name, one in table["slips"].items()
+]
 EVERYDAY = 12  # of the slips, one is planted every day
 STOPPED = (DraftError, SheetError, ArithmeticError, LookupError, ValueError, AssertionError)
 
