@@ -289,13 +289,15 @@ class _Sheet:
                 terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
                 first = [] if cut.group is None and drive.ram is not None else [found]
                 terms = {name: terms.get(name, (1.0, self.acting.letter(name))) for name in (*first, *terms)}
+                least = self.acting.none[1]
+                alone = all(abs(moment) <= least for name, (moment, _) in terms.items() if name != found)
                 for name, (moment, product) in terms.items():
                     sign = "+ " if moment > 0 else "− "
                     sign = "" if sign == "+ " and name == next(iter(terms)) else sign
-                    none = abs(moment) <= self.acting.none[1]
+                    none = abs(moment) <= least
                     allowed = math.inf if self.acting.doubtful or none else 0.0
                     text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
-                    lost = none or self.acting.doubtful or len(terms) == 1
+                    lost = none or self.acting.doubtful or alone
                     yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost)
 
     def _must(self, bill: ForceBill) -> set[str]:

@@ -107,7 +107,9 @@ def _course(motion: Motion, point: str) -> Complexes:
 def _sense(motion: Motion, link: int) -> Floats:
     """Give the sense in which a link turns, +1 counter-clockwise, from a rest that in which it will."""
     _, omega, epsilon = motion.links[link]
-    return np.asarray(np.sign(_moving(omega, epsilon, motion.links.values())))
+    links = motion.links.values()
+    steady = _largest(one.omega for one in links) ** 2  # rad/s2: what a crank gives that turns evenly
+    return np.asarray(np.sign(_moving(omega, epsilon, links, steady)))
 
 
 def _parting(motion: Motion, point: str, other: str, line: tuple[str, str]) -> Floats:
@@ -131,12 +133,16 @@ def _apart(motion: Motion, points: tuple[str, str]) -> tuple[Complexes, Floats]:
     return apart, np.where(np.abs(apart) <= APART * (np.abs(first) + np.abs(second)), np.nan, np.abs(apart))
 
 
-def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotion]) -> Any:
-    """Give a velocity; where it is zero but for rounding, the acceleration, to which the next velocity is parallel."""
+def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotion], usual: float = 0.0) -> Any:
+    """Give a velocity; where it is zero but for rounding, the acceleration, to which the next velocity is parallel.
+
+    Rounding is that of the largest velocity and the largest acceleration, which is the usual one or more.
+    """
     rests = np.abs(speed) <= ROUNDING * _largest(one[1] for one in motions)
     if not rests.any():
         return speed
-    stays = np.abs(growth) <= KAPPA * ROUNDING * _largest(one[2] for one in motions)  # kappa once more for every order
+    largest = max(usual, _largest(one[2] for one in motions))
+    stays = np.abs(growth) <= KAPPA * ROUNDING * largest  # kappa once more for every order
     return np.where(rests, np.where(stays, 0.0, growth), speed)
 
 
