@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 
 import numpy as np
 
@@ -50,7 +51,8 @@ def seen(measured: Measured, leaf: Leaf) -> Seen:
         elif said is not None and said.kind not in FRAMES:
             at = None if said.position is None else str(said.position)
             frame = places.get((said.figure, at)) or places.get((said.figure, None))
-            found.setdefault(said.key, []).append(read(one, frame))
+            with suppress(StopIteration, IndexError):  # a forger took the ink away: it is told as missing
+                found.setdefault(said.key, []).append(read(one, frame))
     return found
 
 

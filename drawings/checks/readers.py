@@ -52,16 +52,17 @@ class Read(NamedTuple):
 
 def frames(leaf: Leaf) -> Mapping[Place, Frame]:
     """Read the frames of all figures: of graphs off the lines of their axes, which cross in zero, else off a mark."""
-    found = {(one.data["plan"], one.data.get("position")): _about(one) for one in _poles(leaf)}
+    found = {(one.data["plan"], one.data.get("position")): _about(one) for one in _poles(leaf) if one.strokes}
     axes: dict[str, dict[str, tuple[Line, float]]] = {}
     for one in stated(leaf.groups):
         if one.states is not None and one.states.kind is Kind.AXIS and one.states.name == ZERO:
             (_, figure, _, position), mu = one.states.key, one.states.scale
             at = None if position is None else str(position)
-            found[figure, at] = Frame(next(spots(one.strokes)), 1 + 0j, 1j, mu, mu)
+            for spot in spots(one.strokes):
+                found[figure, at] = Frame(spot, 1 + 0j, 1j, mu, mu)
         elif one.states is not None and one.states.kind is Kind.AXIS:
-            line = next(stroke for stroke in flat((one,)) if isinstance(stroke, Line))
-            axes.setdefault(one.states.figure, {})[one.states.name] = line, one.states.scale
+            for line in (stroke for stroke in flat((one,)) if isinstance(stroke, Line)):  # none on a forged sheet
+                axes.setdefault(one.states.figure, {})[one.states.name] = line, one.states.scale
     graphs = {(figure, None): own for figure, own in axes.items() if own.keys() == {ACROSS, UP}}
     return found | {place: _frame(own[ACROSS], own[UP]) for place, own in graphs.items()}
 
@@ -122,11 +123,12 @@ def _angle(group: Group, frame: Frame | None) -> float:
     """Read how far arcs about a centre go, to the tips of their arrows."""
     strokes = [*flat((group,))]
     arcs = [one for one in strokes if isinstance(one, Arc)]
-    swept, heads = sum(one.sweep for one in arcs), [_head(one.points) for one in strokes if _is_head(one)]
+    about, heads = arcs[0].centre, [_head(one.points) for one in strokes if _is_head(one)]
+    swept = sum(abs(cmath.phase((tip - about) / (back - about))) for tip, back in heads)
+    swept += sum(one.sweep for one in arcs)
     if len(heads) != 2:
-        about = arcs[0].centre
-        return swept + sum(abs(cmath.phase((tip - about) / (back - about))) for tip, back in heads)
-    turned = abs(cmath.phase((heads[1][0] - arcs[0].centre) / (heads[0][0] - arcs[0].centre)))
+        return swept
+    turned = abs(cmath.phase((heads[1][0] - about) / (heads[0][0] - about)))
     return min((turned, math.tau - turned), key=lambda angle: abs(angle - swept))
 
 

@@ -70,10 +70,11 @@ class _Curves:
         return np.asarray(found.counted(given))
 
     def ordinates(self) -> Iterator[Expected]:
-        """Give the ordinates of the positions; where numbers have no room some have none."""
+        """Give the ordinates of the positions; where numbers have no room, or beside a jam, some have none."""
+        faint = self.slack + FAINT * float(np.nanmax(np.abs([*self.sizes, *self.turned[2]])))
         for k, size in enumerate(self.sizes):
             if np.isfinite(size):
-                lost = k not in self.shown or abs(size) <= self.slack + FAINT * float(np.nanmax(np.abs(self.sizes)))
+                lost = k not in self.shown or abs(size) <= faint
                 yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=lost)
 
     @cached_property
