@@ -47,15 +47,6 @@ def value(text: str) -> float | None:
     return float(text.replace("−", "-").replace(",", ".")) if _NUMBER.fullmatch(text) else None
 
 
-def last_place(text: str) -> float:
-    """Give what one in the last place of a number is worth.
-
-    >>> last_place("0,25"), last_place("−14")
-    (0.01, 1.0)
-    """
-    return math.pow(10.0, -len(re.split("[.,]", text)[-1])) if re.search("[.,]", text) else 1.0
-
-
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
     """Name the figures whose marks or axes are drawn to no written scale: of their letter there, else anywhere."""
     everywhere = _told(leaf.groups)

@@ -56,15 +56,6 @@ def number(value: float, language: str = "en", digits: int = 4) -> str:
     return decimal(sign + text, language)
 
 
-def cleared(value: float, largest: float) -> float:
-    """Give a number, or zero where it is but what rounding leaves of the largest beside it.
-
-    >>> cleared(1.4e-14, 38.0), cleared(1.4e-10, 38.0)
-    (0.0, 1.4e-10)
-    """
-    return 0.0 if abs(value) <= ROUNDING * largest else value
-
-
 def span(values: Iterable[float], language: str = "en") -> str:
     """Write the least and the greatest of some numbers, once where they are written alike.
 

@@ -61,13 +61,6 @@ class Analysis:
         phi = np.asarray(phi, dtype=np.float64)
         return self._moved(along(self.shape, phi, self._whole, self.tolerance), order)
 
-    def freely(self, phi: Floats) -> Motion | None:
-        """Solve places as `around` does, of a mechanism whose crank turns fully and freely; None of any other."""
-        if self._whole is None and self._turn is not None:
-            self._whole = whole_turn(self.shape, self._turn)
-        free = self._whole is not None and not self._whole.passed
-        return self.around(phi, 0) if free else None
-
     def _moved(self, found: Positions, order: int) -> Motion:
         """Differentiate poses by the crank angle, and read the motion off them."""
         slopes = [np.full_like(found.poses, np.nan) for _ in range(order)]

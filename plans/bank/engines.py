@@ -21,10 +21,6 @@ class Engine(NamedTuple):
     key: str
     members: tuple[Member, ...]
 
-    def pitched(self, pitch: Fraction) -> tuple[Member, ...]:
-        """Give the mechanisms at a pitch of the cylinders, m."""
-        return tuple(one._replace(place=one.place * pitch) for one in self.members)
-
 
 def _in_line(key: str, *cranks: int) -> Engine:
     """Set cylinders in line, a pitch apart."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -17,7 +17,6 @@ from plans.model.kinetostatics import Kinetostatics, Loading, Reaction, pair
 from plans.model.machine import GEAR, Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Motion
-from plans.words.words import Message, message
 
 
 class ExpectedForces:
@@ -102,28 +101,6 @@ class ExpectedForces:
             return complex(slide.along[self.k])
         start, tip = (complex(self.motion.points[name].r[self.k]) for name in split.along)
         return (tip - start) / abs(tip - start)
-
-
-def missed(
-    seen: Mapping[str, complex],
-    expected: Mapping[str, complex],
-    parts: Mapping[str, complex],
-    allowed: float,
-    least: float,
-) -> Iterator[Message]:
-    """Name the forces that a polygon lacks, or shows otherwise than expected, or that nothing is known of.
-
-    `allowed` N is what a force may differ by; one below `least` N may be missing.
-    """
-    known = {**parts, **expected}
-    for name, value in seen.items():
-        if name not in known:
-            yield message("wrong.stranger", name=name)
-        elif not abs(value - known[name]) <= allowed:
-            yield message("wrong.differs", name=name)
-    for name, value in expected.items():
-        if name not in seen and not abs(value) <= least:
-            yield message("wrong.missing", name=name)
 
 
 class ActingForce(NamedTuple):

@@ -6,7 +6,6 @@ Each position of the follower bounds O by a straight line of its own; a bound is
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -337,8 +336,3 @@ class CurvatureBound:
         """Give the face's normal, out of the cam, and the direction along the arm."""
         leaning = self.diagram.leaning(motion.s)
         return 1j * leaning, self.diagram.cam.rising * leaning
-
-
-def angle_of(bound: PressureBound) -> float:
-    """Give the signed limit of the pressure angle, degrees."""
-    return bound.side * math.degrees(bound.angle)
