@@ -25,8 +25,11 @@ ALIKE = 1 - 1e-6  # conditions of positions that mirror each other differ by the
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 
-def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> list[str]:
-    """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement."""
+def notes(study: LinkageStudy, comparison: MotionComparison, language: str, by_hand: bool = True) -> list[str]:
+    """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement.
+
+    What a hand makes of it is said where a table has its column.
+    """
     mechanism = study.mechanism
     said = [
         word(
@@ -46,7 +49,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
             said.append(phrase(language, "pressure", group=group.label, **ends))
     said += [*_gaps(comparison, language), *_why(study, comparison)]
     both = accord(comparison.findings, comparison.kappa, language)
-    return [*said, *both, word(language, "hand note", slip=number(SLIP, language))] if both else said
+    return [*said, *both, *([word(language, "hand note", slip=number(SLIP, language))] if both and by_hand else [])]
 
 
 def accord(findings: Sequence[Finding], kappa: Floats, language: str) -> list[str]:

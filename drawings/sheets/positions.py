@@ -174,7 +174,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
             "vectors": [],
         }
 
-    words = tuple(notes(linkage, comparison, drafting.language))
+    words = tuple(notes(linkage, comparison, drafting.language, by_hand=False))
     return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])
 
 

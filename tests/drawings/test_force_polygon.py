@@ -78,9 +78,9 @@ def test_every_written_force_is_what_the_equilibrium_of_all_links_gives(name: st
             links = (expected.mechanism.drive.link,) if group is None else group.links
             own = [one for one in marks.vectors if one.plan == f"forces-{'-'.join(map(str, links))}"]
             slack = ROUNDING * greatest + 2 * marks.quantum * own[0].scale
-            must, parts = expected.polygon(case.study.groups, group), expected.parts(group)
-            seen = {one.name: one.value for one in own}
-            least, known = SEEN * own[0].scale + slack, {**parts, **must}
+            must = expected.polygon(case.study.groups, group)
+            seen, known = {one.name: one.value for one in own}, {**expected.parts(group), **must}
+            least = SEEN * own[0].scale + slack
             assert {force for force, value in must.items() if abs(value) > least} <= seen.keys() <= known.keys()
             assert [force for force, value in seen.items() if not abs(value - known[force]) <= slack] == []
 
