@@ -19,7 +19,7 @@ from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
 from plans.scene.source import language_of, parse_source
 
-PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8").partition("\n")[2]
+PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8")
 Solve = Callable[[bytes], tuple[int, str]]
 
 
@@ -46,6 +46,9 @@ BYTES: dict[str, tuple[str | bytes | Callable[[], bytes], int, str]] = {
     "A2 only comments": (b"# one\n# two\n", 3, "say what to draw: [mechanism], [drive]"),
     "A2 only a mark": (b"\xef\xbb\xbf", 3, "say what to draw: [mechanism], [drive]"),
     "A3 a mark at the start": ("\ufeff" + PLAIN, 0, "byte order mark (BOM); it was left aside"),
+    "A4 a mark in the middle": (changed("[drive]", "\ufeff[drive]"), 3, "15:1: expected only visible characters"),
+    "A5 CRLF": (PLAIN.replace("\n", "\r\n"), 0, ""),
+    "A6 bare CR": (changed("0.100\n", "0.100\r"), 3, "10:11: expected lines that end with LF or CRLF. Fix: save"),
     "A7 UTF-16 with a mark": (PLAIN.encode("utf-16"), 3, "1:1: expected text in UTF-8, but the file is in UTF-16"),
     "A7 UTF-16 without": (PLAIN.encode("utf-16-le"), 3, "1:1: expected text in UTF-8, but the file is in UTF-16"),
     "A7 UTF-16 from the other end": (PLAIN.encode("utf-16-be"), 3, "but the file is in UTF-16"),
@@ -53,6 +56,7 @@ BYTES: dict[str, tuple[str | bytes | Callable[[], bytes], int, str]] = {
     "A8 cp1251": (b"\n# " + "Кривошип".encode("cp1251"), 3, "2:3: expected text in UTF-8, but byte 3 is not"),
     "A8 latin-1": (changed("start = 0", 'start = "45°"').encode("latin-1"), 3, "save the file as UTF-8"),
     "A9 a NUL": (PLAIN.encode() + b"\0", 3, "19:1: expected a scene in TOML, but this is not a text file"),
+    "A9 a control byte": (changed("0.100", "\x010.100"), 3, "10:6: expected only visible characters, but found U+0001"),
     "A9 a bell in a title": (changed("Crank", "\aCrank"), 3, "1:10: expected only visible characters"),
     "A16 hexadecimal with a unit": (changed("0.100", '"0x10 mm"'), 3, "expected a unit of length"),
     "A16 underscores with a unit": (changed("0.100", '"1_00 mm"'), 3, "expected a number with a unit"),

@@ -10,12 +10,15 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
+from drawings.commands import cli
+from geometry.errors import LimitError
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene
+from tests.catalogue.scenes import TEXTS
 
 PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8")
-DOUBLE_ROCKER = (Path(__file__).parent / "commands" / "e07_double_rocker.toml").read_text("utf-8")
+DOUBLE_ROCKER = TEXTS["e07_double_rocker"]
 EPS = 2.0**-52
 
 
@@ -193,6 +196,21 @@ def test_d15_a_chain_of_59_links_is_solved() -> None:
         for first, second, length in rods:
             reach = np.abs(found.points[first].r - found.points[second].r)
             assert reach == pytest.approx(np.full(12, length), abs=1e-14)
+
+
+def test_d15_more_than_sixty_links_are_too_many() -> None:
+    with pytest.raises(LimitError, match="a table or list of 61 entries: more than LINKS_LIMIT = 60"):
+        parse_scene(chain(30))
+
+
+def test_b20_many_positions_of_many_links_are_too_many(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "chain.toml"
+    path.write_text(chain(29) + "positions = 100_000\n", "utf-8")
+    assert cli.main(["solve", str(path)]) == 8
+    product = (
+        "drive.positions = 100000: links times positions, 59 × 100000, is more than LINK_POSITIONS_LIMIT = 1000000"
+    )
+    assert f"{product}. Fix: 16949 positions" in capsys.readouterr().err
 
 
 SLOT = """

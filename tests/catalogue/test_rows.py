@@ -10,12 +10,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from tests.catalogue.scenes import TEXTS
 from tests.rows import over
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent.parent
 ROWS: dict[str, dict[str, Any]] = tomllib.loads((ROOT / "tests/cases/catalogue.toml").read_text("utf-8"))
-SCENES = [*HERE.glob("*.toml"), *(HERE / "commands").glob("*.toml")]
 
 
 def row(text: str) -> str:
@@ -26,7 +26,7 @@ def row(text: str) -> str:
 
 def named() -> Iterator[str]:
     """Give everything that is named after a row: scenes, cases in tables, and tests."""
-    yield from (path.stem for path in SCENES)
+    yield from TEXTS
     for path in HERE.glob("test_*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.Dict):
@@ -48,10 +48,9 @@ def exists(test: str) -> bool:
 @over("name", ROWS)
 def test_a_row_has_its_cases_or_says_why_not(name: str) -> None:
     told = ROWS[name]
-    stems = {path.stem for path in SCENES}
     assert set(told) <= {"input", "tests", "cases", "none", "design"}
     assert all(exists(test) for test in told.get("tests", ()))
-    assert set(told.get("cases", ())) <= stems
+    assert set(told.get("cases", ())) <= TEXTS.keys()
     covered = CASES[name] + len(told.get("tests", ())) + len(told.get("cases", ()))
     assert bool(covered) != ("none" in told), covered
 

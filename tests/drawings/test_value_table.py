@@ -14,15 +14,16 @@ from drawings.paper.strokes import Text
 from plans.checks.compare import compare
 from plans.checks.parts import alike
 from plans.linkage.study import LinkageStudy
-from plans.scene.scene import read_scene
+from plans.scene.scene import parse_scene, read_scene
+from tests.catalogue.scenes import TEXTS
 
-DEAD_CENTRE = Path(__file__).parent.parent / "catalogue" / "commands" / "f04_zero_vector.toml"
+DEAD_CENTRE = TEXTS["f04_zero_vector"]
 GALLERY = Path(__file__).parent.parent.parent / "drawings" / "gallery"
 
 
 def test_a_zero_vector_is_written_with_the_decimals_of_its_row() -> None:
     """At its dead centre the slider stands: v_B is 0 there by both roads, to the last decimal."""
-    comparison = compare(LinkageStudy(read_scene(DEAD_CENTRE)))
+    comparison = compare(LinkageStudy(parse_scene(DEAD_CENTRE)))
     found = {finding.name: finding for finding in comparison.of("velocities")}
     assert row_by_hand(found["v_B"], "v", (0,), "en").cells[:2] == ("0.00000", "0.00000")
     assert row_by_hand(found["v_B"], "v", (1,), "en").cells[:2] == ("0.60000", "0.60000")
@@ -37,7 +38,7 @@ def test_what_a_hand_may_be_out_is_told_to_two_digits_and_in_the_decimals_of_its
 
 
 def test_a_cell_that_is_written_later_keeps_the_width_that_was_measured() -> None:
-    comparison = compare(LinkageStudy(read_scene(DEAD_CENTRE)))
+    comparison = compare(LinkageStudy(parse_scene(DEAD_CENTRE)))
     finding = next(one for one in comparison.of("velocities") if one.name == "v_B")
     measured = table([row_by_hand(finding, "v", (0, 1), "en")], "quantity", ("a", "b", "c"), 2.5, (0, 1))
     for text in ("±0.00001", "±0.088", f"±{finding.largest:.5f}"):

@@ -23,6 +23,7 @@ from plans.model.mechanism import Output, StructureError
 from plans.model.motion import Complexes, Extremes, Motion
 from plans.scene.scene import parse_scene
 from plans.words.words import said
+from tests.catalogue.scenes import TEXTS
 from tests.parts import some
 
 ROOT = Path(__file__).parents[2]
@@ -372,7 +373,7 @@ def test_a_spring_whose_ends_are_in_one_place_has_no_direction() -> None:
 
 
 def test_a_gap_has_no_loads() -> None:
-    gapped = (ROOT / "tests/catalogue/commands/e07_double_rocker.toml").read_text("utf-8")
+    gapped = TEXTS["e07_double_rocker"]
     more = ON_B + "value = [1, 0]\n" + ON_B + "value = 1\n" + AGAINST + "[[loads.moments]]\non = 3\nvalue = 2\n"
     more += "[[loads.springs]]\nbetween = ['O', { on = 3, point = 'B' }]\nstiffness = 1\nfree = 0\n"
     for by in ROADS:
