@@ -16,6 +16,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene
 from tests.catalogue.scenes import TEXTS
+from tests.plans.scenes import scene
 
 PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8")
 DOUBLE_ROCKER = TEXTS["e07_double_rocker"]
@@ -66,27 +67,13 @@ def test_f3_an_angular_acceleration_adds_a_tangential_part() -> None:
     assert parts == pytest.approx(np.full(12, -100 + 7j), abs=1e-9)
 
 
-YOKE = """
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "BE"
-[mechanism.lengths]
-OA = 0.1
-BE = 0.2
-[[mechanism.slides]]
-link = 2
-along = "BE"
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0], angle = 0 }
-angle = 90
-[drive]
-link = 1
-speed = 10
-"""
+YOKE = scene(
+    frame="O = [0, 0]",
+    links="OA A BE",
+    lengths="OA = 0.1; BE = 0.2",
+    slides=['link = 2; along = "BE"', "link = 3; along = { through = [0, 0], angle = 0 }; angle = 90"],
+    drive="link = 1; speed = 10",
+)
 
 
 def test_e17_a_scotch_yoke_moves_by_the_cosine() -> None:
@@ -96,26 +83,14 @@ def test_e17_a_scotch_yoke_moves_by_the_cosine() -> None:
 
 
 def test_d14_a_guide_in_any_direction_and_through_the_axis_is_the_same_mechanism() -> None:
-    slider = """
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = 0.06
-AB = 0.2
-[[mechanism.slides]]
-link = 3
-along = {{ through = [0, 0], angle = {angle} }}
-[mechanism.sketch]
-B = [{x}, {y}]
-[drive]
-link = 1
-speed = 10
-start = {angle}
-"""
+    slider = scene(
+        frame="O = [0, 0]",
+        links="OA AB B",
+        lengths="OA = 0.06; AB = 0.2",
+        slides=["link = 3; along = {{ through = [0, 0], angle = {angle} }}"],
+        sketch="B = [{x}, {y}]",
+        drive="link = 1; speed = 10; start = {angle}",
+    )
     found = {}
     for angle in (0, 90, 180, 270, 33):
         way = np.exp(1j * math.radians(angle))
@@ -125,35 +100,13 @@ start = {angle}
         assert turned == pytest.approx(found[0], abs=1e-15)
 
 
-PEAUCELLIER = """
-[mechanism.frame]
-O = [0, 0]
-C = [1, 0]
-[mechanism.links]
-1 = "CP"
-2 = "OA"
-3 = "OB"
-4 = "PA"
-5 = "PB"
-6 = "AQ"
-7 = "BQ"
-[mechanism.lengths]
-CP = 1
-OA = 3
-OB = 3
-PA = 1.5
-PB = 1.5
-AQ = 1.5
-BQ = 1.5
-[mechanism.sketch]
-A = [2.6, 1.5]
-B = [2.6, -1.5]
-Q = [3.4, 0]
-[drive]
-link = 1
-speed = 1
-positions = [0, 10, 20, 30, 40, 50, -10, -20, -30, -40, -50]
-"""
+PEAUCELLIER = scene(
+    frame="O = [0, 0]; C = [1, 0]",
+    links="CP OA OB PA PB AQ BQ",
+    lengths="CP = 1; OA = 3; OB = 3; PA = 1.5; PB = 1.5; AQ = 1.5; BQ = 1.5",
+    sketch="A = [2.6, 1.5]; B = [2.6, -1.5]; Q = [3.4, 0]",
+    drive="link = 1; speed = 1; positions = [0, 10, 20, 30, 40, 50, -10, -20, -30, -40, -50]",
+)
 
 
 def test_e23_peaucellier_s_point_runs_on_a_straight_line() -> None:
@@ -213,27 +166,14 @@ def test_b20_many_positions_of_many_links_are_too_many(tmp_path: Path, capsys: p
     assert f"{product}. Fix: 16949 positions" in capsys.readouterr().err
 
 
-SLOT = """
-[mechanism.frame]
-O = [0, 0]
-C = [0, -0.35]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.12
-CB = 0.7
-[[mechanism.slides]]
-link = 2
-along = "CB"
-[mechanism.sketch]
-B = [0.16, 0.33]
-[drive]
-link = 1
-speed = 10
-start = 10
-"""
+SLOT = scene(
+    frame="O = [0, 0]; C = [0, -0.35]",
+    links="OA A CB",
+    lengths="OA = 0.12; CB = 0.7",
+    slides=['link = 2; along = "CB"'],
+    sketch="B = [0.16, 0.33]",
+    drive="link = 1; speed = 10; start = 10",
+)
 
 
 @pytest.mark.parametrize("speed", [10, -10])

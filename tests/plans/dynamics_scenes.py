@@ -6,29 +6,18 @@ from functools import cache
 
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.plans.scenes import scene
 
-CRANK = """
-title = "Slider-crank"
-sheets = ["dynamics"]
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.4
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0], angle = 0 }
-[mechanism.sketch]
-B = [0.45, 0]
-[masses]
-1 = { mass = 3, inertia = 0.01, centre = [0.04, 0] }
-2 = { mass = 4, inertia = 0.06, centre = [0.15, 0] }
-3 = { mass = 8 }
-"""
+CRANK = scene(
+    'title = "Slider-crank"; sheets = ["dynamics"]',
+    frame="O = [0, 0]",
+    links="OA AB B",
+    lengths="OA = 0.1; AB = 0.4",
+    slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
+    sketch="B = [0.45, 0]",
+    masses="1 = { mass = 3, inertia = 0.01, centre = [0.04, 0] }; "
+    "2 = { mass = 4, inertia = 0.06, centre = [0.15, 0] }; 3 = { mass = 8 }",
+)
 PUSHED = """
 [loads]
 gravity = 9.81

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from tests.plans.scenes import scene
+
 HEAD = """
 sheets = ["kinematics", "forces"]
 [drive]
@@ -47,56 +49,27 @@ class Written(NamedTuple):
 
 def slotted(pivot: str, crank: str, sliding: int, stone: str, link: str) -> str:
     """Write a crank, what is on its pin, and a link about C, with their masses; one of the two slides along LINE."""
-    return f"""
-[mechanism.frame]
-O = [0, 0]
-C = [{pivot}]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "C"
-[mechanism.lengths]
-OA = "{crank}"
-[[mechanism.slides]]
-link = {sliding}
-along = LINE
-[masses]
-2 = {stone}
-3 = {link}
-[loads]
-gravity = 9.81
-"""
+    return scene(
+        frame=f"O = [0, 0]; C = [{pivot}]",
+        links="OA A C",
+        lengths=f'OA = "{crank}"',
+        slides=[f"link = {sliding}; along = LINE"],
+        masses=f"2 = {stone}; 3 = {link}",
+        loads="gravity = 9.81",
+    )
 
 
 # The yoke of the sine mechanism: B on the guide, the slot square to it.
 YOKE = Written(
-    """
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "B"
-[mechanism.lengths]
-OA = "60 mm"
-[[mechanism.slides]]
-link = 2
-along = LINE
-[[mechanism.slides]]
-link = 3
-along = { through = [0, "-80 mm"], angle = 0 }
-[masses]
-2 = { mass = 0.3 }
-3 = { mass = 4, centre = [0, "80 mm"] }
-[loads]
-gravity = 9.81
-[[loads.forces]]
-on = 3
-point = "B"
-against = "motion"
-value = 400
-during = "working stroke"
-""",
+    scene(
+        frame="O = [0, 0]",
+        links="OA A B",
+        lengths='OA = "60 mm"',
+        slides=["link = 2; along = LINE", 'link = 3; along = { through = [0, "-80 mm"], angle = 0 }'],
+        masses='2 = { mass = 0.3 }; 3 = { mass = 4, centre = [0, "80 mm"] }',
+        loads="gravity = 9.81",
+        forces=['on = 3; point = "B"; against = "motion"; value = 400; during = "working stroke"'],
+    ),
     "{ link = 3, angle = 90 }",
     '"BC"',
     'C = { on = 3, at = [0, "160 mm"] }',
@@ -136,34 +109,15 @@ ROD = Written(
 )
 # A coupler with a slot across it, through its point B, in which a stone runs that is hinged to a slider of the frame.
 COUPLER = Written(
-    """
-[mechanism.frame]
-O = [0, 0]
-C = ["300 mm", 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-4 = "D"
-5 = "D"
-[mechanism.lengths]
-OA = "80 mm"
-AB = "300 mm"
-CB = "200 mm"
-[mechanism.sketch]
-B = [0.32, 0.2]
-[[mechanism.slides]]
-link = 4
-along = LINE
-[[mechanism.slides]]
-link = 5
-along = { through = [0, "350 mm"], angle = 0 }
-[masses]
-2 = { mass = 1, inertia = 0.01, centre = "middle" }
-5 = { mass = 2 }
-[loads]
-gravity = 9.81
-""",
+    scene(
+        frame='O = [0, 0]; C = ["300 mm", 0]',
+        links="OA AB CB D D",
+        lengths='OA = "80 mm"; AB = "300 mm"; CB = "200 mm"',
+        sketch="B = [0.32, 0.2]",
+        slides=["link = 4; along = LINE", 'link = 5; along = { through = [0, "350 mm"], angle = 0 }'],
+        masses='2 = { mass = 1, inertia = 0.01, centre = "middle" }; 5 = { mass = 2 }',
+        loads="gravity = 9.81",
+    ),
     '{ link = 2, through = "B", angle = 70 }',
     '"BE"',
     "E = { on = 2, at = [0.4026060429977007, 0.2819077862357725] }",

@@ -15,6 +15,7 @@ from plans.model.mechanism import FRAME, Link, Mechanism, Way
 from plans.scene.scene import parse_scene
 from tests import parts
 from tests.plans import linkages
+from tests.plans.scenes import scene
 from tests.plans.studies import study_of
 
 LINKAGES, TURN, DENSE = 1000 if parts.whole else 60, 12, 3600
@@ -178,26 +179,13 @@ def test_a_start_at_a_change_point_is_an_error_that_tells_what_to_do(mechanism, 
         study_of(mechanism, first).motion()
 
 
-NARROW = """
-[mechanism.frame]
-O = [0, 0]
-C = [0.6, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.4
-CB = {rocker}
-[mechanism.sketch]
-B = [0.5, 0.25]
-[drive]
-link = 1
-speed = 10
-positions = 12
-start = 90
-"""
+NARROW = scene(
+    frame="O = [0, 0]; C = [0.6, 0]",
+    links="OA AB CB",
+    lengths="OA = 0.1; AB = 0.4; CB = {rocker}",
+    sketch="B = [0.5, 0.25]",
+    drive="link = 1; speed = 10; positions = 12; start = 90",
+)
 
 
 @pytest.mark.parametrize("degrees", [0.4, 0.1, 0.01])

@@ -25,41 +25,22 @@ from plans.study import Study
 from tests.parts import examples
 from tests.plans.chains import numbers
 from tests.plans.pushed_machines import PLAIN, PUSH, Picture, slider
+from tests.plans.scenes import scene
 
 # A crank OA with a slider B beside its centre, a rocker CB, and a second crank DB that turns fully.
-SLIDER_CRANK = """
-[mechanism.frame]
-O = {O}
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = {OA}
-AB = {AB}
-[[mechanism.slides]]
-link = 3
-along = {{ through = {K}, angle = {guide} }}
-[mechanism.sketch]
-A = {A}
-B = {B}
-"""
-ROCKER = """
-[mechanism.frame]
-O = {O}
-C = {C}
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = {OA}
-AB = {AB}
-CB = {CB}
-[mechanism.sketch]
-A = {A}
-B = {B}
-"""
+SLIDER_CRANK = scene(
+    frame="O = {O}",
+    links="OA AB B",
+    lengths="OA = {OA}; AB = {AB}",
+    slides=["link = 3; along = {{ through = {K}, angle = {guide} }}"],
+    sketch="A = {A}; B = {B}",
+)
+ROCKER = scene(
+    frame="O = {O}; C = {C}",
+    links="OA AB CB",
+    lengths="OA = {OA}; AB = {AB}; CB = {CB}",
+    sketch="A = {A}; B = {B}",
+)
 PLACES = {"O": 0j, "A": 0.1 + 0j}
 MECHANISMS: dict[str, tuple[str, dict[str, complex], dict[str, float]]] = {
     "slider": (SLIDER_CRANK, {"K": 0.03 + 0.04j, "B": 0.39 + 0.04j}, {"OA": 0.1, "AB": 0.3}),

@@ -12,33 +12,20 @@ from plans.model.diagrams import Diagrams
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.plans.scenes import scene
 from tests.plans.test_scene_techniques import LINKAGE
 
 RADIUS, SPEED = 0.060, 10.0
 SINC = np.sin(np.pi / 12) / (np.pi / 12)  # of half a step of twelve: the chord of a sine over the sine at its middle
 # A sine mechanism (Scotch yoke) of radius r: S = r (1 - cos φ) from where its yoke is on the right.
-YOKE = """
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "BC"
-[mechanism.lengths]
-OA = 0.060
-BC = 0.160
-[[mechanism.slides]]
-link = 2
-along = "BC"
-[[mechanism.slides]]
-link = 3
-along = { through = [0, -0.080], angle = 0 }
-angle = 90
-[mechanism.sketch]
-B = [0.06, -0.08]
-[drive]
-link = 1
-"""
+YOKE = scene(
+    frame="O = [0, 0]",
+    links="OA A BC",
+    lengths="OA = 0.060; BC = 0.160",
+    slides=['link = 2; along = "BC"', "link = 3; along = { through = [0, -0.080], angle = 0 }; angle = 90"],
+    sketch="B = [0.06, -0.08]",
+    drive="link = 1",
+)
 ROCKER = LINKAGE.replace('"10 rad/s"', "10")
 # Both cranks turn fully: the second by its own law, with the first in the mean.
 DRAG = ROCKER.replace("0.350", "0.050").replace("OA = 0.100", "OA = 0.200").replace("[0.39, 0.30]", "[0.05, 0.3]")

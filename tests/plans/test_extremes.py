@@ -14,6 +14,7 @@ from plans.scene.scene import parse_scene
 from tests import parts
 from tests.plans import linkages
 from tests.plans.digits import printed
+from tests.plans.scenes import scene
 from tests.plans.studies import driven, shown, study_of, value
 
 CRANK_ROCKER = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
@@ -131,28 +132,15 @@ def test_an_output_without_extremes(mechanism, why):
         study.motion()
 
 
-OUTPUT_OF_A_POINT = """
-[mechanism.frame]
-O = [1, 2]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = 0.06
-AB = 0.20
-[[mechanism.slides]]
-link = 3
-along = { through = [1, 2.02], angle = 180 }
-[mechanism.sketch]
-B = [1.2, 2.02]
-[drive]
-link = 1
-speed = "-60 rpm"
-start = "extreme"
-[output]
-point = "B"
-"""
+OUTPUT_OF_A_POINT = scene(
+    frame="O = [1, 2]",
+    links="OA AB B",
+    lengths="OA = 0.06; AB = 0.20",
+    slides=["link = 3; along = { through = [1, 2.02], angle = 180 }"],
+    sketch="B = [1.2, 2.02]",
+    drive='link = 1; speed = "-60 rpm"; start = "extreme"',
+    output='point = "B"',
+)
 
 
 def test_extremes_of_a_scene_with_its_guide_drawn_backwards():
@@ -164,24 +152,13 @@ def test_extremes_of_a_scene_with_its_guide_drawn_backwards():
     assert mechanism_of(study.scene).datum == (1, 2)
 
 
-ROD_LAST = """
-[mechanism.frame]
-O = [0, 0]
-C = [0.350, 0]
-[mechanism.links]
-1 = "OA"
-2 = "CB"
-3 = "AB"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.4
-CB = 0.3
-[mechanism.sketch]
-B = [0.39, 0.30]
-[drive]
-link = 1
-speed = 10
-"""
+ROD_LAST = scene(
+    frame="O = [0, 0]; C = [0.350, 0]",
+    links="OA CB AB",
+    lengths="OA = 0.1; AB = 0.4; CB = 0.3",
+    sketch="B = [0.39, 0.30]",
+    drive="link = 1; speed = 10",
+)
 
 
 def test_the_output_of_a_four_bar_is_its_rocker_whatever_its_number() -> None:

@@ -11,6 +11,7 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
+from tests.plans.scenes import scene
 
 ORIGIN = (Decimal(0), Decimal(0))
 FAR = [
@@ -19,83 +20,29 @@ FAR = [
     (Decimal("0.1"), Decimal("1e-9")),
 ]
 
-FOUR_BAR = """
-[mechanism.frame]
-O = {0,0}
-C = {0.35,-0.04}
-[mechanism.links]
-1 = "OA"
-2 = "ABE"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.4
-CB = 0.3
-AE = 0.22
-BE = 0.25
-[mechanism.sketch]
-B = {0.4,0.28}
-E = {0.1,0.25}
-[drive]
-link = 1
-speed = 10
-acceleration = 5
-start = 37
-positions = 24
-"""
-SHAPER = """
-[mechanism.frame]
-O = {0,0}
-C = {0,-0.35}
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "CB"
-4 = "BD"
-5 = "D"
-[mechanism.lengths]
-OA = 0.12
-CB = 0.7
-BD = 0.2
-[[mechanism.slides]]
-link = 2
-along = "CB"
-offset = 0.01
-[[mechanism.slides]]
-link = 5
-along = { through = {0.7,0.33}, angle = 3 }
-[mechanism.sketch]
-B = {0.1,0.32}
-D = {0.3,0.33}
-[drive]
-link = 1
-speed = "-60 rpm"
-start = "extreme"
-positions = 24
-"""
-RAIL = """
-[mechanism.frame]
-O = {0,0}
-K = {0.1,0.05}
-L = {0.7,0.12}
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = 0.06
-AB = 0.2
-[[mechanism.slides]]
-link = 3
-along = "KL"
-offset = -0.01
-[mechanism.sketch]
-B = {0.25,0.05}
-[drive]
-link = 1
-speed = 7
-positions = 24
-"""
+FOUR_BAR = scene(
+    frame="O = {0,0}; C = {0.35,-0.04}",
+    links="OA ABE CB",
+    lengths="OA = 0.1; AB = 0.4; CB = 0.3; AE = 0.22; BE = 0.25",
+    sketch="B = {0.4,0.28}; E = {0.1,0.25}",
+    drive="link = 1; speed = 10; acceleration = 5; start = 37; positions = 24",
+)
+SHAPER = scene(
+    frame="O = {0,0}; C = {0,-0.35}",
+    links="OA A CB BD D",
+    lengths="OA = 0.12; CB = 0.7; BD = 0.2",
+    slides=['link = 2; along = "CB"; offset = 0.01', "link = 5; along = { through = {0.7,0.33}, angle = 3 }"],
+    sketch="B = {0.1,0.32}; D = {0.3,0.33}",
+    drive='link = 1; speed = "-60 rpm"; start = "extreme"; positions = 24',
+)
+RAIL = scene(
+    frame="O = {0,0}; K = {0.1,0.05}; L = {0.7,0.12}",
+    links="OA AB B",
+    lengths="OA = 0.06; AB = 0.2",
+    slides=['link = 3; along = "KL"; offset = -0.01'],
+    sketch="B = {0.25,0.05}",
+    drive="link = 1; speed = 7; positions = 24",
+)
 
 
 def study_at(text: str, origin: tuple[Decimal, Decimal]) -> LinkageStudy:

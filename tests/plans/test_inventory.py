@@ -31,6 +31,7 @@ from plans.model.machine import (
 from plans.scene.faults import Fault, SceneError, dotted
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
+from tests.plans.scenes import scene
 from tests.plans.test_loading import SHAPER as MACHINE
 
 SHAPER = f'sheets = ["forces"]\n{MACHINE.partition("acceleration")[0]}'
@@ -55,31 +56,14 @@ during = "working stroke"
 """
 ON_D = '[[loads.forces]]\non = 5\npoint = "D"\n'
 # A hinge of three links: connecting rods 2 and 4 both hang on the crank's end.
-TWIN = """[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-4 = "AD"
-5 = "D"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.4
-AD = 0.4
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0] }
-[[mechanism.slides]]
-link = 5
-along = { through = [0, 0], angle = 90 }
-[mechanism.sketch]
-B = [0.5, 0]
-D = [0, 0.4]
-[drive]
-link = 1
-speed = 10
-"""
+TWIN = scene(
+    frame="O = [0, 0]",
+    links="OA AB B AD D",
+    lengths="OA = 0.1; AB = 0.4; AD = 0.4",
+    slides=["link = 3; along = { through = [0, 0] }", "link = 5; along = { through = [0, 0], angle = 90 }"],
+    sketch="B = [0.5, 0]; D = [0, 0.4]",
+    drive="link = 1; speed = 10",
+)
 
 
 def machine(text: str) -> Machine:

@@ -21,6 +21,7 @@ from plans.scene.faults import SHOWN, Fault, SceneError
 from plans.scene.scene import parse_scene
 from plans.words.words import said
 from tests.parts import examples, some
+from tests.plans.scenes import scene
 
 SHAPER = """title = "Crank shaper"
 sheets = ["kinematics"]
@@ -59,47 +60,22 @@ acceleration = 5
 start = "extreme"
 positions = 12
 """
-ENGINE = """[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "B"
-[mechanism.lengths]
-OA = "60 mm"
-AB = "200 mm"
-[mechanism.points]
-S2 = { on = 2, at = [0.070, 0] }
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0.020], angle = 0 }
-[mechanism.sketch]
-B = [0.23, 0.02]
-[drive]
-link = 1
-speed = "10 rad/s"
-"""
-FOUR_BAR = """[mechanism.frame]
-O = [0, 0]
-C = [0.350, 0]
-[mechanism.links]
-1 = "OA"
-2 = "ABE"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.100
-AB = 0.5
-AE = 0.3
-EB = 0.4
-CB = 0.300
-[mechanism.sketch]
-B = [0.39, 0.30]
-E = [0.1, 0.4]
-[drive]
-link = 1
-speed = 10
-start = 30
-"""
+ENGINE = scene(
+    frame="O = [0, 0]",
+    links="OA AB B",
+    lengths='OA = "60 mm"; AB = "200 mm"',
+    points="S2 = { on = 2, at = [0.070, 0] }",
+    slides=["link = 3; along = { through = [0, 0.020], angle = 0 }"],
+    sketch="B = [0.23, 0.02]",
+    drive='link = 1; speed = "10 rad/s"',
+)
+FOUR_BAR = scene(
+    frame="O = [0, 0]; C = [0.350, 0]",
+    links="OA ABE CB",
+    lengths="OA = 0.100; AB = 0.5; AE = 0.3; EB = 0.4; CB = 0.300",
+    sketch="B = [0.39, 0.30]; E = [0.1, 0.4]",
+    drive="link = 1; speed = 10; start = 30",
+)
 
 
 def build(text: str, *changes: tuple[str, str]) -> Mechanism:
@@ -199,23 +175,13 @@ def test_a_guide_may_be_a_line_of_the_frame_by_two_points() -> None:
     assert (slide.on_owner.through, slide.on_owner.direction) == (0, -1j)
 
 
-NAMED = """[mechanism.frame]
-shaft = [0, 0]
-"C'" = [0.350, 0]
-[mechanism.links]
-1 = ["shaft", "pin"]
-2 = ["pin", "B12"]
-3 = "C'B12"
-[mechanism.lengths]
-pin-shaft = 0.1
-pin-B12 = 0.4
-"B12C'" = 0.3
-[mechanism.sketch]
-B12 = [0.39, 0.30]
-[drive]
-link = 1
-speed = 10
-"""
+NAMED = scene(
+    frame='shaft = [0, 0]; "C\'" = [0.350, 0]',
+    links='1 = ["shaft", "pin"]; 2 = ["pin", "B12"]; 3 = "C\'B12"',
+    lengths='pin-shaft = 0.1; pin-B12 = 0.4; "B12C\'" = 0.3',
+    sketch="B12 = [0.39, 0.30]",
+    drive="link = 1; speed = 10",
+)
 
 
 def test_longer_names_and_primes() -> None:

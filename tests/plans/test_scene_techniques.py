@@ -15,27 +15,17 @@ from plans.scene.notes import notes_of
 from plans.scene.scene import kinds_of, parse_scene
 from plans.scene.tables import holders_of
 from plans.techniques import TECHNIQUES, named
+from tests.plans.scenes import scene
 from tests.plans.wheel import WheelForm
 
 ROOT = Path(__file__).parents[2]
-LINKAGE = """
-[mechanism.frame]
-O = [0, 0]
-C = [0.350, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.100
-AB = 0.400
-CB = 0.300
-[mechanism.sketch]
-B = [0.39, 0.30]
-[drive]
-link = 1
-speed = "10 rad/s"
-"""
+LINKAGE = scene(
+    frame="O = [0, 0]; C = [0.350, 0]",
+    links="OA AB CB",
+    lengths="OA = 0.100; AB = 0.400; CB = 0.300",
+    sketch="B = [0.39, 0.30]",
+    drive='link = 1; speed = "10 rad/s"',
+)
 ROTOR = 'sheets = ["rotor"]\nrotor.masses = [{ moment = 1, angle = 0 }]\n'
 # The start of a program that knows a technique without a linkage, which stands in the table before a scene is read.
 WHEELS = """
@@ -71,7 +61,7 @@ def test_no_key_of_a_shared_table_is_stated_twice() -> None:
 
 def test_a_scene_has_a_part_in_what_its_tables_sheets_and_keys_name() -> None:
     assert parse_scene(LINKAGE).techniques == ("linkage",)
-    assert parse_scene("sheets = ['forces']" + LINKAGE).techniques == ("linkage", "forces")
+    assert parse_scene("sheets = ['forces']\n" + LINKAGE).techniques == ("linkage", "forces")
     assert parse_scene(LINKAGE + "[masses]\n2 = { mass = 1 }").techniques == ("linkage", "forces")
     assert parse_scene(LINKAGE + "balancing = 'force'").techniques == ("linkage", "forces")
     assert parse_scene(LINKAGE + "[sheet]\nreactions = 'P'").techniques == ("linkage", "forces")

@@ -17,62 +17,30 @@ from plans.scene.scene import parse_scene
 from tests import parts
 from tests.parts import first
 from tests.plans.force_cases import compared
+from tests.plans.scenes import scene
 
-PARALLELOGRAM = """
-title = "Parallelogram"
-sheets = ["forces"]
-[mechanism.frame]
-O = [0, 0]
-C = [0.3, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.3
-CB = 0.1
-[mechanism.sketch]
-B = [0.35, 0.087]
-[drive]
-link = 1
-speed = 10
-start = 60
-positions = 12
-[masses]
-2 = { mass = 3, inertia = 0.01, centre = "middle" }
-[loads]
-gravity = 9.81
-"""
+PARALLELOGRAM = scene(
+    'title = "Parallelogram"; sheets = ["forces"]',
+    frame="O = [0, 0]; C = [0.3, 0]",
+    links="OA AB CB",
+    lengths="OA = 0.1; AB = 0.3; CB = 0.1",
+    sketch="B = [0.35, 0.087]",
+    drive="link = 1; speed = 10; start = 60; positions = 12",
+    masses='2 = { mass = 3, inertia = 0.01, centre = "middle" }',
+    loads="gravity = 9.81",
+)
 
 # The pins A and C are 0.5 m apart where the crank stands at 90 degrees: rod and rocker, 0.2 and 0.3, lie in one line.
-DEAD = """
-title = "Dead centre"
-sheets = ["forces"]
-[mechanism.frame]
-O = [0, 0]
-C = [0.4, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.3
-AB = 0.2
-CB = 0.3
-[mechanism.sketch]
-B = [0.34, 0.29]
-[drive]
-link = 1
-speed = 1
-positions = [60, 90]
-[mechanism.points]
-S = { on = 2, at = [0.1, 0] }
-[[loads.forces]]
-on = 2
-point = "S"
-value = [0, -10]
-"""
+DEAD = scene(
+    'title = "Dead centre"; sheets = ["forces"]',
+    frame="O = [0, 0]; C = [0.4, 0]",
+    links="OA AB CB",
+    lengths="OA = 0.3; AB = 0.2; CB = 0.3",
+    sketch="B = [0.34, 0.29]",
+    drive="link = 1; speed = 1; positions = [60, 90]",
+    points="S = { on = 2, at = [0.1, 0] }",
+    forces=['on = 2; point = "S"; value = [0, -10]'],
+)
 
 
 def of(text: str) -> Statics:
@@ -153,64 +121,27 @@ def test_a_machine_whose_forces_one_road_gives_up_alone_disagrees(monkeypatch: p
 
 # Machines on which little acts
 
-SLOTTED = """
-title = "Unloaded slotted link"
-sheets = ["forces"]
-[mechanism.frame]
-O = [0, 0]
-B = [0.4, -0.19]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "BC"
-[mechanism.lengths]
-OA = 0.1
-BC = 0.28
-[[mechanism.slides]]
-link = 2
-along = "BC"
-offset = 0.2
-[mechanism.sketch]
-C = [0.2, 0.0]
-[drive]
-link = 1
-speed = 10
-positions = 12
-[[loads.forces]]
-on = 2
-point = "A"
-value = [30, 40]
-"""
+SLOTTED = scene(
+    'title = "Unloaded slotted link"; sheets = ["forces"]',
+    frame="O = [0, 0]; B = [0.4, -0.19]",
+    links="OA A BC",
+    lengths="OA = 0.1; BC = 0.28",
+    slides=['link = 2; along = "BC"; offset = 0.2'],
+    sketch="C = [0.2, 0.0]",
+    drive="link = 1; speed = 10; positions = 12",
+    forces=['on = 2; point = "A"; value = [30, 40]'],
+)
 
-YOKE = """
-title = "A couple alone"
-sheets = ["forces"]
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "BC"
-[mechanism.lengths]
-OA = 0.06
-BC = 0.16
-[[mechanism.slides]]
-link = 2
-along = "BC"
-[[mechanism.slides]]
-link = 3
-along = { through = [0, -0.08], angle = 0 }
-angle = 90
-[mechanism.sketch]
-B = [0.06, -0.08]
-[drive]
-link = 1
-speed = 10
-positions = 12
-[[loads.moments]]
-on = 3
-value = 5
-"""
+YOKE = scene(
+    'title = "A couple alone"; sheets = ["forces"]',
+    frame="O = [0, 0]",
+    links="OA A BC",
+    lengths="OA = 0.06; BC = 0.16",
+    slides=['link = 2; along = "BC"', "link = 3; along = { through = [0, -0.08], angle = 0 }; angle = 90"],
+    sketch="B = [0.06, -0.08]",
+    drive="link = 1; speed = 10; positions = 12",
+    moments=["on = 3; value = 5"],
+)
 
 
 def test_sums_on_a_link_that_bears_nothing_are_judged_by_the_machine() -> None:
