@@ -11,6 +11,7 @@ from math import degrees
 
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.plans.scenes import scene
 
 STEPS = 5
 
@@ -91,35 +92,16 @@ HINGE_OF_CRANK = 0.2 - 0.05j
 
 # A slider HB pushes by the rod HA a crank OA that is braked, and a slider D behind it; masses lie midway between two
 # points of their links.
-SLIDER = """
-[mechanism.frame]
-O = {O}
-[mechanism.links]
-1 = "HB"
-2 = "HA"
-3 = "OA"
-4 = "AD"
-5 = "D"
-[mechanism.lengths]
-AD = {AD}
-HB = {HB}
-HA = {HA}
-OA = {OA}
-[[mechanism.slides]]
-link = 5
-along = {{ through = {O}, angle = {back} }}
-[[mechanism.slides]]
-link = 1
-point = "B"
-along = {{ through = {through}, angle = {guide} }}
-offset = {offset}
-angle = {lean}
-[mechanism.sketch]
-A = {A}
-B = {B}
-H = {H}
-D = {D}
-"""
+SLIDER = scene(
+    frame="O = {O}",
+    links="HB HA OA AD D",
+    lengths="AD = {AD}; HB = {HB}; HA = {HA}; OA = {OA}",
+    slides=[
+        "link = 5; along = {{ through = {O}, angle = {back} }}",
+        'link = 1; point = "B"; along = {{ through = {through}, angle = {guide} }}; offset = {offset}; angle = {lean}',
+    ],
+    sketch="A = {A}; B = {B}; H = {H}; D = {D}",
+)
 LOADS = """
 [loads]
 gravity = {gravity!r}
@@ -184,23 +166,12 @@ def slider(picture: Picture = PLAIN, stroke: Stroke = PUSH, gravity: float = 0.0
 
 
 # A boom OH that the cylinder EF lifts by a point F beside its line; the cylinder EG moves in the rod FG, or is bare.
-BOOM = """
-[mechanism.frame]
-O = {O}
-E = {E}
-[mechanism.links]
-1 = ["H", "O", "F"]
-{links}
-[mechanism.lengths]
-OH = {OH}
-OF = {OF}
-HF = {HF}
-{lengths}
-[mechanism.sketch]
-H = {H}
-F = {F}
-{sketch}
-"""
+BOOM = scene(
+    frame="O = {O}; E = {E}",
+    links='1 = ["H", "O", "F"]; {links}',
+    lengths="OH = {OH}; OF = {OF}; HF = {HF}; {lengths}",
+    sketch="H = {H}; F = {F}; {sketch}",
+)
 HINGE, FIXED = 0.05 + 0.1j, 0.35 + 0.05j
 LIFT = Stroke(0.45, 0.55)
 BOOM_MASSES, ROD = (1, 20.0, 0.5), (2, 4.0, 0.1)

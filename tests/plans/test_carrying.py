@@ -12,36 +12,19 @@ from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import SceneError, parse_scene
 from tests.parts import some
+from tests.plans.scenes import scene
 
-COUPLING_ROD = """
-[mechanism]
-{through}
-[mechanism.frame]
-O = [0, 0]
-C = [1.6, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.3
-AB = 1.6
-CB = 0.3
-[mechanism.sketch]
-B = [1.75, 0.26]
-[drive]
-link = 1
-speed = {speed}
-start = {start}
-positions = 12
-[masses]
-2 = {{ mass = 20, inertia = 3, centre = "middle" }}
-[loads]
-gravity = 9.81
-[[loads.moments]]
-on = 3
-value = -50
-"""
+COUPLING_ROD = scene(
+    mechanism="{through}",
+    frame="O = [0, 0]; C = [1.6, 0]",
+    links="OA AB CB",
+    lengths="OA = 0.3; AB = 1.6; CB = 0.3",
+    sketch="B = [1.75, 0.26]",
+    drive="link = 1; speed = {speed}; start = {start}; positions = 12",
+    masses='2 = {{ mass = 20, inertia = 3, centre = "middle" }}',
+    loads="gravity = 9.81",
+    moments=["on = 3; value = -50"],
+)
 CROSSED = COUPLING_ROD.replace("B = [1.75, 0.26]", "B = [1.5, -0.29]")
 # A slider hung on the rod: its group follows the rod through the change points and must not fold itself.
 WITH_SLIDER = (
