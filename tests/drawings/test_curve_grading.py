@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -33,12 +32,13 @@ from drawings.paper.walk import groups
 from tests.drawings.curve_draughtsman import drawings
 from tests.drawings.curve_students import CurveTask, curve_task, made
 from tests.gallery import SCENES
+from tests.mistakes import mistakes
 from tests.rows import over
 
 HAND = Allowances()
 SHARE = Allowances(Allowance(share=0.02))
 CASES = Path(__file__).parents[1] / "cases"
-MISTAKES = tomllib.loads((CASES / "curve_mistakes.toml").read_text("utf-8"))["mistake"]
+MISTAKES = mistakes("curve_mistakes")
 # One of a linkage and one of a cam are made in the everyday run.
 DAILY = [next(row for row in MISTAKES if row["scene"] == scene) for scene in ("slider-crank", "valve-cam")]
 

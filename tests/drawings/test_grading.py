@@ -5,10 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 import re
-import tomllib
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,12 +22,12 @@ from geometry.draughtsman import Draughtsman, copies
 from tests import parts
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.gallery import LINKAGES
+from tests.mistakes import mistakes
 from tests.parts import first, several
 from tests.rows import over
 
 HAND = Allowances()
-CASES = Path(__file__).parents[1] / "cases"
-MISTAKES = tomllib.loads((CASES / "student_mistakes.toml").read_text("utf-8"))["mistake"]
+MISTAKES = mistakes("student_mistakes")
 POLES = {"velocities": "p", "accelerations": "π"}
 
 

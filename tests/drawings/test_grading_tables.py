@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections import Counter
 from copy import copy
 from dataclasses import replace
@@ -24,13 +23,13 @@ from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
 from tests.drawings.test_grading import laid
+from tests.mistakes import mistakes
 from tests.parts import first
 from tests.rows import over
 
 DRAWN = ("positions", "velocities", "accelerations", "diagrams", "notes")  # figures, which take long to read
 HAND = Allowances()
-CASES = Path(__file__).parents[1] / "cases"
-MISTAKES = tomllib.loads((CASES / "table_mistakes.toml").read_text("utf-8"))["mistake"]
+MISTAKES = mistakes("table_mistakes")
 
 
 def said(own: TableTask, source: bytes) -> list[str]:

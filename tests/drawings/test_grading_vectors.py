@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,6 +21,7 @@ from geometry.replay import redraw
 from tests.drawings.students import Task, task
 from tests.drawings.test_grading import laid as as_a_whole
 from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written
+from tests.mistakes import mistakes
 from tests.rows import over
 
 HAND = Allowances()
@@ -31,8 +30,7 @@ SCENES = [
     "fan", "flywheel", "four-masses", "four-bar-balance", "six-link-balance", "engine-full", "engine-partial",
     "engine-share", "four-cylinder-bank", "lanchester", "shaper-loaded", "jaw-crusher", "squeezer", "toggle-press",
 ]  # fmt: skip
-CASES = Path(__file__).parents[1] / "cases"
-MISTAKES = tomllib.loads((CASES / "student_vector_mistakes.toml").read_text("utf-8"))["mistake"]
+MISTAKES = mistakes("student_vector_mistakes")
 
 
 def made(own: Task, row: dict[str, Any]) -> bytes:
