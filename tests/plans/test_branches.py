@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from geometry.meet import EPS
+from plans.analytic.kinematics import solve
 from plans.linkage.sketch import SketchError
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Way
@@ -81,23 +82,46 @@ def test_past_a_near_change_point_the_assembly_stays(miss, side):
 
 
 def gaps(mechanism: Mechanism, first: int = 0) -> dict[int, tuple[str, str]]:
-    """Tell the gaps of a turn; what has no value must be told, and all that is told is left out."""
-    motion = study_of(mechanism, first).motion()
-    found = {gap.position: (gap.plan, gap.reason) for gap in motion.gaps}
-    assert len(found) == len(motion.gaps) and all(gap.advice for gap in motion.gaps)
-    lost = [k for k, (plan, _) in found.items() if plan == "positions"]
-    for name, point in motion.points.items():
-        assert np.flatnonzero(np.isnan(point.r)).tolist() == lost, name
-        assert np.flatnonzero(np.isnan(point.v)).tolist() == list(found), name
-        assert np.flatnonzero(np.isnan(point.a)).tolist() == list(found), name
+    """Tell the gaps of a turn, the same by both roads; what has no value must be told, and what is told has none."""
+    drawn = study_of(mechanism, first).motion()
+    assert all(gap.advice for gap in drawn.gaps)
+    told = []
+    for motion in (drawn, solve(mechanism, drawn.phi)):
+        found = {gap.position: (gap.plan, gap.reason) for gap in motion.gaps}
+        assert len(found) == len(motion.gaps)
+        lost = [k for k, (plan, _) in found.items() if plan == "positions"]
+        for name, point in motion.points.items():
+            assert np.flatnonzero(np.isnan(point.r)).tolist() == lost, name
+            assert np.flatnonzero(np.isnan(point.v)).tolist() == list(found), name
+            assert np.flatnonzero(np.isnan(point.a)).tolist() == list(found), name
+        told.append(found)
     alone = study_of(mechanism, first).motion(0)
     assert [gap.position for gap in alone.gaps] == lost
-    return found
+    assert told[0] == told[1]
+    return told[0]
 
 
 AT_CHANGE, PAST = ("velocities", CHANGE), ("positions", BEYOND)
 NOWHERE, AWAY = ("positions", "dead centre"), ("positions", "not reachable")
 PARALLEL = ("positions", "parallel guides")
+
+
+SHORT = linkages.four_bar(0.1, 0.3, 0.145, 0.35, sketch={"B": 0.3 + 0.14j})
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "first", "out", "away"),
+    [
+        (SHORT, 0, (6,), ()),
+        (SHORT, 180, (0,), ()),
+        (linkages.four_bar(0.1, 0.1, 0.1, 1.0, sketch={"B": 0.5 + 0.1j}), 0, range(12), ()),
+        # Assembled for 0.2 < |AC| < 0.6: an arc that no motion leads to.
+        (linkages.four_bar(0.3, 0.4, 0.2, 0.4, sketch={"B": 0.5 + 0.2j}), 60, (2, 3, 4, 5, 6, 10), (7, 8, 9)),
+    ],
+    ids=["at a position", "at the first", "everywhere", "two arcs"],
+)
+def test_what_is_out_of_reach_is_told_and_what_no_motion_leads_to(mechanism, first, out, away):
+    assert gaps(mechanism, first) == {**dict.fromkeys(out, ("positions", OUT)), **dict.fromkeys(away, AWAY)}
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Textbook examples by construction: the exact answers beside what the books measured on their own drawings."""
+"""Textbook examples by both roads: the exact answers beside what the books measured on their own drawings."""
 
 from __future__ import annotations
 
@@ -9,12 +9,15 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+import numpy as np
 import pytest
 
 from geometry.meet import dot
+from plans.analytic.kinematics import solve
 from plans.linkage.angles import rate
 from plans.linkage.plan import Plan
 from plans.model.mechanism import Drive, Mechanism, Output, Slide, Way
+from plans.model.motion import Motion
 from tests.plans import linkages
 from tests.plans.studies import plans_at, shown, study_of, value
 
@@ -108,9 +111,30 @@ def last_digit(number: float) -> float:
     return 0.51 * 10.0**-decimals
 
 
+def analysed(name: str, case: Case, motion: Motion) -> float:
+    """Give the same by analysis."""
+    kind, which = name.split("_")
+    if kind in ("omega", "eps", "at"):
+        link = motion.links[int(which)]
+        length = case.get("unit", 1.0) * case["lengths"][int(which) - 1] if kind == "at" else 1.0
+        return abs((link.omega if kind == "omega" else link.epsilon)[0]) * length
+    ends = [(motion.points[point].v if kind == "v" else motion.points[point].a)[0] for point in (*which, "O")[:2]]
+    return abs(ends[0] - ends[1])
+
+
 def measured(case: Case, names: Mapping[str, float]) -> dict[str, float]:
     plans = plans_at(mechanism_of(case), str(case["phi"]))
     return {name: quantity(name, plans) / scale(name, case) for name in names}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_analysis_gives_the_exact_answer(name):
+    case = CASES[name]
+    motion = solve(mechanism_of(case), np.radians([case["phi"]]))
+    for key in case["independent"].keys() - SPECIAL.keys():
+        expected = case["independent"][key]
+        found = analysed(key, case, motion) / scale(key, case)
+        assert found == pytest.approx(expected, abs=last_digit(expected)), key
 
 
 @pytest.mark.parametrize("name", CASES)
