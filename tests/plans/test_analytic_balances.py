@@ -1,8 +1,7 @@
-"""Three balances that share no unknown, equilibrium of every link, and what forces do when the machine is changed."""
+"""Three balances that share no unknown, equilibrium of every link, and which balance sees what is wrong."""
 
 from __future__ import annotations
 
-import cmath
 from dataclasses import replace
 from math import pi, radians
 
@@ -17,13 +16,12 @@ from plans.analytic.power import balancing_moment
 from plans.model.group import Pair
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
-from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
+from plans.model.mechanism import FRAME, Mechanism, Slide, Way
 from plans.model.motion import Complexes, Floats, Motion
 from tests.parts import examples, some
 from tests.plans import linkages
 from tests.plans.chains import Chain, chains, numbers
-from tests.plans.machines import DOWN, SHAPER, Run, machine, pointed, steady
-from tests.plans.studies import driven
+from tests.plans.machines import SHAPER, Run, machine, pointed, steady
 
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16.0
@@ -182,101 +180,6 @@ def test_the_energy_balance_alone_sees_wrong_inertia(monkeypatch, fault):
     assert seen(shaper()) == (False, True)
 
 
-# What the forces do when the machine is changed
-
-
-def close(found: Kinetostatics, other: Kinetostatics, factor: complex = 1.0, mirrored: bool = False) -> None:
-    """Compare all forces, turned and stretched by a factor, and the moments, stretched by its size; or mirrored."""
-    sign, size = (-1.0 if mirrored else 1.0), max(np.abs(r.force).max() for r in found.reactions.values())
-    for key, reaction in found.reactions.items():
-        theirs = other.reactions[key]
-        force = reaction.force.conj() if mirrored else reaction.force
-        assert theirs.force == pytest.approx(factor * force, abs=1e-10 * size * abs(factor)), key
-        if reaction.moment is not None:
-            assert theirs.moment == pytest.approx(sign * abs(factor) * reaction.moment, abs=1e-10 * size * abs(factor))
-    assert other.balancing.moment == pytest.approx(sign * abs(factor) * found.balancing.moment, rel=1e-10)
-
-
-def changed(run: Run, factor: complex, its: Machine | None = None) -> Run:
-    """Turn and stretch all loads."""
-    forces = tuple(load._replace(force=factor * load.force) for load in run.loading.forces)
-    moments = tuple(twist._replace(moment=abs(factor) * twist.moment) for twist in run.loading.moments)
-    return Run(run.mechanism, its or run.machine, run.motion.phi, Loading(forces, moments))
-
-
-def heavier(its: Machine, factor: float) -> Machine:
-    bodies = {n: b._replace(mass=factor * b.mass, inertia=factor * b.inertia) for n, b in its.bodies.items()}
-    return replace(its, bodies=bodies)
-
-
-def test_twice_the_mass_is_twice_the_force():
-    free = Run(linkages.shaper(), replace(SHAPER, gravity=0j), TURN + 0.2)
-    close(free.forces, Run(free.mechanism, heavier(free.machine, 2.0), free.motion.phi).forces, 2.0)
-
-
-def test_twice_the_speed_is_four_times_the_force():
-    slow = Run(driven(linkages.shaper(), 10, 5), replace(SHAPER, gravity=0j), TURN + 0.2)
-    fast = Run(driven(linkages.shaper(), 20, 20), slow.machine, slow.motion.phi)
-    back = Run(driven(linkages.shaper(), -10, 5), replace(slow.machine, transmission=Transmission()), slow.motion.phi)
-    close(slow.forces, fast.forces, 4.0)
-    close(Run(slow.mechanism, back.machine, slow.motion.phi).forces, back.forces)
-
-
-def test_loads_superpose():
-    still = machine()
-    one, other = shaper({(5, 0j): 1500 + 0j}, still), shaper({(4, 0.1 + 0.02j): 300 - 700j, (3, 0.2j): 90 + 5j}, still)
-    twists = one.loading.moments
-    both = Run(one.mechanism, still, one.motion.phi, Loading(one.loading.forces + other.loading.forces, twists))
-    alone = Run(one.mechanism, still, one.motion.phi, Loading(other.loading.forces, ()))
-    for key, reaction in both.forces.reactions.items():
-        parts = one.forces.reactions[key].force + alone.forces.reactions[key].force
-        assert reaction.force == pytest.approx(parts, abs=1e-9)
-    moments = one.forces.balancing.moment + alone.forces.balancing.moment
-    assert both.forces.balancing.moment == pytest.approx(moments, abs=1e-9)
-
-
-def moved(mechanism: Mechanism, turn: complex, mirrored: bool = False) -> Mechanism:
-    """Turn the whole machine with its frame; or mirror it, links and all."""
-
-    def image(place: complex) -> complex:
-        return place.conjugate() if mirrored else place
-
-    def way(line: Way, link: int) -> Way:
-        share = turn if link == FRAME else 1
-        return Way(share * image(line.through), share * image(line.direction))
-
-    links = {
-        n: Link(n, {name: (turn if n == FRAME else 1) * image(place) for name, place in link.points.items()})
-        for n, link in mechanism.links.items()
-    }
-    slides = tuple(
-        replace(s, on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
-    )
-    sign = -1 if mirrored else 1
-    drive = replace(mechanism.drive, omega=sign * mechanism.drive.omega, epsilon=sign * mechanism.drive.epsilon)
-    sketch = {name: turn * image(place) for name, place in mechanism.sketch.items()}
-    return replace(mechanism, links=links, slides=slides, drive=drive, sketch=sketch)
-
-
-def test_the_machine_turned_turns_its_forces():
-    turn, run = cmath.rect(1, 0.7), shaper()
-    gear = run.machine.transmission
-    its = replace(run.machine, gravity=turn * DOWN, transmission=gear._replace(at=gear.at + 0.7))
-    loads = changed(run, turn).loading
-    close(run.forces, Run(moved(run.mechanism, turn), its, run.motion.phi + 0.7, loads).forces, turn)
-
-
-def test_the_machine_mirrored_mirrors_its_forces():
-    run = shaper()
-    upright = {n: body._replace(centre=body.centre.conjugate()) for n, body in run.machine.bodies.items()}
-    gear = run.machine.transmission
-    its = replace(run.machine, bodies=upright, gravity=DOWN.conjugate(), transmission=gear._replace(at=-gear.at))
-    forces = tuple(load._replace(at=load.at.conjugate(), force=load.force.conj()) for load in run.loading.forces)
-    moments = tuple(twist._replace(moment=-twist.moment) for twist in run.loading.moments)
-    image = Run(moved(run.mechanism, 1, mirrored=True), its, -run.motion.phi, Loading(forces, moments))
-    close(run.forces, image.forces, mirrored=True)
-
-
 def test_a_three_lead_group_is_no_obstacle():
     told = [(0, 1, "O"), (1, 2, "A1"), (2, 3, "B1"), (0, 4, "A2"), (0, 5, "A3"), (3, 4, "B2"), (3, 5, "B3")]
     bodies = {n: Body(n, 2.0 * n, 0.01 * n, 0.05 + 0.02j) for n in range(1, 6)}
@@ -326,14 +229,3 @@ def test_beside_a_near_change_point_the_energy_balance_stays_on_its_assembly(mis
     energy, moment = energy_balance(*run.case), run.forces.balancing.moment
     judged = np.isfinite(energy.allowed)
     assert (np.abs(energy.moment - moment) <= energy.allowed)[judged].all() and judged.sum() > 40
-
-
-@pytest.mark.rest
-def test_many_positions_agree_with_few():
-    few = shaper()
-    phi = few.motion.phi[0] + np.arange(2400) * (2 * pi / 2400)
-    many = Run(few.mechanism, few.machine, phi, steady(2400, {(5, 0j): 1500 + 0j}, {3: 20.0}))
-    for key, reaction in few.forces.reactions.items():
-        assert many.forces.reactions[key].force[::200] == pytest.approx(reaction.force, abs=1e-9), key
-    energy = energy_balance(*many.case)
-    assert (np.abs(energy.moment - many.forces.balancing.moment) <= energy.allowed).all()

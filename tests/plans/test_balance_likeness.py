@@ -9,7 +9,6 @@ import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import permutations
 from math import radians
 
 import numpy as np
@@ -167,17 +166,6 @@ def test_a_group_of_links_without_mass_changes_nothing() -> None:
                 assert more.around.r == pytest.approx(fewer.around.r, rel=1e-14, abs=1e-16)
                 assert more.around.force == pytest.approx(fewer.around.force, rel=1e-12, abs=1e-12)
                 assert more.around.moment == pytest.approx(fewer.around.moment, rel=1e-12, abs=1e-12)
-
-
-def test_main_points_do_not_know_the_numbers_of_links() -> None:
-    its = study(SIX_LINK)
-    mechanism, bodies, first = its.linkage.mechanism, its.machine.bodies, its.points().vectors
-    names = {point: point for link in mechanism.links.values() for point in link.points}
-    for order in permutations((2, 3, 4, 5)):
-        told = {FRAME: FRAME, 1: 1} | dict(zip((2, 3, 4, 5), order, strict=True))
-        other = {told[link]: body._replace(link=told[link]) for link, body in bodies.items()}
-        vectors = MainPoints(tree_of(renamed(mechanism, names, told)), other).vectors
-        assert {link: vectors[told[link]] for link in first} == pytest.approx(first, rel=1e-15)
 
 
 # Counterweights

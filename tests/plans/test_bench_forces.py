@@ -14,7 +14,7 @@ from geometry.draughtsman import Draughtsman
 from geometry.errors import DraftError
 from geometry.meet import EPS
 from plans.bench import roads as forces
-from plans.bench.error import Errors, drawn, errors, sizes, toll
+from plans.bench.error import Errors, errors, sizes, toll
 from plans.bench.roads import (
     CHECKS,
     ENERGY,
@@ -27,12 +27,10 @@ from plans.bench.roads import (
     ground,
     prepared,
     roads,
-    with_positions,
 )
-from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
+from plans.bench.truth import FORCE_KINDS, Truth, replay
 from plans.checks.compare import notches
 from plans.forces.force_template import ForcePattern
-from plans.forces.reading.form import ForceForm
 from plans.model.machine import OUTPUT
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.parts import some
@@ -174,25 +172,10 @@ def test_a_scene_without_forces_has_nothing_of_them() -> None:
     assert not {name for road in roads(found) for name in road.judged} & set(TECHNIQUES)
 
 
-def test_positions_of_force_sheets_that_are_not_there_are_left_out() -> None:
-    form = scene().of(ForceForm)
-    asked = scene().changed(form.changed(sheet=form.sheet.changed(forces=(0, 8, 20))))
-    assert with_positions(asked, 12).of(ForceForm).sheet.forces == (0, 8)
-
-
 def test_a_long_energy_balance_is_left_out_and_says_why() -> None:
     told = force_ground(stood(forces.ENERGY_MOST + 1))
     with pytest.raises(DraftError, match="energy balance"):
         told.energy()
-
-
-def test_a_balancing_moment_that_is_not_judged_has_no_error() -> None:
-    told = force_ground(stood(12))
-    moment = told.constructed().balancing.moment.copy()
-    moment[3] = np.nan
-    assert told.judge_moment(moment).largest <= GOAL * EPS
-    assert told.judge_moment(np.full(12, np.nan)) == Errors({})
-    assert told.judge(told.constructed()).largest < float("inf")
 
 
 def by_hand(slip: float, drawings: int = 400) -> tuple[Any, Truth, dict[str, float]]:
@@ -215,18 +198,6 @@ def test_twice_the_slip_is_about_twice_the_error_of_forces() -> None:
     one, two = by_hand(0.1)[0], by_hand(0.2)[0]
     assert np.median(two.worst) / np.median(one.worst) == pytest.approx(2.0, rel=0.05)
     assert 1e-4 < np.median(one.worst) < 0.05  # a hair's breadth of 150 mm, and what arms and plans add to it
-
-
-def test_a_hand_reads_every_reaction_in_the_sense_in_which_it_is_told() -> None:
-    study = prepared(scene(), 12)
-    statics = forces.statics_of(study)
-    wanted = replay(study, [0], statics)
-    scales = {plan: np.ones(1) for plan in ("positions", "velocities", "accelerations", "forces")}
-    found = drawn(wanted.only_forces, Draughtsman(0.0, scales, 1))
-    told = of_forces(forces.over(study, statics).forces, wanted.truth()) if statics else {}
-    assert set(found) == set(told)
-    for key, value in told.items():
-        assert found[key][0, 0] == pytest.approx(value[0], rel=1e-10), key
 
 
 def test_both_roads_to_the_forces_have_a_row_of_their_own() -> None:

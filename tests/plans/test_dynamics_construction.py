@@ -7,9 +7,7 @@ import pytest
 
 from plans.dynamics.loop import slopes
 from plans.dynamics.reduction import Reducing
-from plans.scene.scene import parse_scene
-from plans.study import Study
-from tests.plans.dynamics_scenes import PUSHED, study, text
+from tests.plans.dynamics_scenes import PUSHED, study
 
 EXACT_J0, EXACT_T0 = 36.73754573, 2996.601908  # M4.9, ten digits
 LOADED = np.radians([23.1632606, 150.3837539])  # where the cut begins and ends
@@ -116,15 +114,3 @@ def test_work_closes_over_the_turn() -> None:
     cycle = study()["dynamics"].cycle
     assert cycle.surplus[-1] == pytest.approx(0, abs=1e-12 * abs(cycle.work[-1]))
     assert cycle.driving == pytest.approx(2000 * 0.9 * 0.2 / (2 * np.pi), rel=5e-3)
-
-
-def test_start_elsewhere_gives_the_same_flywheel() -> None:
-    """Catalogue I6: a whole number of strips later the turn has the same strips, and needs the same machine."""
-    here, there = (study(drive=f"positions = 24\nstart = {start}")["dynamics"].flywheel for start in (0, 45))
-    assert there.needed == pytest.approx(here.needed, rel=1e-10)
-
-
-def test_clockwise_crank_needs_the_same_flywheel() -> None:
-    """Mirrored in the line of the slider the machine is the same."""
-    mirrored = Study(parse_scene(text().replace('"120 rpm"', '"-120 rpm"')))["dynamics"]
-    assert mirrored.flywheel.needed == pytest.approx(study()["dynamics"].flywheel.needed, rel=1e-10)
