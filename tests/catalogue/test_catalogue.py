@@ -23,6 +23,7 @@ def outcome(path: Path) -> tuple[int, str]:
     except LimitError as error:
         return 8, str(error)
     except DraftError as error:
+        assert all(re.search("[а-я]{3}", fault.worded("ru")) for fault in getattr(error, "faults", ()))
         return 3, str(error)
     return 0, ""
 
