@@ -59,23 +59,3 @@ def engine(offset: float = 0.0) -> Case:
     """Methods M7.6: the slider-crank of M4.2."""
     links = linkages.slider_crank(0.1, 0.4, offset, omega=20.0, epsilon=0.0)
     return Case(links, bodies((1, 3, 0.04), (2, 4, 0.15), (3, 8, 0)))
-
-
-def six_link() -> Case:
-    """Methods M7.7: the slotted link with a rod and a slider."""
-    links = linkages.shaper(epsilon=0.0)
-    return Case(links, bodies((1, 4, 0.05), (2, 1.5, 0), (3, 12, 0.30), (4, 3, 0.10), (5, 20, 0)))
-
-
-def rod_six_link() -> Case:
-    """Methods M7.4: the four-bar with a rod DE on its rocker, and a slider E."""
-    base = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j}).links
-    points = {number: dict(link.points) for number, link in base.items()}
-    points[3]["D"] = 0.1 + 0j  # 0.20 from B
-    points |= {4: {"D": 0j, "E": 0.35 + 0j}, 5: {"E": 0j}}
-    guide = linkages.Slide(5, 0, linkages.ALONG_X, linkages.Way(0.1j, 1), "E", "")
-    drive = linkages.Drive(1, "O", "A", 10.0, 0.0)
-    sketch = {"B": 0.4 + 0.3j, "E": 0.75 + 0.1j}
-    links = linkages.mechanism("six-link", points, (guide,), drive, sketch, None)
-    rows = [(1, 2, 0.04), (2, 4, 0.18), (3, 5, 0.18), (4, 2, 0.15), (5, 6, 0.02)]
-    return Case(links, bodies(*rows))

@@ -77,6 +77,7 @@ def test_slider_crank_balanced_in_part() -> None:
     b = its.linkage.motion(0).points["B"].r
     assert its.after.centre.r == pytest.approx(0.5588235294 * b, rel=DIGITS, abs=1e-16)
     assert its.left == pytest.approx({"B": 0.5588235294 * 17}, rel=DIGITS)
+    assert its.after.shaking == pytest.approx(475, rel=DIGITS)
 
 
 def test_slider_crank_balanced_in_part_by_the_rod() -> None:

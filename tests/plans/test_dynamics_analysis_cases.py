@@ -10,15 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.analytic.dynamics.cycle import exact_cycle
 from plans.analytic.dynamics.flywheel import Exact, exact, flywheel, flywheel_of_points
 from plans.analytic.dynamics.reduction import Reduction
-from plans.analytic.dynamics.rim import wheel
 from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel
 from plans.analytic.kinematics import Analysis
 from plans.forces.loading import loading
-from plans.model.dynamics import Cycle, Rim, Shaft, Task
-from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Body, Force, Moment, Track
+from plans.model.dynamics import Cycle, Task
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Body, Force, Moment
 from plans.model.motion import Floats
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -32,21 +30,6 @@ TASK = Task(SPEED, DELTA, 24)
 @cache
 def planer() -> Exact:
     return worked().exact
-
-
-def test_no_load_at_all_leaves_the_varying_inertia_to_even_out() -> None:
-    found = worked(Force("F", 3, "B", 0j, 0.0, 1 + 0j)).exact
-    assert found.settled
-    assert found.driving == 0
-    assert np.abs(found.surplus(np.linspace(0, 6, 9))).max() == 0
-    its = flywheel(found, TASK)
-    low, high = its.touches
-    assert low.varying - high.varying == pytest.approx(
-        max(found.varying(np.linspace(0, 2 * pi, 20001))) - min(found.varying(np.linspace(0, 2 * pi, 20001))), rel=1e-6
-    )
-    swing = with_flywheel(found, TASK, its)
-    assert isinstance(swing, Swing)
-    assert swing.speeds(edges(found)).delta == pytest.approx(DELTA, rel=1e-10)
 
 
 def test_constant_inertia_and_no_load_ask_for_nothing() -> None:
@@ -73,20 +56,6 @@ def test_constant_inertia_needs_the_range_of_energy_alone() -> None:
     assert its.whole == pytest.approx(height / (SPEED**2 * DELTA), rel=1e-12)
 
 
-def test_a_heavy_machine_needs_no_flywheel() -> None:
-    """Its rotor is flywheel enough: the motion is that without one, and steadier than was asked."""
-    task = TASK._replace(shafts=(Shaft("rotor", 0.5, 10.0),))
-    its = flywheel(planer(), task)
-    assert its.present == 50
-    assert its.needed < 0 == its.inertia
-    assert wheel(its.inertia, Rim(1.0, 0.5)) is None
-    swing = with_flywheel(planer(), task, its)
-    assert isinstance(swing, Swing)
-    assert swing.inertia == pytest.approx(planer().own + 50, rel=1e-15)
-    assert swing.speeds(edges(planer())).mean == pytest.approx(SPEED, rel=1e-13)
-    assert swing.speeds(edges(planer())).delta < DELTA
-
-
 def test_a_machine_that_would_stop_is_told_where() -> None:
     """Without a flywheel the cut uses up all there is, at its end."""
     stall = without_flywheel(planer(), TASK)
@@ -104,26 +73,6 @@ def test_a_machine_without_any_inertia_has_no_motion() -> None:
     stall = without_flywheel(worked_with({}, OUTWARD), TASK)
     assert isinstance(stall, Stall)
     assert np.isnan(stall.mean)
-
-
-def test_a_load_that_drives_is_braked() -> None:
-    """An engine: the load gives work, and the moment that keeps the motion steady is negative."""
-    found = worked(OUTWARD._replace(size=-2000.0)).exact
-    assert found.driving == pytest.approx(-360 / (2 * pi), rel=1e-12)
-    swing = with_flywheel(found, TASK, flywheel(found, TASK))
-    assert isinstance(swing, Swing)
-    assert swing.speeds(edges(found)).delta == pytest.approx(DELTA, rel=1e-10)
-
-
-def test_a_moment_that_jumps_at_a_dead_centre() -> None:
-    """A moment on the crank that acts on the idle stroke alone jumps right at both dead centres."""
-    found = worked(Moment("T", 1, -30.0, during=IDLE, stroke=Track("B"))).exact
-    assert found.breaks == pytest.approx([0, pi], abs=1e-12)
-    sides = [found.moment(np.array([pi]), side)[0] for side in (-1, 1)]
-    assert sides == [pytest.approx(0, abs=1e-12), pytest.approx(-30, rel=1e-13)]
-    assert found.work(np.array([2 * pi]))[0] == pytest.approx(-30 * pi, rel=1e-13)
-    cycle = exact_cycle(found, edges(found))
-    assert (cycle.moments[0, 0], cycle.moments[-1, 1]) == (pytest.approx(0, abs=1e-12), pytest.approx(-30, rel=1e-13))
 
 
 def test_a_load_over_one_stroke_breaks_on_it_alone() -> None:

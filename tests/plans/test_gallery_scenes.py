@@ -109,20 +109,7 @@ def test_the_shaper_s_slotted_link_swings_by_the_angle_that_its_strokes_differ_b
     assert found.extremes.stroke == pytest.approx(2 * 0.700 * 0.120 / 0.350, abs=ROUNDING)
 
 
-def test_the_shaper_s_rod_leans_as_far_up_as_down() -> None:
-    rise = 0.700 * (1 - sqrt(1 - (0.120 / 0.350) ** 2))  # of B's arc
-    assert motion("shaper").points["D"].r.imag == pytest.approx(0.350 - rise / 2, abs=1e-9)
-
-
 R, L, E = 0.045, 0.160, 0.010  # crank, rod, offset of the cylinder
-
-
-def test_the_stroke_of_the_offset_engine() -> None:
-    found = study("slider-crank").extreme_positions
-    assert found is not None
-    assert found.extremes.stroke == pytest.approx(sqrt((L + R) ** 2 - E**2) - sqrt((L - R) ** 2 - E**2), abs=ROUNDING)
-    dead = asin(E / (L - R)) - asin(E / (L + R))  # between the crank's directions at both dead centres, and half a turn
-    assert found.extremes.overlap == pytest.approx(dead, abs=ROUNDING)
 
 
 def test_the_piston_of_the_offset_engine() -> None:
@@ -158,15 +145,6 @@ def rocker_extremes(
 def overlap_of(out: complex, back: complex) -> float:
     """Give the angle between the crank's lines in both extremes: by so much the strokes differ from half a turn."""
     return abs(cmath.phase(out / back))
-
-
-def test_the_crank_rocker_s_swing_and_time_ratio_by_the_law_of_cosines() -> None:
-    out, back = rocker_extremes(0.100, 0.400, 0.300, 0.350)
-    found = study("crank-rocker").extreme_positions
-    assert found is not None
-    swing = abs(cmath.phase((out - 0.350) / (back - 0.350)))
-    assert found.extremes.stroke == pytest.approx(swing, abs=ROUNDING)
-    assert found.extremes.ratio == pytest.approx(ratio_of(overlap_of(out, back)), abs=ROUNDING)
 
 
 def test_the_crank_rocker_obeys_grashof_and_draws_its_coupler_curve() -> None:
@@ -211,21 +189,6 @@ def test_the_oscillating_cylinder_s_spin_is_the_crank_pin_s_speed_across_the_rod
     squared = 0.400**2 + 0.110**2 + 2 * 0.400 * 0.110 * np.sin(phi)
     spin = omega * 0.110 * (0.110 + 0.400 * np.sin(phi)) / squared
     assert motion("oscillating-cylinder").links[3].omega == pytest.approx(spin, abs=ROUNDING * 10)
-
-
-def test_the_scotch_yoke_moves_as_the_crank_s_shadow() -> None:
-    phi, omega, found = crank("scotch-yoke"), 4 * pi, motion("scotch-yoke").points["B"]
-    assert found.r == pytest.approx(0.060 * np.cos(phi) - 0.080j, abs=ROUNDING)
-    assert found.v == pytest.approx(-0.060 * omega * np.sin(phi), abs=ROUNDING * omega)
-    assert found.a == pytest.approx(-0.060 * omega**2 * np.cos(phi), abs=ROUNDING * omega**2)
-
-
-def test_the_tangent_mechanism_is_called_so_with_reason() -> None:
-    phi, omega, found = np.radians(np.arange(-40, 41, 10)), 2, motion("tangent").points["A"]
-    assert crank("tangent") == pytest.approx(phi, abs=ROUNDING)
-    assert found.r == pytest.approx(0.060 + 0.060j * np.tan(phi), abs=ROUNDING)
-    assert found.v == pytest.approx(0.060j * omega / np.cos(phi) ** 2, abs=ROUNDING)
-    assert found.a == pytest.approx(0.120j * omega**2 * np.tan(phi) / np.cos(phi) ** 2, abs=ROUNDING * 10)
 
 
 def test_the_knuckle_joint_press_s_stroke_by_triangles() -> None:
