@@ -18,24 +18,13 @@ CRANK = scene(
     masses="1 = { mass = 3, inertia = 0.01, centre = [0.04, 0] }; "
     "2 = { mass = 4, inertia = 0.06, centre = [0.15, 0] }; 3 = { mass = 8 }",
 )
-PUSHED = """
-[loads]
-gravity = 9.81
-[[loads.forces]]
-on = 3
-point = "B"
-value = 1200
-direction = 0
-"""
-PLANING = """
-[[loads.forces]]
-on = 3
-point = "B"
-value = 2000
-against = "motion"
-overrun = 0.05
-during = "working stroke"
-"""
+PUSHED = scene(
+    loads="gravity = 9.81",
+    forces=['on = 3; point = "B"; value = 1200; direction = 0'],
+)
+PLANING = scene(
+    forces=['on = 3; point = "B"; value = 2000; against = "motion"; overrun = 0.05; during = "working stroke"'],
+)
 
 
 def text(loads: str = PLANING, drive: str = "positions = 24", asked: str = 'fluctuation = "1/25"') -> str:

@@ -102,19 +102,11 @@ SLIDER = scene(
     ],
     sketch="A = {A}; B = {B}; H = {H}; D = {D}",
 )
-LOADS = """
-[loads]
-gravity = {gravity!r}
-[[loads.forces]]
-on = {on}
-point = "{at}"
-direction = {direction}
-value = {force!r}
-[[loads.moments]]
-on = {turned}
-name = "M_T"
-value = {moment!r}
-"""
+LOADS = scene(
+    loads="gravity = {gravity!r}",
+    forces=['on = {on}; point = "{at}"; direction = {direction}; value = {force!r}'],
+    moments=['on = {turned}; name = "M_T"; value = {moment!r}'],
+)
 FORCE, MOMENT = 60.0, 7.0  # N, N*m
 PULL = cmath.rect(1.0, -2.0)  # the direction of the force
 

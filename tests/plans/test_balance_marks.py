@@ -11,17 +11,12 @@ from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
 from tests.plans.balanced import ENGINE, FOUR_BAR
+from tests.plans.scenes import scene
 
-FULL = """
-[balance]
-aim = "full"
-[[balance.counterweights]]
-on = 1
-mass = 9
-[[balance.counterweights]]
-on = 2
-mass = 6
-"""
+FULL = scene(
+    balance='aim = "full"',
+    balance_counterweights=["on = 1; mass = 9", "on = 2; mass = 6"],
+)
 
 
 def studied(text: str = FOUR_BAR.format(positions=12) + FULL, whole: bool = False) -> Study:

@@ -12,16 +12,13 @@ from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import first
 from tests.plans.balanced import ENGINE
+from tests.plans.scenes import scene
 
 ASKED_NOTHING = "[balance]\n"
-ASKED = """
-[balance]
-aim = "share"
-share = "{least}"
-[[balance.counterweights]]
-on = 1
-mass = 20
-"""
+ASKED = scene(
+    balance='aim = "share"; share = "{least}"',
+    balance_counterweights=["on = 1; mass = 20"],
+)
 
 
 def told(text: str, by: str) -> Any:

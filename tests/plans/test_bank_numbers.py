@@ -9,27 +9,14 @@ from plans.checks.balance.bank_numbers import numbers
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.plans.scenes import scene
 
-SCENE = """
-[bank]
-speed = "3000 rpm"
-orders = [1, 2]
-[bank.unit]
-crank = "40 mm"
-rod = "140 mm"
-reciprocating = "0.5 kg"
-[[bank.members]]
-crank = 0
-place = "-50 mm"
-[[bank.members]]
-crank = 180
-place = "50 mm"
-[[bank.compensators]]
-order = 2
-mass = "2 kg"
-offset = "60 mm"
-shafts = "300 mm"
-"""
+SCENE = scene(
+    bank='speed = "3000 rpm"; orders = [1, 2]',
+    bank_unit='crank = "40 mm"; rod = "140 mm"; reciprocating = "0.5 kg"',
+    bank_members=['crank = 0; place = "-50 mm"', 'crank = 180; place = "50 mm"'],
+    bank_compensators=['order = 2; mass = "2 kg"; offset = "60 mm"; shafts = "300 mm"'],
+)
 
 
 @pytest.fixture(scope="module")

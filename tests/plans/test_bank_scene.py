@@ -15,6 +15,7 @@ from plans.scene import notes
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import Scene, parse_scene
 from tests.plans.banks import ENGINE, MEMBER, UNIT
+from tests.plans.scenes import scene
 
 SPEED = 'speed = "3000 rpm"\n'
 BANK = f"[bank]\n{SPEED}{UNIT}{MEMBER}"
@@ -39,16 +40,11 @@ def said(text: str) -> list[tuple[str, str]]:
 
 
 def test_a_bank_by_sizes_is_read_with_its_units() -> None:
-    text = f"""{BANK}place = "-150 mm"
-[[bank.members]]
-crank = "3.5 rad"
-axis = 60
-[[bank.compensators]]
-order = 2
-mass = "500 g"
-offset = "-6 cm"
-shafts = "500 mm"
-"""
+    text = scene(
+        f'{BANK}place = "-150 mm"',
+        bank_members=['crank = "3.5 rad"; axis = 60'],
+        bank_compensators=['order = 2; mass = "500 g"; offset = "-6 cm"; shafts = "500 mm"'],
+    )
     found = task(text)
     assert found.unit == Unit(0.04, 0.14, 0.6, 0.5)
     assert found.members[0] == Member("1", Fraction(0), Fraction(-3, 20), Fraction(0))

@@ -35,24 +35,20 @@ from plans.model.machine import OUTPUT
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.parts import some
 from tests.plans.force_cases import WORKED
+from tests.plans.scenes import scene
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = ROOT / "tests/cases/forces/shaper.toml"
 GOAL = 8.0  # eps kappa: as of the motion, whose accelerations are the inertia forces
 ANALYSIS_GOAL = 64.0  # eps: of Newton's motion, and as much again of a linear system for the multipliers
 LEVERS = 64.0  # eps of a hand's plain formulas, a chain of some sixty acts
-SPRUNG = """
-[[loads.springs]]
-between = ["O", { on = 4, point = "D" }]
-stiffness = 900
-free = 0.15
-[[loads.forces]]
-on = 3
-point = "B"
-against = "motion"
-diagram = { travel = [0, 0.3, 1], force = [100, 400, 250] }
-overrun = 0.05
-"""
+SPRUNG = scene(
+    springs=['between = ["O", { on = 4, point = "D" }]; stiffness = 900; free = 0.15'],
+    forces=[
+        'on = 3; point = "B"; against = "motion"; '
+        "diagram = { travel = [0, 0.3, 1], force = [100, 400, 250] }; overrun = 0.05",
+    ],
+)
 
 
 def scene(text: str = "") -> Scene:

@@ -17,41 +17,22 @@ from plans.model.cam_motion import CamFound
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import several
+from tests.plans.scenes import scene
 
 # Shocks of both kinds, an angle beyond its limit, a spring that does not hold.
-SCENE = """
-[[cam]]
-speed = "400 rpm"
-[cam.follower]
-motion = "translating"
-end = "pointed"
-lift = "20 mm"
-[cam.limits]
-rise = 25
-return = 35
-[cam.sizes]
-base = "20 mm"
-offset = "2 mm"
-[cam.load]
-mass = "2 kg"
-force = "20 N"
-preload = "5 N"
-stiffness = "1 N/mm"
-[[cam.phases]]
-kind = "rise"
-angle = 100
-law = "constant acceleration"
-[[cam.phases]]
-kind = "dwell"
-angle = 60
-[[cam.phases]]
-kind = "return"
-angle = 100
-law = "constant velocity"
-[[cam.phases]]
-kind = "dwell"
-angle = "rest"
-"""
+SCENE = scene(
+    cam=['speed = "400 rpm"'],
+    cam_follower='motion = "translating"; end = "pointed"; lift = "20 mm"',
+    cam_limits="rise = 25; return = 35",
+    cam_sizes='base = "20 mm"; offset = "2 mm"',
+    cam_load='mass = "2 kg"; force = "20 N"; preload = "5 N"; stiffness = "1 N/mm"',
+    cam_phases=[
+        'kind = "rise"; angle = 100; law = "constant acceleration"',
+        'kind = "dwell"; angle = 60',
+        'kind = "return"; angle = 100; law = "constant velocity"',
+        'kind = "dwell"; angle = "rest"',
+    ],
+)
 
 
 @cache

@@ -36,24 +36,13 @@ from tests.plans.test_loading import SHAPER as MACHINE
 
 SHAPER = f'sheets = ["forces"]\n{MACHINE.partition("acceleration")[0]}'
 # The shaper of the worked case: what stands in [masses], [loads] and [drive.gear].
-WORKED = """
-[drive.gear]
-radius = 0.18
-at = 210
-[masses]
-1 = { mass = 6, inertia = 0.25 }
-3 = { mass = "15 kg", inertia = 0.6, centre = "middle" }
-4 = { mass = 3, inertia = 0.01, centre = [0.1, 0] }
-5 = { mass = 25 }
-[loads]
-gravity = 9.81
-[[loads.forces]]
-on = 5
-point = "D"
-against = "motion"
-value = 1500
-during = "working stroke"
-"""
+WORKED = scene(
+    drive_gear="radius = 0.18; at = 210",
+    masses='1 = { mass = 6, inertia = 0.25 }; 3 = { mass = "15 kg", inertia = 0.6, centre = "middle" }; '
+    "4 = { mass = 3, inertia = 0.01, centre = [0.1, 0] }; 5 = { mass = 25 }",
+    loads="gravity = 9.81",
+    forces=['on = 5; point = "D"; against = "motion"; value = 1500; during = "working stroke"'],
+)
 ON_D = '[[loads.forces]]\non = 5\npoint = "D"\n'
 # A hinge of three links: connecting rods 2 and 4 both hang on the crank's end.
 TWIN = scene(

@@ -149,15 +149,10 @@ BOOM = scene(
     forces=['on = 1; point = "F"; direction = -20; value = 900'],
     drive="link = 1; {drive}",
 )
-CYLINDER = """
-positions = 2
-[drive.stroke]
-between = "EF"
-from = 0.45
-to = 0.55
-speed = 0.06
-acceleration = 0.2
-"""
+CYLINDER = scene(
+    "positions = 2",
+    drive_stroke='between = "EF"; from = 0.45; to = 0.55; speed = 0.06; acceleration = 0.2',
+)
 
 
 @cache
@@ -218,18 +213,15 @@ def test_a_cylinder_that_cannot_drive_is_refused_at_its_key(name: str) -> None:
     assert where in {".".join(map(str, fault.path)) for fault in refused.value.faults}
 
 
-LAW = """
-positions = 4
-[drive.stroke]
-{between}from = {begin}
-to = {end}
-speeds = [0.1, 0.3, 0.3, 0.1]
-places = [{begin}, {second}, {third}, {end}]
-"""
+LAW = scene(
+    "positions = 4",
+    drive_stroke="{between}from = {begin}; to = {end}; speeds = [0.1, 0.3, 0.3, 0.1]; "
+    "places = [{begin}, {second}, {third}, {end}]",
+)
 
 
 def test_a_law_over_the_stroke_gives_its_speeds_and_the_accelerations_that_follow() -> None:
-    drive = "link = 1" + LAW.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
+    drive = "link = 1\n" + LAW.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
     study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
     slider = study["linkage"].motion(2).points["B"]
     assert slider.v.real.tolist() == pytest.approx([-0.1, -0.3, -0.3, -0.3, -0.1])
@@ -272,7 +264,7 @@ RESTS = LAW.replace("[0.1, 0.3, 0.3, 0.1]", "[0, 0.3, 0.3, 0]").replace("positio
 
 def test_a_law_from_rest_to_rest_begins_and_ends_with_one_acceleration() -> None:
     """The trapezium of speed over time: v = sqrt(2 a s) from rest, and the other roads find the force at rest too."""
-    drive = "link = 1" + RESTS.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
+    drive = "link = 1\n" + RESTS.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
     study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
     slider = study["linkage"].motion(2).points["B"]
     a = 0.3**2 / (2 * 0.025)
