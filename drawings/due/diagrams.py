@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -14,14 +15,14 @@ from drawings.page.drafting import Drafting
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.checks.diagrams_comparison import LETTERS, DiagramsComparison
-from plans.model.diagrams import TURN, Axis, ChordError, Diagrams, chord_error
+from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
 from plans.model.motion import Floats
 from plans.study import Study
 
 TABLE, DIGITS = "output", 4
 KEYS = ("travel", "velocity", "acceleration")
 AHEAD = ("Δψ", "Δω", "ε")
-TALLEST, STEPS = 2.0, 361  # times the largest at a position that a course may go; places where it is looked at
+TALLEST = 2.0  # times the largest at a position that a course may go
 FLAT = 1e-9  # of what the chords of the row above could tell: a rounding, which has no scale
 AFTER = 2  # values beyond either end of a turn that a smooth curve looks at
 
@@ -36,6 +37,7 @@ class ExpectedRow(NamedTuple):
     at: Floats  # (M,)
     result: Callable[[Floats], Floats]
     exact: Callable[[Floats], Floats]
+    dense: Floats  # the thin curve, closely
     runs: tuple[tuple[float, float], ...]  # from where to where the thick curve goes
     places: Floats  # of the values by chords
     values: Floats
@@ -67,9 +69,9 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 
 def _cut_off(row: ExpectedRow) -> bool:
     """Tell whether the exact course may be cut off, as beside a gap and near a dead centre, where it goes too far."""
-    own = np.abs(row.exact(np.linspace(0.0, TURN, STEPS)))
-    far = not np.nanmax(own, initial=0.0) <= TALLEST * np.nanmax(np.abs(row.at), initial=0.0)
-    return len(row.runs) > 1 or not row.axis.closed or bool(np.isnan(own).any()) or far
+    if len(row.runs) > 1 or not row.axis.closed or np.isnan(row.dense).any():
+        return True
+    return not np.abs(row.dense).max() <= TALLEST * np.nanmax(np.abs(row.at), initial=0.0)
 
 
 def named(key: str) -> str:
@@ -86,25 +88,39 @@ def expected_rows(comparison: DiagramsComparison) -> tuple[ExpectedRow, ...]:
     for finding in comparison.findings:  # of a row those of the plans, of chords and between
         letter = finding.name.split(" ")[0]
         own[letter] = own.get(letter, 0.0) + float(np.nanmax(finding.allowed, initial=0.0))
+
+    @lru_cache(maxsize=1)
+    def course(angles: bytes) -> Course:
+        return comparison.exact.course(np.frombuffer(angles))
+
     return tuple(
-        _row(comparison, order, letter, unit, allowed)
+        _row(comparison, lambda turned: course(turned.tobytes()), order, letter, unit, allowed)
         for order, (letter, unit, allowed) in enumerate(zip(letters, units, own.values(), strict=True))
     )
 
 
-def _row(comparison: DiagramsComparison, order: int, letter: str, unit: str, allowed: float) -> ExpectedRow:
+def _row(
+    comparison: DiagramsComparison,
+    course: Callable[[Floats], Course],
+    order: int,
+    letter: str,
+    unit: str,
+    allowed: float,
+) -> ExpectedRow:
     found, axis = comparison.analysis, comparison.analysis.axis
 
-    def exact(turned: Floats) -> Floats:
-        """Give the exact course at angles."""
-        course = comparison.exact.course(turned)
+    def of(course: Course) -> Floats:
         return (course.s, course.v, course.even(found.lead))[order]
 
+    def exact(turned: Floats) -> Floats:
+        return of(course(turned))
+
+    dense = of(comparison.exact.dense)
     if order == 0:
         runs = tuple((float(axis.turned[run.start]), float(axis.turned[run.stop - 1])) for run in axis.runs)
         nothing = np.zeros(0)
         return ExpectedRow(
-            KEYS[0], letter, unit, axis, found.at.s, exact, exact, runs, nothing, nothing, None, False, allowed
+            KEYS[0], letter, unit, axis, found.at.s, exact, exact, dense, runs, nothing, nothing, None, False, allowed
         )
     at, places, values, true = _chorded(found, order)
     there = ~np.isnan(values)
@@ -117,6 +133,7 @@ def _row(comparison: DiagramsComparison, order: int, letter: str, unit: str, all
         at=at,
         result=lambda turned: _followed(pieces, turned),
         exact=exact,
+        dense=dense,
         runs=tuple(_spans(axis, pieces)),
         places=places[there],
         values=values[there],

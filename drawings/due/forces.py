@@ -84,7 +84,7 @@ class _Curves:
         first, last = study.turn.phi[0], study.turn.phi[-1]
         whole = study.sense * math.tau if study.mechanism.drive.turns else last - first
         phi = first + whole * np.arange(STEPS + 1) / STEPS
-        motion, strokes = road.motion(phi, 2), self.statics.over(road.extremes)
+        motion, strokes = road.around(phi), self.statics.over(road.extremes)
         with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
             loads = self.statics.loading_over(motion, strokes)
             found = kinetostatics(road, self.statics.machine, motion, loads, self.statics.pairs)

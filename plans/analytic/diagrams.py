@@ -56,11 +56,12 @@ class ExactCourse:
         self.road, self.output, self.axis = road, output, axis
         self.first = first  # rad: the crank angle at which the road looks for the sketch's assembly
         self.nodes = axis.fine(NODES)
-        self.along = self.at(self.nodes, followed=False)[0]
+        self.along, *rates = self.at(self.nodes, followed=False)
         self.turns = _slide_of(road.mechanism, output) is None
         if self.turns:
             self.along = np.unwrap(self.along)
         self.count = self._count(extremes)
+        self.dense = self.count.course(self.nodes, [self.along, *rates], abs(road.mechanism.drive.omega))
 
     def course(self, turned: Floats) -> Course:
         """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN."""

@@ -36,8 +36,10 @@ class Analysis:
         self.looks = looks  # crank angles rad among which the one is sought that the sketch shows, if not the first
         self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
         self.pace = pace  # the drive's rates at crank angles; None: those of the mechanism in all
+        self._start: Assembly | None = None  # from where the last way was marched
         self._turn: March | None = None
         self._whole: March | None = None
+        self._round = True  # whether the crank may turn fully, for all that is known
         self._homes: dict[float | None, Assembly | None] = {}  # by the first crank angle that the sketch may show
         self._extremes: dict[Output, tuple[March | None, Extremes | None]] = {}
 
@@ -48,14 +50,16 @@ class Analysis:
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
         phi = np.asarray(phi, dtype=np.float64)
-        found = find(self.shape, phi, self._home(phi) if phi.size else None, self.tolerance)
-        self._turn = found.turn
+        start = self._home(phi) if phi.size else None
+        found = find(self.shape, phi, start, self.tolerance, self._turn if start is self._start else None)
+        self._turn, self._start = found.turn, start
         return self._moved(found, order)
 
     def around(self, phi: Floats, order: int = 2) -> Motion:
         """Solve positions as `motion` does; where the crank turns fully and freely, by a turn marched once for all."""
-        if self._whole is None and self._turn is not None:
+        if self._round and self._whole is None and self._turn is not None:
             self._whole = whole_turn(self.shape, self._turn)
+            self._round = self._whole is not None
         if self._whole is None or self._whole.passed:
             return self.motion(phi, order)
         phi = np.asarray(phi, dtype=np.float64)

@@ -52,10 +52,13 @@ class Positions:
         return {missing.position for missing in self.gaps}
 
 
-def find(shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = EPS) -> Positions:
+def find(
+    shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = EPS, known: March | None = None
+) -> Positions:
     """Find the poses at crank angles phi rad, (N,), by a march from where the mechanism is assembled to its sketch.
 
-    The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for.
+    The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for. A `known`
+    march from there is taken where it passes all of them.
     """
     found = Positions(phi, *_none(shape, phi), shape.mechanism.drive)
     if start is None:
@@ -63,7 +66,7 @@ def find(shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = E
             found.miss(k, "positions", OUT_OF_REACH, None)
         return found
     ahead = (phi - start.phi) % FULL
-    turn = found.turn = survey(shape, start, ahead)
+    turn = found.turn = known if known and known.passes(start, ahead) else survey(shape, start, ahead)
     crank = start.phi + ahead
     behind = (crank > turn.angles[-1] + SHORTEST) & (crank - FULL >= turn.angles[0] - SHORTEST)
     crank[behind] -= FULL
