@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
 
 from drawings.checks.wrong import on
 from drawings.layout.ink import CELL, CLEAR
@@ -29,11 +30,19 @@ WITHIN = {order.plan: 1.6 + NEAR[-1] + ONE + ROUNDED for order in ORDERS[1:]}
 WITHIN[POSITIONS.plan] = BLOCK[1] / 2 + 1.0 + NEAR[-1] + ROUNDED
 
 
-class Label(NamedTuple):
-    """A lettering and where it points to: its own box, or the start of its leader."""
+@dataclass(frozen=True)
+class Label:
+    """A lettering, and the start of its leader if it has one."""
 
     text: Text
-    place: Box
+    leader: complex | None
+
+    @cached_property
+    def place(self) -> Box:
+        """Where it points to: its own box, or the start of its leader."""
+        if self.leader is None:
+            return bounds(self.text)
+        return self.leader.real, self.leader.imag, self.leader.real, self.leader.imag
 
 
 def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Message]:
@@ -88,7 +97,7 @@ def labels_of(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
 def distance(labels: Iterable[Label], spots: Iterable[complex]) -> float:
     """Give how far the nearest of some labels is from the nearest of some spots, mm; infinity without any."""
     places = tuple(spots)
-    return min((off(spot, label.place) for label in labels for spot in places), default=math.inf)
+    return min((off(spot, box) for box in (label.place for label in labels) for spot in places), default=math.inf)
 
 
 def leaders(strokes: Iterable[Stroke]) -> Iterator[tuple[Line, Text]]:
@@ -101,9 +110,7 @@ def leaders(strokes: Iterable[Stroke]) -> Iterator[tuple[Line, Text]]:
 
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
     led = {id(text): leader.start for leader, text in leaders(strokes)}
-    for text in texts(strokes):
-        place = led.get(id(text))
-        yield Label(text, bounds(text) if place is None else (place.real, place.imag, place.real, place.imag))
+    return (Label(text, led.get(id(text))) for text in texts(strokes))
 
 
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[Key, str, list[complex]]]:

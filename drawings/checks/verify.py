@@ -89,22 +89,19 @@ def measured_wrongs(
     yield from marked_scales(leaf)
 
 
-def obscured(leaf: Leaf, seen: SeenSheet) -> list[Message]:
+def obscured(seen: SeenSheet) -> list[Message]:
     """Tell what is right and badly drawn: lettering that is covered, whatever is off the paper or under a large area.
 
     A line may be short and end under a hinge, an arc be one of those that notch the centre of a cam's roller.
     """
-    if not any(one.reason in (COVERED, OUTSIDE) for one in seen.unseen):
-        return []
-    laid = unstated(plain(leaf, seen.leaf.lettering))
-    figures = Figures(laid)
-    right = {id(item.stroke): item for item in items(laid)}
-    under = list(veiled(laid))
-    own = [(right[id(one.stroke)], one.reason) for one in under]
-    large = {id(one.stroke) for one in veiled(laid, small(laid, SYMBOL), among={id(one.stroke) for one in under})}
-    large -= {id(one.stroke) for one in under if isinstance(one.stroke, Arc) and one.reason == COVERED}
-    held = [(item, why) for item, why in own if isinstance(item.stroke, Text) or id(item.stroke) in large]
-    return [lone("hidden", item, figures, reason=reason).told for item, reason in held]
+    leaf, figures = seen.written, Figures(seen.written)
+    under = {id(one.stroke): one for one in seen.unseen if one.reason in (COVERED, OUTSIDE)}
+    notches = {of for of, one in under.items() if isinstance(one.stroke, Arc) and one.reason == COVERED}
+    lines = {of for of, one in under.items() if not isinstance(one.stroke, Text)} - notches
+    large = {id(one.stroke) for one in veiled(leaf, small(leaf, SYMBOL), among=lines)} if lines else ()
+    held = [of for of, one in under.items() if isinstance(one.stroke, Text) or of in large]
+    right = {id(item.stroke): item for item in items(leaf)} if held else {}
+    return [lone("hidden", right[of], figures, reason=under[of].reason).told for of in held]
 
 
 def cramped(figure: str) -> Message:

@@ -152,7 +152,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
             seen, wrong, due = _held(study, sheets, beside)
             wrong[report] = [*phrase_faults(told_lines, due)]
             wrong |= {path: enclosure_wrongs(beside[path], one) for path, one in enclosures.items()}
-            told = tuple(fault for path, one in seen.items() for fault in obscured(sheets[path][1], one))
+            told = tuple(fault for one in seen.values() for fault in obscured(one))
             told += tuple(cramped(name) for _, leaf in sheets.values() for name in leaf.cramped)
         withheld = {path: own for path, own in wrong.items() if own}
         right = {path: content for path, content in contents.items() if path not in withheld}

@@ -92,7 +92,12 @@ def picked(seen: Sequence[tuple[str, int]], spaces: Sequence[int], said: str, fo
 
     In a viewer's fonts spaces have no width of their own, and are as they are said to be.
     """
-    return tuple(_runs(_signs_of(seen, (0, *spaces[1:]), said, fonts)))
+    return _picked(tuple(seen), (0, *spaces[1:]), said, fonts)
+
+
+@lru_cache(maxsize=4096)  # a sheet says the same in many places, and what was laid out is read as its file is
+def _picked(seen: tuple[tuple[str, int], ...], spaces: tuple[int, ...], said: str, fonts: bool) -> tuple[Run, ...]:
+    return tuple(_runs(_signs_of(seen, spaces, said, fonts)))
 
 
 @lru_cache(maxsize=4096)

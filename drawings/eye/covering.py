@@ -25,7 +25,7 @@ _MANY = 400  # squares: an area of more is looked at everywhere
 _GAP, _BLANK = 2.0, 4.0  # d: between letters, and the width of one that the alphabet does not have
 _FACETS = 8  # of a round piece of an outline
 
-_Cell: TypeAlias = tuple[int, int]
+_Cell: TypeAlias = tuple[float, float]  # whole numbers
 
 
 class _Area(NamedTuple):
@@ -76,13 +76,14 @@ def small(leaf: Leaf, most: float) -> set[int]:
 def _reason(order: int, one: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: dict[_Cell, list[_Area]]) -> str:
     spots = _spots(one)
     most = 0 if isinstance(one, Text) else len(spots) // 2  # of lettering each letter counts
-    if sum(not (0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height) for spot in spots) > most:
+    width, height = leaf.width, leaf.height
+    if sum([not (0 <= spot.real <= width and 0 <= spot.imag <= height) for spot in spots]) > most:
         return OUTSIDE
-    under = 0
+    over, under = [area for area in wide if area.order > order], 0
     for spot in spots:
-        near = cells.get((int(spot.real // _CELL), int(spot.imag // _CELL)))
-        if near or wide:
-            under += any(area.order > order and area.holds(spot) for area in (*(near or ()), *wide))
+        near = cells.get((spot.real // _CELL, spot.imag // _CELL), ())
+        if near or over:
+            under += any(area.order > order and area.holds(spot) for area in (*near, *over))
     return COVERED if under > most else ""
 
 
@@ -96,7 +97,7 @@ def _named(strokes: Iterable[Stroke], name: str) -> Iterator[tuple[Stroke, str]]
 
 def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Area]]]:
     """Give areas by the squares that they reach into; those that reach into very many by themselves."""
-    wide, cells = [], defaultdict(list)
+    wide, cells = [], defaultdict[_Cell, list[_Area]](list)
     for area in areas:
         left, low, right, high = (int(side // _CELL) for side in area.box)
         if (right - left + 1) * (high - low + 1) > _MANY:

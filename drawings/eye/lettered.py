@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
@@ -20,9 +20,9 @@ from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
 # The end of a straight piece, three points of a cubic; of an arc its middle and its end.
 Piece: TypeAlias = tuple[complex] | tuple[complex, complex, complex] | tuple[complex, complex]
 
-# Straight chains and arcs as a plain pen writes them; all else is for the strict reader.
-_PLAIN = re.compile(r"[MLAZ][-\d. ]*")
-_NUMERAL = re.compile(r"-?(?:\d+(?:\.\d+)?|\.\d+)")
+_NUMBER = r"-?[0-9]{1,7}(?:\.[0-9]{1,12})?"
+# Straight chains as a plain pen writes them; all else is for the strict reader.
+_CHAINS = re.compile(rf"(?:M{_NUMBER} {_NUMBER}(?:L{_NUMBER} {_NUMBER})+Z?)+")
 _ROUND = 1e-5  # Editors write about six digits of a radius: an arc with more between its two is of an ellipse.
 
 
@@ -50,14 +50,9 @@ def tracks(path: str) -> list[Track]:
     >>> tracks("m1 1h2v2z")
     [Track(start=(1+1j), pieces=(((3+1j),), ((3+3j),)), closed=True)]
     """
-    plain = _plain(path)
-    return _tracks(steps(path) if plain is None else plain)
-
-
-def _tracks(commands: Iterable[PathStep]) -> list[Track]:
     found: list[Track] = []
     start, pieces, closed = 0j, list[Piece](), False
-    for step in commands:
+    for step in steps(path):
         letter = step.letter.upper()
         if (letter == "M" or closed) and pieces:
             found.append(Track(start, tuple(pieces), closed))
@@ -70,26 +65,19 @@ def _tracks(commands: Iterable[PathStep]) -> list[Track]:
     return [*found, Track(start, tuple(pieces), closed)] if pieces else found
 
 
-def _plain(path: str) -> list[PathStep] | None:
-    """Take apart what a plain pen writes, fast; None of all else."""
-    found: list[PathStep] = []
-    here = start = 0j
-    place = 0
-    for match in _PLAIN.finditer(path):
-        words = match[0][1:].split()
-        if match.start() != place or not all(map(_NUMERAL.fullmatch, words)):
-            return None
-        place, letter, values = match.end(), match[0][0], [float(word) for word in words]
-        if letter == "Z":
-            found.append(PathStep(letter, [], here, start))
-            here = start
-            continue
-        if len(values) != (7 if letter == "A" else 2) or (letter == "A" and not {*words[3:5]} <= {"0", "1"}):
-            return None
-        end = complex(values[-2], values[-1])
-        found.append(PathStep(letter, values, here, end))
-        here, start = end, end if letter == "M" else start
-    return found if place == len(path) and path[:1] == "M" else None
+def chains(path: str) -> list[tuple[list[complex], bool]] | None:
+    """Read path data of straight chains at once: the points of each, and whether it is closed; None of all else.
+
+    >>> chains("M1 1L3 1L3 3Z")
+    [([(1+1j), (3+1j), (3+3j)], True)]
+    """
+    if _CHAINS.fullmatch(path) is None:
+        return None
+    found = []
+    for chain in path[1:].split("M"):
+        flat = [float(number) for number in chain.rstrip("Z").replace("L", " ").split(" ")]
+        found.append((list(map(complex, flat[::2], flat[1::2])), chain[-1] == "Z"))
+    return found
 
 
 def _pieces(step: PathStep, before: list[Piece]) -> list[Piece]:
@@ -211,9 +199,9 @@ def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
 
 def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
     """Set letters on one line of writing along or up a sheet, the most usual first."""
-    for stance in STANCES:
-        options = [_options(one, stance) for one in letters]
-        if not all(options):
+    for stance in dict.fromkeys(reading.stance for reading in letters[0].readings):
+        options = _options(letters, stance)
+        if not options:
             continue
         fewest = min((own for own in options if own[0].unit * 10 == size), key=len)
         for rise in (one.rise for one in fewest):
@@ -251,13 +239,18 @@ def _slope(row: Sequence[_Set], size: float) -> float:
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
-def _options(letter: SeenLetter, stance: Stance) -> list[_Set]:
-    back = stance.turn.conjugate()
-    found = []
-    for reading in letter.readings:
-        if reading.stance is stance:
-            corner = (letter.place + reading.corner) * back
-            found.append(_Set(reading.letter, corner.real, corner.imag, reading.width, letter.unit))
+def _options(letters: Sequence[SeenLetter], stance: Stance) -> list[list[_Set]]:
+    """Give what each letter may be that stands so, where it is set; nothing where any of them is none."""
+    back, found = stance.turn.conjugate(), []
+    for place, unit, _, known in letters:
+        own = []
+        for letter, its, corner, width in known:
+            if its is stance:
+                spot = (place + corner) * back
+                own.append(_Set(letter, spot.real, spot.imag, width, unit))
+        if not own:
+            return []
+        found.append(own)
     return found
 
 
@@ -277,8 +270,8 @@ def _unread(letters: Sequence[SeenLetter]) -> _Line:
     row = []
     for letter in letters:
         place = letter.place * stance.turn.conjugate()
-        none = _Set(UNREAD, place.real, place.imag, 0.0, letter.unit)
-        row.append(next(iter(_options(letter, stance)), none))
+        none = [[_Set(UNREAD, place.real, place.imag, 0.0, letter.unit)]]
+        row.append((_options([letter], stance) or none)[0][0])
     return stance, sorted(row, key=lambda one: one.along)
 
 
@@ -305,8 +298,7 @@ def _space(free: float, before: float, after: float, unit: float) -> tuple[float
 
 
 # Letters as a plain pen writes them: where each begins, and from there by steps.
-_NUMBER = r"(-?[0-9]{1,7}(?:\.[0-9]{1,12})?)"
-_LETTERS = re.compile(rf"M{_NUMBER} {_NUMBER}([lcm][^M]*)")
+_LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
 
 
@@ -315,10 +307,10 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter
     found = _LETTERS.findall(path)
     if sum(len(across) + len(down) + len(rest) + 2 for across, down, rest in found) != len(path):
         return []
-    linear = (place.p, place.q, style.width)
+    (p, q, t), unit = place, style.width
     return [
-        SeenLetter(place(complex(float(across), float(down))), style.width, *_looked_up(rest, *linear))
-        for across, down, rest in found
+        SeenLetter(p * spot + q * spot.conjugate() + t, unit, *_looked_up(rest, p, q, unit))
+        for spot, rest in ((complex(float(across), float(down)), rest) for across, down, rest in found)
     ]
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Iterator, Sequence
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from drawings.eye.shapes import LetterShape, Signature, accented, shapes
@@ -59,9 +59,7 @@ class Trail(NamedTuple):
 @lru_cache(maxsize=16384)
 def readings(trail: Trail, unit: float, near: float = NEAR) -> tuple[Reading, ...]:
     """Give what letters a trail may be that a pen of a width in mm has drawn; () if it is none."""
-    return tuple(_of(shapes().get(trail.signature, ()), trail, unit, near)) or tuple(
-        _of(accented(trail.signature), trail, unit, near)
-    )
+    return tuple(_of(trail, unit, near, False)) or tuple(_of(trail, unit, near, True))
 
 
 def angles(trails: Sequence[tuple[Trail, float]]) -> Iterator[float]:
@@ -85,17 +83,26 @@ def _angle(letter: LetterShape, trail: Trail, unit: float, stance: Stance) -> fl
     return cmath.phase(turn) if fits else None
 
 
-def _of(letters: Iterable[LetterShape], trail: Trail, unit: float, near: float) -> Iterator[Reading]:
-    own = tuple(letters)
-    for stance in STANCES:
-        turn = stance.turn * unit
-        for letter in own:
-            first = _leaning(letter.points[0], stance)
-            if all(
-                abs(turn * (_leaning(point, stance) - first) - seen) <= near
-                for point, seen in zip(reversed(letter.points), reversed(trail.points), strict=True)
-            ):
-                yield Reading(letter.letter, stance, -turn * first, letter.width * unit)
+def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Reading]:
+    last, off = trail.points[-1] / unit if unit else 0j, near / unit if unit else 0.0
+    for found, points in _stood(trail.signature, accents):
+        if abs(points[-1] - last) <= off and all(
+            abs(point * unit - seen) <= near for point, seen in zip(points, trail.points, strict=True)
+        ):
+            yield found._replace(corner=found.corner * unit, width=found.width * unit)
+
+
+@cache
+def _stood(signature: Signature, accents: bool) -> tuple[tuple[Reading, tuple[complex, ...]], ...]:
+    """Give the letters of a signature in all stances, d: what each is, and its points from the first one."""
+    own = accented(signature) if accents else shapes().get(signature, ())
+    return tuple(_standing(letter, stance) for stance in STANCES for letter in own)
+
+
+def _standing(letter: LetterShape, stance: Stance) -> tuple[Reading, tuple[complex, ...]]:
+    points = [stance.turn * _leaning(point, stance) for point in letter.points]
+    found = Reading(letter.letter, stance, -points[0], letter.width)
+    return found, tuple(point - points[0] for point in points)
 
 
 def _leaning(point: complex, stance: Stance) -> complex:

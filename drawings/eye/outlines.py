@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from drawings.eye.lettered import Track, tracks
+from drawings.eye.lettered import Track, chains, tracks
 from drawings.measure.curvedata import pieces
 from drawings.measure.pathdata import number, numbers
 from drawings.measure.transform import Affine
@@ -36,8 +36,13 @@ def outlines(tag: str, attributes: Mapping[str, str], place: Affine, style: Line
         start, end = place(_at(attributes, "x1", "y1")), place(_at(attributes, "x2", "y2"))
         yield Line(_checked(start), _checked(end), style)
         return
-    for track in _tracks(tag, attributes):
-        yield stroke(track.mapped(place), style)
+    plain = chains(attributes.get("d", "")) if tag == "path" else None
+    if plain is None:
+        yield from (stroke(track.mapped(place), style) for track in _tracks(tag, attributes))
+        return
+    p, q, t = place
+    for points, closed in plain:
+        yield _chain(tuple(_checked(p * one + q * one.conjugate() + t) for one in points), closed, style)
 
 
 def stroke(track: Track, style: LineStyle) -> Stroke:
@@ -46,7 +51,7 @@ def stroke(track: Track, style: LineStyle) -> Stroke:
         _checked(point)
     counts = {len(piece) for piece in track.pieces}
     if counts == {1}:
-        return _chain(track, style)
+        return _chain((track.start, *(piece[0] for piece in track.pieces)), track.closed, style)
     if counts == {2} and not track.closed and (arc := _arc(track, style)) is not None:
         return arc
     return Curve(tuple(merged(pieces(_spots(track)))), track.closed, style)
@@ -84,13 +89,12 @@ def scale_of(place: Affine) -> float:
     return math.sqrt(abs(abs(place.p) ** 2 - abs(place.q) ** 2))
 
 
-def _chain(track: Track, style: LineStyle) -> Stroke:
-    points = (track.start, *(piece[0] for piece in track.pieces))
+def _chain(points: tuple[complex, ...], closed: bool, style: LineStyle) -> Stroke:
     if style.colour == "none" and style.fill != "none":
         return Fill(points, style)
-    if len(points) == 2 and not track.closed:
+    if len(points) == 2 and not closed:
         return Line(*points, style)
-    return Polyline(points, track.closed, style)
+    return Polyline(points, closed, style)
 
 
 def _arc(track: Track, style: LineStyle) -> Arc | None:

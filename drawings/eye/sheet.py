@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,7 +20,7 @@ from drawings.measure.measure import Measured, measure
 from drawings.measure.pathdata import SPACE, number
 from drawings.measure.transform import STAY, Affine
 from drawings.measure.viewport import Viewport, viewport
-from drawings.measure.visibility import Look, declarations, unfollowed
+from drawings.measure.visibility import Look, Said, declarations, unfollowed
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text
 from drawings.paper.walk import flat
@@ -100,21 +101,20 @@ _IDLE = {
 # Attributes on which it depends whether an element is shown at all, or how long its dashes are.
 _NEVER = ("systemLanguage", "requiredExtensions", "pathLength", "rotate")
 _MADE = ("var(", "env(", "attr(", "calc(")  # what a viewer works out
-_FOREIGN, _DATA = "-webkit-", "data-"
+_FOREIGN = "-webkit-"
 
 
-def effects(attributes: Mapping[str, str]) -> Iterator[str]:
-    """Name the properties of an element that change what is seen of it and are not followed.
+@lru_cache(maxsize=1024)
+def effect(said: Said) -> str:
+    """Name a property of an element that changes what is seen of it and is not followed; "" if there is none.
 
-    >>> list(effects({"stroke-dashoffset": "0", "style": "mix-blend-mode:screen; -webkit-filter: blur(9px)"}))
-    ['mix-blend-mode', '-webkit-filter']
+    >>> effect((("stroke-dashoffset", "0"), ("style", "mix-blend-mode:screen; -webkit-filter: blur(9px)")))
+    'mix-blend-mode'
     """
-    yield from (name for name in _NEVER if name in attributes)
-    style = declarations(attributes["style"]) if "style" in attributes else {}
-    yield from filter(None, (unfollowed(style),))
-    for name, text in (*attributes.items(), *style.items()):
-        if name != "style" and not name.startswith(_DATA) and not _idle(name, text.strip(SPACE).lower()):
-            yield name
+    style = declarations(said)
+    own = next((name for name in _NEVER if name in dict(said)), "") or unfollowed(style)
+    others = ((name, text) for name, text in (*said, *style.items()) if name != "style")
+    return own or next((name for name, text in others if not _idle(name, text.strip(SPACE).lower())), "")
 
 
 def _idle(name: str, value: str) -> bool:
@@ -131,7 +131,7 @@ UNPAINTED = ("hidden", "clipped")  # why a stroke is unseen that hides nothing i
 _SAID = "data-text"
 
 
-@dataclass
+@dataclass(slots=True)
 class Opened:
     """An element that has begun, and what was seen in it."""
 
@@ -170,7 +170,7 @@ class Observer:
             self.root = one
         elif frame.tag in UNREAD or frame.tag == "svg":
             self._leave_aside(f"<{frame.tag}>")
-        elif frame.tag and (own := next(effects(attributes), "")):
+        elif frame.tag and (own := effect(frame.said)):
             self._leave_aside(f"<{frame.tag} {own}>")
         if frame.tag in SHAPES:
             self._draw(one)
@@ -265,9 +265,10 @@ class Observer:
 
     def _add(self, outer: Opened, strokes: tuple[Stroke, ...], seen: Ink) -> None:
         outer.strokes += strokes
-        own = [id(part) for part in flat(strokes)]
-        self.clear.update(own if seen.clear else ())
-        self.gone.update(own if seen.unseen in UNPAINTED else ())
+        if seen.clear:
+            self.clear.update(id(part) for part in flat(strokes))
+        if seen.unseen in UNPAINTED:
+            self.gone.update(id(part) for part in flat(strokes))
         if seen.unseen:
             self.unseen += [Unseen(stroke, seen.unseen, self._group) for stroke in strokes]
 

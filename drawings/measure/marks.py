@@ -9,18 +9,22 @@ from drawings.measure.curvedata import Spots, curve
 from drawings.measure.pathdata import centre, number, numbers, trace
 from drawings.measure.transform import Affine
 from drawings.measure.viewport import Viewport
-from drawings.measure.visibility import Look
+from drawings.measure.visibility import Look, Said
 from drawings.paper.limits import SheetRefused
 from plans.words.words import Message, message
 
 
 class Frame(NamedTuple):
-    """What an open element hands to those inside: its map to paper, its look, and why a mark in it is refused."""
+    """What an open element hands to those inside: its map to paper, its look, and why a mark in it is refused.
+
+    `said` are its own attributes that may tell of its look.
+    """
 
     tag: str
     to_paper: Affine
     look: Look
     refusal: Message | None
+    said: Said = ()
 
 
 class Witness(Protocol):

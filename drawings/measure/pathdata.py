@@ -17,6 +17,9 @@ GAP = re.compile(rf"[{SPACE}]*(?:,[{SPACE}]*)?")
 NUMERAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 _ARGUMENTS = {"M": 2, "L": 2, "T": 2, "H": 1, "V": 1, "S": 4, "Q": 4, "C": 6, "A": 7, "Z": 0}
+# All numbers of a command at once, each as long as it may be.
+_NUMBER = rf"((?>{NUMERAL.pattern}))(?>{GAP.pattern})"
+_TOGETHER = {letter: re.compile(_NUMBER * count) for letter, count in _ARGUMENTS.items() if letter not in "AZ"}
 _LETTERS = frozenset("MLTHVSQCAZmlthvsqcaz")
 _STRAIGHT = "MLHVZ"
 # Among the seven arguments of an arc two are flags of one digit, which may stand without a gap.
@@ -156,6 +159,10 @@ def _command(path: str, place: int, letter: str) -> tuple[str, int]:
 
 
 def _arguments(path: str, place: int, letter: str) -> tuple[list[float], int]:
+    together = _TOGETHER.get(letter.upper())
+    found = together.match(path, place) if together else None
+    if found is not None and found.end() - place <= NUMERAL_LENGTH:
+        return [_finite(one) for one in found.groups()], found.end()
     values: list[float] = []
     for index in range(_ARGUMENTS[letter.upper()]):
         if letter in "Aa" and index in _FLAGS:

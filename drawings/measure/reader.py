@@ -14,7 +14,7 @@ from drawings.measure.marks import LINES, LONGEST, Frame, SheetMark, Witness, ca
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import about, transform
 from drawings.measure.viewport import Viewport, viewport
-from drawings.measure.visibility import ANIMATIONS, UNDRAWN, Look, properties, telling, unfollowed
+from drawings.measure.visibility import ANIMATIONS, Look, presented, said, telling
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
 from plans.words.words import Message, message
@@ -106,7 +106,6 @@ class _Reader:
 
     def _parser(self) -> expat.XMLParserType:
         parser = expat.ParserCreate(namespace_separator=" ")
-        parser.ordered_attributes = True
         parser.buffer_text = True
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
@@ -133,16 +132,15 @@ class _Reader:
         if target == "xml-stylesheet":
             raise SheetRefused("far_style")
 
-    def _start(self, name: str, listed: list[str]) -> None:
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
         self.elements += 1
         if self.elements > limits.SHEET_ELEMENTS:
             raise OverLimit("elements", limit=limits.SHEET_ELEMENTS)
         if len(self.frames) >= limits.SHEET_DEPTH:
             raise OverLimit("depth", limit=limits.SHEET_DEPTH)
-        if len(listed) > 2 * limits.ELEMENT_ATTRIBUTES:
+        if len(attributes) > limits.ELEMENT_ATTRIBUTES:
             raise OverLimit("attributes", limit=limits.ELEMENT_ATTRIBUTES)
         space, _, tag = name.rpartition(" ")
-        attributes = dict(zip(listed[::2], listed[1::2], strict=True))
         self._name(attributes)
         if self.sheet is None:
             self._open(space, tag, attributes)
@@ -160,11 +158,12 @@ class _Reader:
     def _open(self, space: str, tag: str, attributes: Mapping[str, str]) -> None:
         if (space, tag) != (_SVG, "svg"):
             raise SheetRefused("root", tag=tag[:_SAID], space=_SVG)
-        if "transform" in properties(attributes):
+        own = presented(Look(), tag, said(attributes))
+        if "transform" in own.properties:
             raise SheetRefused("root_transform")
         paper = viewport(attributes) if self.witness is None else self.witness.opened(attributes)
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
-        self.frames.append(Frame(tag, paper.placing, Look().below(tag, properties(attributes)), None))
+        self.frames.append(Frame(tag, paper.placing, own.look, None))
 
     def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         outer = self.frames[-1]
@@ -184,21 +183,20 @@ class _Reader:
             self._mark(frame, data, attributes, sheet)
 
     def _framed(self, outer: Frame, tag: str, attributes: Mapping[str, str]) -> Frame:
-        own = properties(attributes)
-        look = outer.look.below(tag, own) if own or tag in UNDRAWN else outer.look
-        refusal = outer.refusal
+        telling_look, refusal = said(attributes), outer.refusal
+        own, look, moved = presented(outer.look, tag, telling_look)
         if tag == "svg":
             refusal = refusal or message("unreadable.nested")
-        elif moved := unfollowed(own):
+        elif moved:
             refusal = refusal or message("unreadable.moved", by=moved)
         if own.get("transform", "none") == "none":
-            return Frame(tag, outer.to_paper, look, refusal)
+            return Frame(tag, outer.to_paper, look, refusal, telling_look)
         moving = transform(own["transform"])
         if "transform-origin" in own:
             moving = about(pair(own["transform-origin"].replace("px", "")), moving)
         if moving.singular:
             look = look._replace(gone=look.gone or message("gone.scaled"))
-        return Frame(tag, outer.to_paper.after(moving), look, refusal)
+        return Frame(tag, outer.to_paper.after(moving), look, refusal, telling_look)
 
     def _mark(self, frame: Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
         kind = data["kind"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from drawings.measure.pathdata import NUMERAL, SPACE
 from drawings.paper.limits import NUMERAL_LENGTH, SheetRefused
@@ -25,7 +25,12 @@ _LOOKS = _FOLLOWED | frozenset(
 # Properties by which a style could move what the attributes show.
 _SHAPES = "cx cy r rx ry x y x1 y1 x2 y2 d points"
 _MOVING = frozenset(f"{_SHAPES} translate rotate scale offset-path motion-path zoom transform-box".split())
+# Attributes that say where an element lies, or who it is, and nothing of its look; so do its data.
+_PLACES = frozenset(("d", "points", "cx", "cy", "r", "x", "y", "x1", "y1", "x2", "y2", "id", "class"))
+_DATA = "data-"
 _INVISIBLE = ("none", "transparent")
+
+Said: TypeAlias = tuple[tuple[str, str], ...]  # attributes that may tell of a look: hundreds of elements have the same
 _SAID = 40  # letters of a strange value that are told
 
 
@@ -50,10 +55,6 @@ class Look(NamedTuple):
     text_anchor: str = "start"
     shade: float = 1.0
 
-    def below(self, tag: str, properties: Mapping[str, str]) -> Look:
-        """Give the look of an element inside, from its own properties."""
-        return _below(self, tag, tuple(properties.items()))
-
     def hidden(self, filled: bool) -> Message | None:
         """Tell why an element is not seen; None if it is. A mark that is `filled` needs no stroke."""
         if self.gone:
@@ -69,28 +70,37 @@ class Look(NamedTuple):
 _INHERITED = tuple(name.replace("_", "-") for name in Look._fields[1:-1])
 
 
+class Presentation(NamedTuple):
+    """What the attributes of an element say: its properties, its look, and which of them moves it unfollowed."""
+
+    properties: Mapping[str, str]
+    look: Look
+    moved: str
+
+
+def said(attributes: Mapping[str, str]) -> Said:
+    """Give the attributes of an element that may tell of its look."""
+    return tuple(one for one in attributes.items() if one[0] not in _PLACES and one[0][:5] != _DATA)
+
+
 @lru_cache(maxsize=1024)  # a sheet has thousands of elements in a dozen looks
-def _below(outer: Look, tag: str, listed: tuple[tuple[str, str], ...]) -> Look:
-    own = dict(listed)
+def presented(outer: Look, tag: str, said: Said) -> Presentation:
+    """Give the presentation of an element inside another: by its attributes, overruled by its style."""
+    own = {name: text.strip(SPACE) for name, text in said if name in _LOOKS} | declarations(said)
     changed: dict[str, Any] = {
         name.replace("-", "_"): own[name] for name in _INHERITED if own.get(name, "inherit") != "inherit"
     }
     gone, shade = outer.gone or _goes(tag, own), outer.shade * share(own.get("opacity", "1"))
-    return outer._replace(gone=gone, shade=shade)._replace(**changed)
+    return Presentation(own, outer._replace(gone=gone, shade=shade)._replace(**changed), unfollowed(own))
 
 
-def properties(attributes: Mapping[str, str]) -> dict[str, str]:
-    """Give the presentation of an element: its attributes, overruled by its style."""
-    found = {name: text.strip(SPACE) for name, text in attributes.items() if name in _LOOKS}
-    return found | declarations(attributes["style"]) if "style" in attributes else found
+def declarations(said: Said) -> dict[str, str]:
+    """Read the style among the attributes of an element.
 
-
-def declarations(style: str) -> dict[str, str]:
-    """Read the style attribute of an element.
-
-    >>> declarations("stroke:none; Fill : red ! important; fill: blue")
+    >>> declarations((("style", "stroke:none; Fill : red ! important; fill: blue"),))
     {'stroke': 'none', 'fill': 'red'}
     """
+    style = dict(said).get("style", "")
     if "/*" in style or "\\" in style:
         raise SheetRefused("style", text=repr(style[:_SAID]))
     found: dict[str, str] = {}

@@ -68,8 +68,8 @@ def _written(stroke: Stroke) -> Iterator[Stroke]:
     if not isinstance(stroke, Group):
         yield stroke
         return
-    own = tuple(one for part in stroke.strokes for one in _written(part))
+    own = (one for part in stroke.strokes for one in _written(part))
     if stroke.states is not None and not (stroke.name or stroke.data or stroke.title):
         yield from own
     else:
-        yield replace(stroke, strokes=own, states=None)
+        yield Group(tuple(own), stroke.name, stroke.data, stroke.title)

@@ -23,7 +23,7 @@ def breaches(leaf: Leaf, hand: Hand) -> Iterator[str]:
     """Name lettering that nobody can read, or that has the decimal mark of another language."""
     found = seen(leaf).seen
     if isinstance(found, SeenSheet):
-        yield from map(str, obscured(leaf, found))
+        yield from map(str, obscured(found))
     yield from collisions(leaf)
     if is_russian(leaf):
         yield from (f"{text.plain!r} has a decimal point" for text in _written(leaf) if has_point(text.plain))

@@ -43,7 +43,7 @@ def plain(leaf: Leaf, lettering: str) -> Leaf:
 
 
 def _group(group: Group, lined: bool) -> Group:
-    return replace(group, strokes=tuple(_strokes(group.strokes, lined)))
+    return Group(tuple(_strokes(group.strokes, lined)), group.name, group.data, group.title, group.states)
 
 
 def _strokes(strokes: Iterable[Stroke], lined: bool) -> Iterator[Stroke]:
@@ -62,13 +62,13 @@ def _strokes(strokes: Iterable[Stroke], lined: bool) -> Iterator[Stroke]:
             case Polyline() | Fill():
                 if len(stroke.points) > 1:
                     yield _chain(stroke)
-            case Circle():
-                if stroke.radius > 0:
-                    yield replace(stroke, style=_style(stroke.style))
+            case Circle(centre, radius, style):
+                if radius > 0:
+                    yield Circle(centre, radius, _style(style))
             case Curve():
                 yield _curve(stroke)
-            case Line():
-                yield replace(stroke, style=_style(stroke.style))
+            case Line(start, end, style):
+                yield Line(start, end, _style(style))
             case Arc():
                 yield stroke._replace(style=_style(stroke.style))
 

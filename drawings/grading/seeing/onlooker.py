@@ -14,7 +14,7 @@ from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
 from drawings.measure.pathdata import number
 from drawings.measure.viewport import Viewport
-from drawings.measure.visibility import declarations
+from drawings.measure.visibility import declarations, said
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf, Run, Stroke, Text
 from drawings.paper.walk import flat, texts
@@ -155,5 +155,5 @@ def _heads(attributes: Mapping[str, str]) -> frozenset[str]:
     """Give the ends of an element that have a marker, by its attributes or its style."""
     if "marker" not in attributes.get("style", "") and not {BEGIN, END} & set(attributes):
         return frozenset()
-    own = {**attributes, **declarations(attributes.get("style", ""))}
+    own = {**attributes, **declarations(said(attributes))}
     return frozenset(name for name in (BEGIN, END) if own.get(name, "none") != "none")
