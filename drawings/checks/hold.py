@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 
 import numpy as np
+import numpy.typing as npt
 
 from drawings.checks.expected import NOTES, Expected
 from drawings.checks.readers import Read, frames, read
@@ -24,7 +25,7 @@ from plans.model.motion import Complexes, Floats
 Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
 SIDES = (-1.0, -1e-6, 0.0, 1e-6, 1.0)  # of the paper's resolution: where a graph is looked at beside a jump, hard by it
-LOOKED = 360  # places of a path that are looked at
+LOOKED, STRIDE = 360, 16  # places of a path that are looked at; of its lines the first that are
 MARKS = {
     "vector": Kind.VECTOR,
     "point": Kind.POINT,
@@ -113,9 +114,9 @@ def holds(found: Read, due: Expected) -> bool:
             return _reads(value.lstrip("±+"), float(abs(true)) if isinstance(true, complex) else float(true), due)
         case np.ndarray() as path if isinstance(value, np.ndarray):
             one, other = even(value, found), even(path, found)
-            return bool(apart(one, other) <= slack and apart(other, one) <= slack)
+            return near(one, other, slack) and near(other, one, slack)
         case np.ndarray() as path if not isinstance(value, str):
-            return bool(apart(np.array([value]), path) <= slack)
+            return near(np.array([value]), path, slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
             return bool(np.abs(even(np.array([value - true]), found)).max() <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
@@ -156,16 +157,21 @@ def bows(path: Complexes) -> Floats:
     return np.asarray(np.maximum(np.append(0.0, off), np.append(off, 0.0)))
 
 
-def apart(drawn: Complexes, path: Complexes) -> float:
-    """Give how far places of one path, evenly of many, are at most from the lines between those of another.
+def near(drawn: Complexes, path: Complexes, slack: float) -> bool:
+    """Tell whether places of one path, evenly of many, are on the lines between those of another.
 
     Where that bends a place may lie as far from its lines as an arc does from its chords.
     """
-    start, run, bow = path[:-1], np.diff(path), bows(path)
+    start, run, most = path[:-1], np.diff(path), bows(path) + slack
     along = run.conj() / np.where(np.abs(run) > 0, np.abs(run) ** 2, 1.0)
-    farthest = 0.0
-    for spot in drawn[:: math.ceil(len(drawn) / LOOKED)]:
-        off = start - spot
-        share = np.minimum(np.maximum(-(off * along).real, 0.0), 1.0)
-        farthest = max(farthest, float(np.min(np.abs(off + share * run) - bow)))
-    return math.inf if math.isnan(farthest) else farthest
+
+    def reached(spots: Complexes, lines: npt.NDArray[np.intp]) -> npt.NDArray[np.bool_]:
+        off = start[lines] - spots[:, None]
+        share = np.minimum(np.maximum(-(off * along[lines]).real, 0.0), 1.0)
+        return np.asarray((np.abs(off + share * run[lines]) <= most[lines]).any(axis=1))
+
+    spots = drawn[:: math.ceil(len(drawn) / LOOKED)]
+    by = STRIDE * np.abs(start[::STRIDE] - spots[:, None]).argmin(axis=1)  # that line is hard by, most likely
+    lines = np.clip(np.add.outer(by, np.arange(-STRIDE, STRIDE + 1)), 0, len(run) - 1)
+    left, every = spots[~reached(spots, lines)], np.arange(len(run))[None]
+    return all(reached(left[k : k + 1], every)[0] for k in range(len(left)))

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, by_hand
+from drawings.checks.hold import stated_keys
 from drawings.due import diagrams
 from drawings.due.vector_plans import VectorPlans
 from drawings.layout import value_table
@@ -187,7 +188,8 @@ class _Linkage:
 
     @cached_property
     def _vectors(self) -> VectorPlans:
-        return VectorPlans(self.study, self.comparison, self.masses, self.drafting)
+        keys = frozenset(chain(*map(stated_keys, self.leaves)))
+        return VectorPlans(self.study, self.comparison, self.masses, self.drafting, keys)
 
     def values(self) -> Iterator[Expected]:
         """Give the cells of the table of values: by plan, by analysis, by hand."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain, permutations
+from itertools import chain
 
 import numpy as np
 
 from drawings.checks.expected import Expected
 from drawings.lettering.indices import with_index
 from drawings.page.drafting import Drafting
-from drawings.paper.statement import Kind
+from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
@@ -33,22 +33,27 @@ SHORT = 0.1  # mm: a shorter vector may be a point
 
 @dataclass(frozen=True)
 class VectorPlans:
-    """The plans of a motion by the analysis; `masses` are the centres that no point names, with link and place."""
+    """The plans of a motion by the analysis; `masses` are the centres that no point names, with link and place.
+
+    `keys` are those of all that the sheets state: any two images may be joined, few are.
+    """
 
     study: LinkageStudy
     comparison: MotionComparison
     masses: Masses
     drafting: Drafting
+    keys: Set[Key]
 
     def rows(self, plan: str, k: int, scale: float) -> Iterator[Expected]:
         """Give the vectors of a plan in a position, m/s or m/s2 by a mm, and the letters of those between points."""
         slack = 2 * max((float(one.allowed[k]) for one in self.comparison.of(plan)), default=0.0)
         values = self._values(plan, k)
         must = self._drawn(plan, {name for name, value in values.items() if abs(value) > SHORT * scale + slack})
-        for name, value in (self._across(plan, k) | values).items():
+        stated = {name for kind, own, name, at in self.keys if (kind, own, at) == (Kind.VECTOR, plan, k)}
+        for name, value in (self._across(plan, k, stated) | values).items():
             yield Expected(Kind.VECTOR, plan, name, value, slack, k, may_lack=name not in must)
         for own, vector, letter in self._letters:
-            if own == plan:
+            if own == plan and (Kind.LETTER, plan, f"{vector} {letter}", k) in self.keys:
                 told = Text(0j, self.drafting.letter(with_index(letter))).plain
                 yield Expected(Kind.LETTER, plan, f"{vector} {letter}", told, 0.0, k, may_lack=True)
 
@@ -66,12 +71,12 @@ class VectorPlans:
                 found.setdefault(self._ends[one.name], complex(one.analysis[k]))
         return found
 
-    def _across(self, plan: str, k: int) -> dict[str, complex]:
-        """Give the vectors to all images and places under pins, and between any two of them."""
+    def _across(self, plan: str, k: int, stated: Set[str]) -> dict[str, complex]:
+        """Give the vectors to images and places under pins, and between any two of them, of those that are stated."""
         own = self._images(plan, k)
-        images = dict(chain(*(some.items() for some in (*own, *self._under(plan, own)))))
-        found = {f"{POLES[plan]} {end}": value for end, value in images.items()}
-        found |= {f"{start} {end}": images[end] - images[start] for start, end in permutations(images, 2)}
+        images = {POLES[plan]: 0j, **dict(chain(*(some.items() for some in (*own, *self._under(plan, own)))))}
+        ends = ((name, *name.split(" ", 1)) for name in stated if " " in name)
+        found = {name: images[end] - images[start] for name, start, end in ends if start in images and end in images}
         return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
 
     def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
