@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import chain
 from typing import Any
 
@@ -72,7 +73,7 @@ class _Cam:
     def values(self) -> CamValues:
         return self.numbers.values
 
-    @property
+    @cached_property
     def slack(self) -> float:
         """How far rounding may have moved a point of the profile, m."""
         return float(np.max(self.values.compared.slack.profile))

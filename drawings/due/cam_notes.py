@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -29,8 +30,9 @@ def every_cam(study: Study) -> Iterator[Expected]:
         yield from numbers_of(study, found.cam.name).notes()
 
 
+@lru_cache(maxsize=8)
 def numbers_of(study: Study, name: str) -> CamNumbers:
-    """Give the numbers of one cam of a scene."""
+    """Give the numbers of one cam of a scene; each of its sheets asks for them."""
     comparison = study.comparison("cam")
     cams = {one.cam.name: one for one in comparison.analysis.cams}
     beside = f" {name}" if len(cams) > 1 else ""

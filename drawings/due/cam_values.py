@@ -226,7 +226,7 @@ class CamValues:
         """
         rolls = self.found.roller > 0
         shown = ("profile", "pitch", "outer") if rolls else ("profile",)
-        stretches = [*self._stretches()]
+        stretches = self._stretches
         for name in shown if self.contour.outer is not None else shown[:2]:
             own = [np.append(getattr(one, name), getattr(end, name)) for one, end in stretches]
             own += [] if self.cam.translates else [own[0][:1]]
@@ -235,9 +235,10 @@ class CamValues:
             turned += [np.zeros(0, dtype=complex)] * (len(own) - len(turned))
             yield name, np.concatenate([part for pair in zip(own, turned, strict=True) for part in pair])
 
-    def _stretches(self) -> Iterator[tuple[Contour, Contour]]:
-        """Give the contour between shocks, each stretch with its end before what jumps there."""
-        bounds = sorted({0.0, *(one.turned for one in self.found.shocks), self.cam.turn})
+    @cached_property
+    def _stretches(self) -> list[tuple[Contour, Contour]]:
+        """The contour between shocks, each stretch with its end before what jumps there."""
+        found, bounds = [], sorted({0.0, *(one.turned for one in self.found.shocks), self.cam.turn})
         for start, end in pairwise(bounds):
             turned = np.linspace(start, end, max(int(DENSE * (end - start) / self.cam.turn), 3))
             for _ in range(ROUNDS):
@@ -245,7 +246,8 @@ class CamValues:
                 curves = (own.profile, own.pitch, own.profile if own.outer is None else own.outer)
                 wide = np.max([bows(one) for one in curves], axis=0) > self.cam.tolerance
                 turned = np.sort(np.append(turned, ((turned[:-1] + turned[1:]) / 2)[wide]))
-            yield self.at(turned[:-1]), self.at(turned[-1:], True)
+            found.append((self.at(turned[:-1]), self.at(turned[-1:], True)))
+        return found
 
 
 def _corner(before: Complexes, after: Complexes, at: complex) -> Complexes:

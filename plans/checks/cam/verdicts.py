@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -103,6 +103,7 @@ class Slack:
         return np.asarray((self.point + self.way(1) + self.way(2)) / np.abs(lead) ** 3)
 
 
+@lru_cache(maxsize=64)
 def gross(law: Law, order: int) -> float:
     """Give what the terms of a law, or of a derivative, add up to, in shares of phase and lift.
 
