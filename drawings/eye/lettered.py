@@ -7,7 +7,8 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from itertools import pairwise
+from itertools import chain, pairwise
+from operator import attrgetter
 from typing import NamedTuple, TypeAlias
 
 from drawings.eye.alike import picked
@@ -74,9 +75,9 @@ def chains(path: str) -> list[tuple[list[complex], bool]] | None:
     if _CHAINS.fullmatch(path) is None:
         return None
     found = []
-    for chain in path[1:].split("M"):
-        flat = [float(number) for number in chain.rstrip("Z").replace("L", " ").split(" ")]
-        found.append((list(map(complex, flat[::2], flat[1::2])), chain[-1] == "Z"))
+    for own in path[1:].split("M"):
+        flat = list(map(float, own.rstrip("Z").replace("L", " ").split(" ")))
+        found.append((list(map(complex, flat[::2], flat[1::2])), own[-1] == "Z"))
     return found
 
 
@@ -159,7 +160,7 @@ EVEN = 0.002
 _GAP, _THIN = 2.0, 2.0
 # Thin spaces: across an A0 sheet in the smallest letters are under 4,000; more is no line of writing.
 _WIDEST = 4000
-_RISES = {0: 0.0, -1: -LOWERED, 1: RAISED}
+_RISES = ((0, 0.0), (-1, -LOWERED), (1, RAISED))  # how high levels lie, in sizes
 
 
 class SeenLetter(NamedTuple):
@@ -183,6 +184,7 @@ class _Set(NamedTuple):
 
 
 _Line: TypeAlias = tuple[Stance, list[_Set]]
+_ALONG = attrgetter("along")
 
 
 def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
@@ -190,7 +192,7 @@ def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
     size = 10 * max(letter.unit for letter in letters)
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
     spaces = (0, *_spaces(row, size))
-    seen = [(one.letter if space >= 0 else UNREAD, one.level) for one, space in zip(row, spaces, strict=True)]
+    seen = [(one[0] if space >= 0 else UNREAD, one[5]) for one, space in zip(row, spaces, strict=True)]
     runs = picked(seen, [max(space, 0) for space in spaces], said)
     low = next((one.rise for one in row if one.level == 0), 0.0)
     at = stance.turn * complex(row[0].along, low)
@@ -200,15 +202,24 @@ def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
 def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
     """Set letters on one line of writing along or up a sheet, the most usual first."""
     for stance in dict.fromkeys(reading.stance for reading in letters[0].readings):
-        options = _options(letters, stance)
-        if not options:
-            continue
-        fewest = min((own for own in options if own[0].unit * 10 == size), key=len)
-        for rise in (one.rise for one in fewest):
-            row = [_levelled(own, rise, size, stance, even) for own in options]
-            if all(row):
-                return stance, sorted((one for one in row if one is not None), key=lambda one: one.along)
+        for low in _lows(letters, size, stance):
+            row = [one for letter in letters if (one := _levelled(letter, low, size, stance, even)) is not None]
+            if len(row) == len(letters):
+                return stance, sorted(row, key=_ALONG)
     return None
+
+
+def _lows(letters: Sequence[SeenLetter], size: float, stance: Stance) -> list[float]:
+    """Give how high a line of writing may lie: by that of the largest letters which may be the fewest."""
+    fewest: list[float] = []
+    for place, unit, _, known in letters:
+        if unit * 10 == size:
+            back = stance.turn.conjugate()
+            own = [((place + one.corner) * back).imag for one in known if one.stance is stance]
+            if len(own) <= 1:
+                return own
+            fewest = own if not fewest or len(own) < len(fewest) else fewest
+    return fewest
 
 
 def _askew(letters: Sequence[SeenLetter], size: float) -> _Line | None:
@@ -235,32 +246,22 @@ def _turned_back(letter: SeenLetter, angle: float, near: float) -> SeenLetter:
 
 def _slope(row: Sequence[_Set], size: float) -> float:
     """Give the angle (rad) by which a line of writing rises yet: between its first letter and its last."""
-    low = [one.rise - _RISES[one.level] * size for one in row]
+    low = [one.rise - dict(_RISES)[one.level] * size for one in row]
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
-def _options(letters: Sequence[SeenLetter], stance: Stance) -> list[list[_Set]]:
-    """Give what each letter may be that stands so, where it is set; nothing where any of them is none."""
-    back, found = stance.turn.conjugate(), []
-    for place, unit, _, known in letters:
-        own = []
-        for letter, its, corner, width in known:
-            if its is stance:
-                spot = (place + corner) * back
-                own.append(_Set(letter, spot.real, spot.imag, width, unit))
-        if not own:
-            return []
-        found.append(own)
-    return found
-
-
-def _levelled(options: list[_Set], low: float, size: float, stance: Stance, even: float) -> _Set | None:
+def _levelled(letter: SeenLetter, low: float, size: float, stance: Stance, even: float) -> _Set | None:
     """Set a letter on a line of writing: the first that it may be, on the level where it stands."""
-    for one in options:
-        for level, share in _RISES.items():
-            if abs(one.rise - low - share * size) <= even and (level or one.unit * 10 == size):
-                lean = LEAN * share * size if stance.slanted else 0.0
-                return one._replace(level=level, along=one.along - lean) if level else one
+    place, unit, _, known = letter
+    back = stance.turn.conjugate()
+    for name, own, corner, width in known:
+        if own is stance:
+            spot = (place + corner) * back
+            rise = spot.imag - low
+            for level, share in _RISES:
+                if abs(rise - share * size) <= even and (level or unit * 10 == size):
+                    lean = LEAN * share * size if level and stance.slanted else 0.0
+                    return _Set(name, spot.real - lean, spot.imag, width, unit, level)
     return None
 
 
@@ -268,23 +269,22 @@ def _unread(letters: Sequence[SeenLetter]) -> _Line:
     """Set letters that do not stand on one line: those that are one, wherever it is, and the others unread."""
     stance = next((one.readings[0].stance for one in letters if one.readings), STANCES[0])
     row = []
-    for letter in letters:
-        place = letter.place * stance.turn.conjugate()
-        none = [[_Set(UNREAD, place.real, place.imag, 0.0, letter.unit)]]
-        row.append((_options([letter], stance) or none)[0][0])
-    return stance, sorted(row, key=lambda one: one.along)
+    for place, unit, _, known in letters:
+        name, corner, width = next(((one[0], one[2], one[3]) for one in known if one[1] is stance), (UNREAD, 0j, 0.0))
+        spot = (place + corner) * stance.turn.conjugate()
+        row.append(_Set(name, spot.real, spot.imag, width, unit))
+    return stance, sorted(row, key=_ALONG)
 
 
 def _spaces(row: Sequence[_Set], size: float) -> Iterator[int]:
     """Give how many thin spaces are between letters; below 0, where a letter runs into the one before it."""
-    for one, after in pairwise(row):
-        gap = _GAP * min(one.unit, after.unit)
-        free = after.along - one.along - one.width
+    for (_, start, _, width, before, _), (_, end, _, _, after, _) in pairwise(row):
+        gap, free = _GAP * (before if before < after else after), end - start - width
         if free <= gap + EVEN:
             yield 0 if free >= gap / 2 - EVEN else -1
         else:
             # A space has the width of its level, which may be that of either letter or of the text.
-            off, count = min(_space(free, one.unit, after.unit, unit) for unit in (one.unit, after.unit, size / 10))
+            off, count = min(_space(free, before, after, unit) for unit in {before, after, size / 10})
             yield count if off <= EVEN and count <= _WIDEST else -1
 
 
@@ -305,7 +305,7 @@ _MOST = 6  # strokes of a letter with its accents
 def plain_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
     """Read path data that is written letter by letter; nothing, if it is not."""
     found = _LETTERS.findall(path)
-    if sum(len(across) + len(down) + len(rest) + 2 for across, down, rest in found) != len(path):
+    if sum(map(len, chain(*found))) + 2 * len(found) != len(path):
         return []
     (p, q, t), unit = place, style.width
     return [
