@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -47,8 +47,12 @@ class Label:
 
 def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Message]:
     """Name each mark of a sheet that no letter of its own stands beside: the one that is due, else what it says."""
-    yield from strayed(leaf)
-    labels, known = labels_of(leaf.groups), due or {}
+    labels, known = dict[str, list[Label]](), due or {}
+    for figure in leaf.groups:
+        found = labels_of((figure,))
+        yield from strayed(figure, found)
+        for plain, some in found.items():
+            labels.setdefault(plain, []).extend(some)
     for key, letter, spots in _marks(leaf.groups):
         _, plan, name, _ = key
         own = known.get(key) or letter
@@ -57,27 +61,26 @@ def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Mes
             yield on("letter", plan, name=name)
 
 
-def strayed(leaf: Leaf) -> Iterator[Message]:
+def strayed(figure: Group, labels: Mapping[str, Sequence[Label]]) -> Iterator[Message]:
     """Name each letter of a vector plan that stands beside another mark than its own: an image's, a vector's."""
-    for figure in leaf.groups:
-        vectors = [(one, line) for one in groups((figure,)) for line in one.strokes[:1] if _is_vector(one, line)]
-        images: dict[str, list[complex]] = {}
-        for one, line in vectors:
-            assert isinstance(line, Line)
-            for name, spot in zip(one.data["name"].split(" "), (line.start, line.end), strict=True):
-                images.setdefault(Text(0j, with_index(name)).plain, []).append(spot)
-        plan = vectors[0][0].data["plan"] if vectors else ""
-        for letter, labels in labels_of(figure.strokes).items() if vectors else ():
-            spots = images.get(letter, ())
-            if spots and any(not distance((one,), spots) <= WITHIN.get(plan, NEAREST) for one in labels):
-                yield on("letter", plan, name=letter)
-        lines = {one.data["name"]: line for one, line in vectors if isinstance(line, Line)}
-        for one in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
-            assert one.states is not None
-            vector, _, name = one.states.name.rpartition(" ")
-            own = lines.get(vector)
-            if own is not None and not distance(_labels(one.strokes), along(own.start, own.end)) <= NEAREST:
-                yield on("letter", plan, name=name)
+    vectors = [(one, line) for one in groups((figure,)) for line in one.strokes[:1] if _is_vector(one, line)]
+    if not vectors:
+        return
+    plan, images = vectors[0][0].data["plan"], dict[str, list[complex]]()
+    for one, line in vectors:
+        assert isinstance(line, Line)
+        for name, spot in zip(one.data["name"].split(" "), (line.start, line.end), strict=True):
+            images.setdefault(Text(0j, with_index(name)).plain, []).append(spot)
+    for letter, spots in ((letter, images[letter]) for letter in labels if letter in images):
+        if any(not distance((one,), spots) <= WITHIN.get(plan, NEAREST) for one in labels[letter]):
+            yield on("letter", plan, name=letter)
+    lines = {one.data["name"]: line for one, line in vectors if isinstance(line, Line)}
+    for one in (said for said in stated((figure,)) if said.states and said.states.kind is Kind.LETTER):
+        assert one.states is not None
+        vector, _, name = one.states.name.rpartition(" ")
+        own = lines.get(vector)
+        if own is not None and not distance(_labels(one.strokes), along(own.start, own.end)) <= NEAREST:
+            yield on("letter", plan, name=name)
 
 
 def _is_vector(one: Group, line: Stroke) -> bool:

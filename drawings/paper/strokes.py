@@ -139,7 +139,7 @@ class Text:
     @property
     def plain(self) -> str:
         """The lettering without its levels, as it is read aloud."""
-        return "".join(run.text for run in self.runs)
+        return _joined(self.content)
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,6 +173,11 @@ class Leaf:
     metadata: Mapping[str, Any] = field(default_factory=dict)
     lettering: str = "text"  # "strokes" of our own alphabet, or "text" in the fonts of the viewer
     cramped: tuple[str, ...] = ()  # figures too small for their letters, which is told and not written
+
+
+@lru_cache(maxsize=4096)
+def _joined(content: str | tuple[Run, ...]) -> str:
+    return "".join([run.text for run in (runs(content) if isinstance(content, str) else content)])
 
 
 _MARKUP = re.compile(r"([_^])(?:\{([^{}]*)\}|([^{}\\_^]))|\\(.)|([^_^\\{}]+)", re.DOTALL)
