@@ -183,6 +183,7 @@ class _Set(NamedTuple):
     level: int = 0
 
 
+_Turned: TypeAlias = tuple[complex, float, tuple[Reading, ...]]  # a letter as if its line of writing went along
 _Line: TypeAlias = tuple[Stance, list[_Set]]
 _ALONG = attrgetter("along")
 
@@ -202,20 +203,21 @@ def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
 def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
     """Set letters on one line of writing along or up a sheet, the most usual first."""
     for stance in dict.fromkeys(reading.stance for reading in letters[0].readings):
-        for low in _lows(letters, size, stance):
-            row = [one for letter in letters if (one := _levelled(letter, low, size, stance, even)) is not None]
+        back = stance.turn.conjugate()
+        along = [(place * back, unit, known) for place, unit, _, known in letters]
+        for low in _lows(along, size, stance):
+            row = [one for letter in along if (one := _levelled(letter, low, size, stance, even)) is not None]
             if len(row) == len(letters):
                 return stance, sorted(row, key=_ALONG)
     return None
 
 
-def _lows(letters: Sequence[SeenLetter], size: float, stance: Stance) -> list[float]:
+def _lows(letters: Sequence[_Turned], size: float, stance: Stance) -> list[float]:
     """Give how high a line of writing may lie: by that of the largest letters which may be the fewest."""
     fewest: list[float] = []
-    for place, unit, _, known in letters:
+    for place, unit, known in letters:
         if unit * 10 == size:
-            back = stance.turn.conjugate()
-            own = [((place + one.corner) * back).imag for one in known if one.stance is stance]
+            own = [(place + one.corner).imag for one in known if one.stance is stance]
             if len(own) <= 1:
                 return own
             fewest = own if not fewest or len(own) < len(fewest) else fewest
@@ -250,13 +252,12 @@ def _slope(row: Sequence[_Set], size: float) -> float:
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
-def _levelled(letter: SeenLetter, low: float, size: float, stance: Stance, even: float) -> _Set | None:
+def _levelled(letter: _Turned, low: float, size: float, stance: Stance, even: float) -> _Set | None:
     """Set a letter on a line of writing: the first that it may be, on the level where it stands."""
-    place, unit, _, known = letter
-    back = stance.turn.conjugate()
+    place, unit, known = letter
     for name, own, corner, width in known:
         if own is stance:
-            spot = (place + corner) * back
+            spot = place + corner
             rise = spot.imag - low
             for level, share in _RISES:
                 if abs(rise - share * size) <= even and (level or unit * 10 == size):
@@ -271,7 +272,7 @@ def _unread(letters: Sequence[SeenLetter]) -> _Line:
     row = []
     for place, unit, _, known in letters:
         name, corner, width = next(((one[0], one[2], one[3]) for one in known if one[1] is stance), (UNREAD, 0j, 0.0))
-        spot = (place + corner) * stance.turn.conjugate()
+        spot = place * stance.turn.conjugate() + corner
         row.append(_Set(name, spot.real, spot.imag, width, unit))
     return stance, sorted(row, key=_ALONG)
 

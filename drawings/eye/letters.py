@@ -41,7 +41,7 @@ STANCES = tuple(Stance(rotation, slanted) for rotation in (0.0, 90.0, 180.0, 270
 
 
 class Reading(NamedTuple):
-    """What letter a shape may be, where the corner of its cell is from its first point, mm, and its width, mm."""
+    """What letter a shape may be, where the corner of its cell is from its first point along its line, its width, mm."""
 
     letter: str
     stance: Stance
@@ -100,9 +100,9 @@ def _stood(signature: Signature, accents: bool) -> tuple[tuple[Reading, tuple[co
 
 
 def _standing(letter: LetterShape, stance: Stance) -> tuple[Reading, tuple[complex, ...]]:
-    points = [stance.turn * _leaning(point, stance) for point in letter.points]
+    points = [_leaning(point, stance) for point in letter.points]
     found = Reading(letter.letter, stance, -points[0], letter.width)
-    return found, tuple(point - points[0] for point in points)
+    return found, tuple(stance.turn * (point - points[0]) for point in points)
 
 
 def _leaning(point: complex, stance: Stance) -> complex:

@@ -113,7 +113,8 @@ def _text(text: Text, lined: bool) -> Text:
     return Text(at, runs, size, "start", slanted, text.rotation % 360, text.style)
 
 
-def _flat(runs: Iterable[Run]) -> float | None:
+@lru_cache(maxsize=4096)
+def _flat(runs: tuple[Run, ...]) -> float | None:
     """Give how far a lone dash leans, d: it looks alike slanted and upright; None of what does not."""
     own = [sign for run in runs for sign in signs(run.text)]
     points = shape(own[0].written).points if len(own) == 1 and own[0].written in notations() else ()
