@@ -41,7 +41,7 @@ STANCES = tuple(Stance(rotation, slanted) for rotation in (0.0, 90.0, 180.0, 270
 
 
 class Reading(NamedTuple):
-    """What letter a shape may be, where the corner of its cell is from its first point along its line, its width, mm."""
+    """What letter a shape may be, from its first point the corner of its cell along its line, mm, and its width, mm."""
 
     letter: str
     stance: Stance
