@@ -26,11 +26,8 @@ Seen = Mapping[Key, Sequence[Read]]
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
 SIDES = (-1.0, -1e-6, 0.0, 1e-6, 1.0)  # of the paper's resolution: where a graph is looked at beside a jump, hard by it
 LOOKED, STRIDE = 360, 16  # places of a path that are looked at; of its lines the first that are
-MARKS = {
-    "vector": Kind.VECTOR,
-    "point": Kind.POINT,
-    "profile": Kind.CURVE,
-}  # what measuring reads, by the kind of its data
+# What measuring reads, by the kind of its data.
+MARKS = {"vector": Kind.VECTOR, "point": Kind.POINT, "profile": Kind.CURVE}
 
 
 def seen(measured: Measured, leaf: Leaf) -> Seen:

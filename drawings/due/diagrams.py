@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -88,32 +87,20 @@ def expected_rows(comparison: DiagramsComparison) -> tuple[ExpectedRow, ...]:
     for finding in comparison.findings:  # of a row those of the plans, of chords and between
         letter = finding.name.split(" ")[0]
         own[letter] = own.get(letter, 0.0) + float(np.nanmax(finding.allowed, initial=0.0))
-
-    @lru_cache(maxsize=1)
-    def course(angles: bytes) -> Course:
-        return comparison.exact.course(np.frombuffer(angles))
-
     return tuple(
-        _row(comparison, lambda turned: course(turned.tobytes()), order, letter, unit, allowed)
+        _row(comparison, order, letter, unit, allowed)
         for order, (letter, unit, allowed) in enumerate(zip(letters, units, own.values(), strict=True))
     )
 
 
-def _row(
-    comparison: DiagramsComparison,
-    course: Callable[[Floats], Course],
-    order: int,
-    letter: str,
-    unit: str,
-    allowed: float,
-) -> ExpectedRow:
+def _row(comparison: DiagramsComparison, order: int, letter: str, unit: str, allowed: float) -> ExpectedRow:
     found, axis = comparison.analysis, comparison.analysis.axis
 
     def of(course: Course) -> Floats:
         return (course.s, course.v, course.even(found.lead))[order]
 
     def exact(turned: Floats) -> Floats:
-        return of(course(turned))
+        return of(comparison.exact.course(turned))
 
     dense = of(comparison.exact.dense)
     if order == 0:

@@ -13,6 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.eye.alike import picked
 from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
+from drawings.measure.curvedata import handles
 from drawings.measure.pathdata import PathStep, steps
 from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
@@ -88,23 +89,18 @@ def _pieces(step: PathStep, before: list[Piece]) -> list[Piece]:
         case "A":
             return list(_arc(start, end, step.values))
         case "C":
-            first, second = _handles(step)
+            first, second = handles(step)
             return [(first, second, end)]
         case "S":
-            (second,) = _handles(step)
+            (second,) = handles(step)
             mirrored = 2 * start - before[-1][1] if before and len(before[-1]) == 3 else start
             return [(mirrored, second, end)]
         case "T":
             raise SheetRefused("smooth_quadratic")
         case "Q":
-            (near,) = _handles(step)
+            (near,) = handles(step)
             return [(start + 2 / 3 * (near - start), end + 2 / 3 * (near - end), end)]
     return [(end,)]
-
-
-def _handles(step: PathStep) -> list[complex]:
-    origin = step.start if step.letter.islower() else 0j
-    return [origin + complex(*step.values[k : k + 2]) for k in range(0, len(step.values) - 2, 2)]
 
 
 def _arc(start: complex, end: complex, values: list[float]) -> Iterator[Piece]:

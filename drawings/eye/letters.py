@@ -65,15 +65,13 @@ def readings(trail: Trail, unit: float, near: float = NEAR) -> tuple[Reading, ..
 def angles(trails: Sequence[tuple[Trail, float]]) -> Iterator[float]:
     """Give the angles (rad) at which the largest of some trails, with its pen, is a letter; readable ones first."""
     trail, unit = max(trails, key=lambda one: max(map(abs, one[0].points)))
-    own = (*shapes().get(trail.signature, ()), *accented(trail.signature))
-    found = (_angle(letter, trail, unit, stance) for stance in STANCES[:2] for letter in own)
+    own = (*_stood(trail.signature, False), *_stood(trail.signature, True))
+    found = (_angle(points, trail, unit) for letter, points in own if letter.stance in STANCES[:2])
     yield from sorted(dict.fromkeys(one for one in found if one is not None), key=abs)
 
 
-def _angle(letter: LetterShape, trail: Trail, unit: float, stance: Stance) -> float | None:
-    """Give the angle at which a trail is a letter, if it is: that of its farthest point."""
-    first = _leaning(letter.points[0], stance)
-    own = [_leaning(point, stance) - first for point in letter.points]
+def _angle(own: Sequence[complex], trail: Trail, unit: float) -> float | None:
+    """Give the angle at which a trail is a letter of some points, if it is: that of its farthest one."""
     far = max(range(len(own)), key=lambda k: abs(own[k]))
     if own[far] == 0 or trail.points[far] == 0:
         return None

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from drawings.eye.lettered import Track, chains, tracks
 from drawings.measure.curvedata import pieces
+from drawings.measure.marks import at
 from drawings.measure.pathdata import number, numbers
 from drawings.measure.transform import Affine
 from drawings.paper.limits import REACH, SheetRefused
@@ -30,10 +31,10 @@ def outlines(tag: str, attributes: Mapping[str, str], place: Affine, style: Line
     if tag == "circle" and not place.stretched:
         radius = number(attributes.get("r", "0"))
         if radius > 0:
-            yield Circle(_checked(place(_at(attributes, "cx", "cy"))), radius * scale_of(place), style)
+            yield Circle(_checked(place(at(attributes, "cx", "cy"))), radius * scale_of(place), style)
         return
     if tag == "line":
-        start, end = place(_at(attributes, "x1", "y1")), place(_at(attributes, "x2", "y2"))
+        start, end = place(at(attributes, "x1", "y1")), place(at(attributes, "x2", "y2"))
         yield Line(_checked(start), _checked(end), style)
         return
     plain = chains(attributes.get("d", "")) if tag == "path" else None
@@ -159,10 +160,6 @@ def _round_cornered(x: float, y: float, width: float, height: float, rx: float, 
     across, down, arc = width - 2 * rx, height - 2 * ry, f"a{rx!r} {ry!r} 0 0 1 "
     sides = f"h{across!r}{arc}{rx!r} {ry!r}v{down!r}{arc}{-rx!r} {ry!r}h{-across!r}{arc}{-rx!r} {-ry!r}v{-down!r}{arc}"
     return f"M{x + rx!r} {y!r}{sides}{rx!r} {-ry!r}z"
-
-
-def _at(attributes: Mapping[str, str], across: str, down: str) -> complex:
-    return complex(number(attributes.get(across, "0")), number(attributes.get(down, "0")))
 
 
 def _checked(point: complex) -> complex:

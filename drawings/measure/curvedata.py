@@ -52,18 +52,18 @@ def _spots(step: PathStep, before: list[Spots]) -> list[Spots]:
         case "A":
             return [_arc(start, end, values)]
         case "C":
-            return [(start, *_handles(step), end)]
+            return [(start, *handles(step), end)]
         case "S":
-            return [(start, _mirrored(before, start), *_handles(step), end)]
+            return [(start, _mirrored(before, start), *handles(step), end)]
         case "Q":
-            (near,) = _handles(step)
+            (near,) = handles(step)
             return [(start, start + 2 / 3 * (near - start), end + 2 / 3 * (near - end), end)]
         case "T":
             raise SheetRefused("smooth_quadratic")
     return [(start, start + (end - start) / 3, end - (end - start) / 3, end)]
 
 
-def _handles(step: PathStep) -> list[complex]:
+def handles(step: PathStep) -> list[complex]:
     """Give the points that a cubic is drawn by beside its ends."""
     origin = step.start if step.letter.islower() else 0j
     return [origin + complex(*step.values[k : k + 2]) for k in range(0, len(step.values) - 2, 2)]

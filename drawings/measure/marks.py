@@ -97,7 +97,7 @@ def drawn(kind: str, tag: str, attributes: Mapping[str, str]) -> list[Spots]:
 def _ends(tag: str, attributes: Mapping[str, str]) -> tuple[complex, ...]:
     points: tuple[complex, ...] = ()
     if tag == "line":
-        return _at(attributes, "x1", "y1"), _at(attributes, "x2", "y2")
+        return at(attributes, "x1", "y1"), at(attributes, "x2", "y2")
     if tag in ("polyline", "polygon"):
         flat = numbers(attributes.get("points", ""))
         points = tuple(map(complex, flat[::2], flat[1::2])) if len(flat) % 2 == 0 else ()
@@ -111,12 +111,13 @@ def _ends(tag: str, attributes: Mapping[str, str]) -> tuple[complex, ...]:
 
 def _middle(tag: str, attributes: Mapping[str, str]) -> complex:
     if tag in ("circle", "ellipse"):
-        return _at(attributes, "cx", "cy")
+        return at(attributes, "cx", "cy")
     middle = centre(trace(attributes.get("d", ""))) if tag == "path" else None
     if middle is None:
         raise SheetRefused("circle", tag=tag[:40])
     return middle
 
 
-def _at(attributes: Mapping[str, str], across: str, down: str) -> complex:
+def at(attributes: Mapping[str, str], across: str, down: str) -> complex:
+    """Give the place that two attributes of an element say."""
     return complex(number(attributes.get(across, "0")), number(attributes.get(down, "0")))

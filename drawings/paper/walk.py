@@ -15,15 +15,10 @@ def walk(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
     >>> [type(stroke).__name__ for stroke in walk([Group((Text(0j, "A"),))])]
     ['Group', 'Text']
     """
-    left = [iter(strokes)]
-    while left:
-        for stroke in left[-1]:
-            yield stroke
-            if isinstance(stroke, Group):
-                left.append(iter(stroke.strokes))
-                break
-        else:
-            left.pop()
+    for stroke in strokes:
+        yield stroke
+        if isinstance(stroke, Group):
+            yield from walk(stroke.strokes)
 
 
 def flat(strokes: Iterable[Stroke]) -> Iterator[Stroke]:

@@ -62,10 +62,14 @@ class ExactCourse:
             self.along = np.unwrap(self.along)
         self.count = self._count(extremes)
         self.dense = self.count.course(self.nodes, [self.along, *rates], abs(road.mechanism.drive.omega))
+        self._last = self.nodes.tobytes(), self.dense
 
     def course(self, turned: Floats) -> Course:
-        """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN."""
-        return self.count.course(turned, self.at(turned), abs(self.road.mechanism.drive.omega))
+        """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN. The last is kept."""
+        if turned.tobytes() != self._last[0]:
+            own = self.count.course(turned, self.at(turned), abs(self.road.mechanism.drive.omega))
+            self._last = turned.tobytes(), own
+        return self._last[1]
 
     def at(self, turned: Floats, followed: bool = True) -> list[Floats]:
         """Give the coordinate, its velocity and acceleration at angles of the axis, (N,) each; NaN at NaN."""

@@ -57,8 +57,8 @@ class March:
 
     def passes(self, start: Assembly, ahead: Floats) -> bool:
         """Tell whether it goes freely from an assembly past all angles `ahead` of it."""
-        least, most = _goals(start, ahead)
-        return not self.ends and bool(self.angles[0] <= least + SHORTEST and most <= self.angles[-1] + SHORTEST)
+        low, high = self.angles[0] - SHORTEST - start.phi, self.angles[-1] + SHORTEST - start.phi
+        return not self.ends and bool(((ahead <= high) | (ahead - FULL >= low)).all())
 
     @cached_property
     def taylor(self) -> Floats:
@@ -124,7 +124,8 @@ class _March:
 def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
     """March from the assembly until all angles `ahead` of it, rad in [0, 2 pi), are passed in either sense."""
     first = station(shape.constraints, shape.blocks, start)
-    least, most = _goals(start, ahead)
+    most = start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
+    least = start.phi - float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0))
     up, down = _March([first], most, 1.0), _March([first], least, -1.0)
     upper, lower = _march(shape, up, down)
     # What lies beyond one end may be reached the other way round, where there is a way round.
@@ -138,12 +139,6 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
         up.goal = start.phi + float(np.max(ahead, where=lost, initial=0.0))
         (upper,) = _march(shape, up)
     return March((*reversed(down.way[1:]), *up.way), lower, upper, (*down.passed, *up.passed))
-
-
-def _goals(start: Assembly, ahead: Floats) -> tuple[float, float]:
-    """Give how far to go from an assembly in either sense, rad, so that all angles `ahead` of it are passed."""
-    least = start.phi - float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0))
-    return least, start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
 
 
 def whole_turn(shape: Shape, turn: March) -> March | None:
