@@ -1,8 +1,7 @@
-"""Machines whose force plans are looked at closely, their forces by plain equilibrium of all links, their sheets."""
+"""Machines whose force plans are looked at closely, and their sheets."""
 
 from __future__ import annotations
 
-import cmath
 from functools import cache, cached_property
 from math import radians
 from pathlib import Path
@@ -18,15 +17,12 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Leaf
-from plans.analytic.kinematics import solve
-from plans.checks.force_bill import ExpectedForces
 from plans.forces.force import ForcePlan
 from plans.forces.force_template import forces
 from plans.forces.lever import Lever, lever
 from plans.linkage.study import LinkageStudy
-from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction, pairs
+from plans.model.kinetostatics import Applied, Loading
 from plans.model.machine import GEAR, Body, Machine, Transmission
-from plans.model.motion import Motion
 from plans.scene.scene import parse_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
@@ -91,75 +87,6 @@ class Forced:
         found = lever(self.plan)
         assert found is not None
         return found
-
-    @cached_property
-    def motion(self) -> Motion:
-        return solve(self.study.mechanism, self.study.turn.phi, first=self.study.assembly.phi)
-
-    def expected(self, k: int) -> ExpectedForces:
-        study = self.study
-        return ExpectedForces(study.mechanism, self.machine, self.motion, self.loading, self._balanced(k), k)
-
-    def _balanced(self, k: int) -> Kinetostatics:
-        """Solve the equilibrium of all links at once, three equations each; the crank is driven by a moment."""
-        study, motion = self.study, self.motion
-        links = sorted(set(study.mechanism.links) - {0})
-        every, count = pairs(study.mechanism, study.groups), len(study.turn)
-        matrix, known = np.zeros((3 * len(links), 3 * len(links))), np.zeros(3 * len(links))
-        columns: list[tuple[Reaction, complex, float]] = []
-        for pair in every:
-            r = complex(motion.points[pair.point].r[k])
-            if isinstance(pair.joint, str):
-                units, along = ((1 + 0j, 0.0), (1j, 0.0)), None
-            else:
-                angle = motion.links[pair.joint.owner].angle[k] if pair.joint.owner else 0.0
-                along = pair.joint.on_owner.direction * cmath.rect(1.0, float(angle))
-                units = ((1j * along, 0.0), (0j, 1.0))
-            for force, moment in units:
-                row = Reaction(
-                    pair.giver,
-                    pair.taker,
-                    pair.point,
-                    full(r, count),
-                    full(force, count),
-                    None,
-                    along and full(along, count),
-                )
-                for link, sign in ((pair.taker, 1.0), (pair.giver, -1.0)):
-                    if link:
-                        j = 3 * links.index(link)
-                        turning = (r.conjugate() * force).imag + moment
-                        matrix[j : j + 3, len(columns)] = sign * force.real, sign * force.imag, sign * turning
-                columns.append((row, force, moment))
-        drive = study.mechanism.drive.link
-        matrix[3 * links.index(drive) + 2, -1] = 1.0
-        for link, force, r, moment in self._acting(k):
-            j = 3 * links.index(link)
-            known[j : j + 3] -= force.real, force.imag, (r.conjugate() * force).imag + moment
-        found = np.linalg.solve(matrix, known)
-        reactions: dict[str, Reaction] = {}
-        for (row, force, _), size in zip(columns, found, strict=False):
-            key = f"{row.giver}-{row.taker}"
-            total = reactions[key].force if key in reactions else full(0j, count)
-            reactions[key] = row._replace(force=total + size * force)
-        return Kinetostatics("equilibrium", motion.phi, reactions, Balancing(full(found[-1], count)), ())
-
-    def _acting(self, k: int):  # type: ignore[no-untyped-def]
-        """Give the weights with inertia and the load: link, force N, place m, moment N*m."""
-        for link, body in self.machine.bodies.items():
-            name, own = next(iter(self.study.mechanism.links[link].points.items()))
-            point, turning = self.motion.points[name], self.motion.links[link]
-            omega, epsilon = float(turning.omega[k]), float(turning.epsilon[k])  # type: ignore[index]
-            arm = (body.centre - own) * cmath.rect(1.0, float(turning.angle[k]))
-            acceleration = complex(point.a[k]) + (1j * epsilon - omega**2) * arm  # type: ignore[index]
-            force = body.mass * (self.machine.gravity - acceleration)
-            yield link, force, complex(point.r[k]) + arm, -body.inertia * epsilon
-        for load in self.loading.forces:
-            yield load.link, complex(load.force[k]), complex(self.motion.points[load.point].r[k]), 0.0
-
-
-def full(value: complex, count: int):  # type: ignore[no-untyped-def]
-    return np.full(count, value)
 
 
 @cache

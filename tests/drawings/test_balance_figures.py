@@ -11,7 +11,7 @@ from drawings.figures.balance.balance_table import change
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure
 from drawings.page.drafting import drafting_of
-from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Group, Leaf, Stroke
 from drawings.paper.walk import groups, texts, walk
 from drawings.pens.svg import svg
 from drawings.sheets.balancing import leaves
@@ -58,12 +58,6 @@ def four_bar() -> tuple[Leaf, ...]:
     return leaves(study(FOUR_BAR, FULL + counterweight("on = 3", "mass = 8") + counterweight("on = 1", "mass = 5")))
 
 
-@pytest.fixture(scope="module")
-def engine() -> tuple[Leaf, ...]:
-    share = '[balance]\naim = "share"\nshare = "force"\n' + counterweight("on = 1", 'radius = "60 mm"')
-    return leaves(study(ENGINE, share, "A3", "ru"))
-
-
 def test_counterweights_stand_on_their_links_where_the_book_has_them(four_bar) -> None:
     own = marks(four_bar, "scheme-after")
     off = {"m_cw3": abs(own["m_cw3"] - own["C"]), "m_cw1": abs(own["m_cw1"])}
@@ -95,30 +89,6 @@ def test_static_moments_are_laid_end_to_end_to_their_sum(four_bar) -> None:
     assert own["mr_S"] / 11 == pytest.approx(marks(four_bar, "scheme-before")["S"], abs=1e-5)
 
 
-def test_no_main_point_lies_on_a_link(four_bar) -> None:
-    """Vectors along links stand beside them, as far off as two arrows from each other."""
-    every = lines(four_bar, "scheme-before")
-    shafts = [
-        group.strokes[0] for group in groups((figure(four_bar, "scheme-before"),)) if group.data.get("kind") == "vector"
-    ]
-    first = next(shaft for shaft in shafts if isinstance(shaft, Line))
-    bars = [
-        one for one in every if isinstance(one, Line) and one.style.width == first.style.width and one not in shafts
-    ]
-    crossing = [bar for bar in bars if _off(first, bar) < 1.0 and _along(first, bar)]
-    assert len(shafts) == 3
-    assert not crossing
-
-
-def _off(one: Line, other: Line) -> float:
-    across = 1j * (one.end - one.start) / abs(one.end - one.start)
-    return abs((((other.start + other.end) / 2 - one.start) / across).real)
-
-
-def _along(one: Line, other: Line) -> bool:
-    return abs(((other.end - other.start) / (one.end - one.start)).imag) * abs(one.end - one.start) < 1e-6
-
-
 @pytest.mark.rest
 def test_a_disc_and_a_sector_are_drawn_to_scale_and_told() -> None:
     own = leaves(study(FOUR_BAR, FULL + counterweight("on = 3", "mass = 8") + SECTOR, "A3"))
@@ -136,12 +106,6 @@ def test_a_disc_and_a_sector_are_drawn_to_scale_and_told() -> None:
     assert {"sect. 120°", "disc", "103.99", "180", "C", "O"} <= set(told)
 
 
-def test_the_hodograph_of_what_is_balanced_is_that_before_alone(four_bar) -> None:
-    names = {name.split()[0] for name in marks(four_bar, "shaking")}
-    assert names == {"Φ", "before"}
-    assert "0" in cells(four_bar, "costs")
-
-
 def test_a_mechanism_that_is_balanced_already_has_no_second_scheme_and_no_arrow() -> None:
     still = FOUR_BAR.replace("0.04, 0", "0, 0").replace("mass = 4", "mass = 0").replace("mass = 5", "mass = 0")
     own = leaves(study(still, FULL + counterweight("on = 3", "mass = 8") + counterweight("on = 1", "mass = 5"), "A3"))
@@ -152,41 +116,8 @@ def test_a_mechanism_that_is_balanced_already_has_no_second_scheme_and_no_arrow(
     assert "∠, °" in cells(own, "counterweights")
 
 
-@pytest.mark.rest
-def test_the_share_is_chosen_where_its_curve_is_lowest(engine) -> None:
-    own = marks(engine, "shares")
-    for name, least in own.items():
-        (curve,) = [one for one in lines(engine, f"shares-{name}") if isinstance(one, Polyline)]
-        shaft = next(
-            group.strokes[0]
-            for group in groups((figure(engine, "shares"),))
-            if group.data.get("kind") == "vector" and group.data["name"] == name
-        )
-        assert isinstance(shaft, Line)
-        assert min(spot.imag for spot in curve.points) == pytest.approx(shaft.end.imag)
-        assert least.imag > 0
-    assert own.keys() == {"force", "reaction"}
-
-
-def test_before_is_thin_and_after_is_thick(engine) -> None:
-    for name in ("shaking", "rocking"):
-        widths = [one.style.width for one in lines(engine, name) if isinstance(one, Polyline) and len(one.points) > 100]
-        assert sorted(widths) == [0.25, 0.5]
-
-
 @pytest.mark.parametrize(
     ("before", "after", "told"), [(50.0, 75.0, "+50"), (50.0, 0.0, "−100"), (0.0, 1.0, "—"), (1.0, 1.0, "0")]
 )
 def test_a_change_is_told_in_per_cent(before: float, after: float, told: str) -> None:
     assert change(before, after, drafting_of(parse_scene(HEAD + ENGINE + "[balance]\n"))) == told
-
-
-@pytest.mark.rest
-def test_of_a_crank_that_cannot_turn_fully_only_its_positions_are_shown() -> None:
-    swinging = FOUR_BAR.replace("0.35, 0]", "0.75, 0]").replace("B = [0.39, 0.3]", "B = [0.49, 0.16]")
-    own = leaves(study(swinging.replace("link = 1\n", "link = 1\npositions = 24\n"), "[balance]\n", "A3"))
-    assert not any(isinstance(one, Polyline) for name in ("shaking", "rocking") for one in lines(own, name))
-    dots = [one for one in lines(own, "scheme-before-path-before") if not isinstance(one, Group)]
-    ends = [one for sheet in map(measured, own) for one in sheet.points if one.plan == "shaking"]
-    assert len(dots) == len(ends) > 4
-    assert all(isinstance(one, Circle) for one in dots)

@@ -1,26 +1,22 @@
-"""The sheet of a cam to be made: its table tells the radii that formulas give, its radii are measured back."""
+"""The sheet of a cam to be made: the format that it lies on, what it tells a workshop."""
 
 from __future__ import annotations
 
 import math
 from functools import cache
 
-import numpy as np
 import pytest
 
-from drawings.checks.letters import unlettered
 from drawings.figures.cam import sizes_table
 from drawings.figures.cam.manufacturing_figure import Manufacture, manufacture
-from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.cam_profile import sheets
 from plans.scene.scene import Scene, parse_scene
-from tests.drawings.cam_contours import EVERY, levers, view_of
-from tests.drawings.collisions import collisions
+from tests.drawings.cam_contours import view_of
 from tests.drawings.exhibits import SHEET, read_back
 from tests.drawings.pages import said
-from tests.parts import first, several
+from tests.parts import several
 
 
 def scene(size: str = "A3", language: str = "en") -> Scene:
@@ -33,11 +29,6 @@ def made(name: str, size: str = "A3", language: str = "en") -> tuple[Manufacture
     return shown, sheets(scene(size, language), [shown])
 
 
-@cache
-def measured(name: str) -> Measured:
-    return read_back(made(name)[1][0])
-
-
 def table(name: str, size: str = "A3") -> dict[str, tuple[str, ...]]:
     """Give the rows of the table as they are read."""
     _, leaves = made(name, size)
@@ -46,57 +37,6 @@ def table(name: str, size: str = "A3") -> dict[str, tuple[str, ...]]:
         told = said(group)[3:]
         rows |= {told[k]: tuple(told[k + 1 : k + 3]) for k in range(0, len(told), 3)}
     return rows
-
-
-@pytest.mark.parametrize("name", first(["clockwise", "offset", "flat", "rocker", "against", "flat rocker"]))
-def test_the_table_tells_the_radii_of_formulas(name: str) -> None:
-    """Polar radius and angle from the first point, against the rotation; of a groove those of its middle."""
-    shown, _ = made(name)
-    rows, cam = table(name), shown.view.cam
-    phi = np.radians([float(turned) for turned in rows])
-    tip, lever = levers(cam, shown.view.sizes, phi)
-    off = 0.0 if shown.table.grooved else shown.view.found.roller
-    spots = (tip - off * lever / abs(lever)) * np.exp(-1j * cam.sense * phi)
-    turns = np.degrees(-cam.sense * np.angle(spots / spots[0]))
-    for (radius, angle), spot, turn in zip(rows.values(), spots, turns, strict=True):
-        assert float(radius) == pytest.approx(1000 * abs(spot), abs=5.01e-4)
-        assert math.remainder(float(angle) - turn, 360.0) == pytest.approx(0.0, abs=5.01e-4)
-
-
-def test_a_cam_that_translates_is_told_by_coordinates() -> None:
-    shown, _ = made("wedge")
-    rows = table("wedge")
-    x = np.array([float(travelled) for travelled in rows]) / 1000
-    tip, lever = levers(shown.view.cam, shown.view.sizes, x)
-    spots = 1000 * (tip + shown.view.cam.sense * x - shown.view.found.roller * lever / abs(lever))
-    for cells, spot in zip(rows.values(), spots, strict=True):
-        across, up = (float(cell.replace("−", "-")) for cell in cells)
-        assert complex(across, up) == pytest.approx(spot, abs=8e-4)
-
-
-@pytest.mark.parametrize("name", first(["groove", "wedge", "clockwise", "undercut"]))
-def test_radii_are_measured_back(name: str) -> None:
-    shown, _ = made(name)
-    seen = {one.position: one for one in measured(name).vectors}
-    rays = dict(enumerate(shown.table.rays()))
-    assert seen.keys() == rays.keys()
-    for number, (k, _) in rays.items():
-        end = complex(shown.table.told[k])
-        start = complex(end.real) if shown.view.cam.translates else 0j
-        assert abs(seen[number].value - (end - start)) < 2 * measured(name).quantum * seen[number].scale
-
-
-@pytest.mark.rest
-def test_as_many_rows_as_the_paper_takes() -> None:
-    assert list(table("groove"))[:3] == ["0", "5", "10"]
-    assert len(table("groove")) == 72
-    assert list(table("against", "A4"))[:3] == ["0", "10", "20"]
-    assert len(made("against", "A4")[1]) == 1
-
-
-def test_it_is_drawn_at_its_own_size_where_it_can_be() -> None:
-    scales = {one.scale for name in ("groove", "wedge") for one in measured(name).vectors}
-    assert scales == {0.001}
 
 
 @pytest.mark.parametrize(("name", "format_", "wide"), [("groove", "A1", 420.0), ("rocker", "A1", 420.0)])
@@ -141,16 +81,6 @@ def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: t
     _, (leaf, *_) = made(name, "A3", language)
     for one in notes:
         assert one in leaf.description, one
-
-
-@pytest.mark.parametrize(
-    "case",
-    first([(name, size, language) for name in EVERY for size, language in (("A3", "en"), ("A4", "ru"), ("A1", "ru"))]),
-)
-def test_letters_are_clear_of_all_lines(case: tuple[str, str, str]) -> None:
-    for leaf in made(*case)[1]:
-        assert collisions(leaf) == []
-        assert list(unlettered(leaf)) == []
 
 
 @pytest.mark.rest

@@ -1,4 +1,4 @@
-"""The sheet of a cyclogram: held to the analysis; a slip on it is told by what it states."""
+"""The sheet of a cyclogram: its pins and bars, and its report by both roads."""
 
 from __future__ import annotations
 
@@ -11,10 +11,7 @@ from drawings.report import cyclogram_report
 from drawings.sheets.cyclogram import leaves
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from tests.drawings.collisions import collisions
 from tests.drawings.held import faults_on, measured
-from tests.drawings.slips import Change, changed, dropped, reworded, shifted, stretched
-from tests.parts import first
 from tests.plans.cyclograms import scene_text
 from tests.plans.test_cyclogram import CAM
 
@@ -44,44 +41,6 @@ def test_every_angle_is_measured_back(shaper: tuple[Study, Leaf]) -> None:
     assert pins == {f"A_{k}" for k in range(9) if k != 1}
     bars = {one.name for one in marks.vectors if one.plan == "bars"}
     assert bars == {"1.1", "1.2", *(f"2.{k}" for k in range(1, 6)), *(f"3.{k}" for k in range(1, 6)), "set.1"}
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize(
-    "name", first(["crank-rocker", "walking-leg", "press", "jaw-crusher", "scotch-yoke", "oscillating-cylinder"])
-)
-def test_other_linkages_are_drawn_too(name: str) -> None:
-    """A rocker, a tool that no notches lead back from, a clockwise shaft, a small sheet of several leaves."""
-    study = Study(parse_scene(scene_text(name)))
-    own = leaves(study)
-    assert faults_on(study, "cyclogram", own) == []
-    assert [found for leaf in own for found in collisions(leaf)] == []
-
-
-SLIPS: dict[str, Change] = {
-    "a crank pin is aside": shifted("A_8", "characteristic", 0.001),
-    "a crank pin is missing": dropped("A_5", "characteristic"),
-    "a bar is too long": stretched("1.1", "bars", 1.0001),
-    "a bar is missing": dropped("3.2", "bars"),
-    "the setting is too short": stretched("set.1", "bars", 0.999),
-    "an angle of the table": reworded("21.45904", "21.45914"),
-    "a distance of the table": reworded("48.000", "47.000"),
-    "a share of the table": reworded("0.415", "0.514"),
-}
-
-
-@pytest.mark.parametrize("slip", first(SLIPS.values(), SLIPS))
-def test_a_slip_is_told(shaper: tuple[Study, Leaf], slip: Change) -> None:
-    study, leaf = shaper
-    spoilt = changed(leaf, slip)
-    assert spoilt != leaf
-    assert faults_on(study, "cyclogram", [spoilt]) != []
-
-
-@pytest.mark.rest
-def test_the_letters_of_phases_are_those_of_the_language() -> None:
-    _, (leaf,) = drawn("shaper", TOLD + CAM, "ru")
-    assert "φ_{у} = 74,57705°,  φ_{д.в} = 60°,  φ_{в} = 90°,  φ_{б.в} = 135,423°" in leaf.description
 
 
 def test_a_report_tells_the_positions_by_both_roads(shaper: tuple[Study, Leaf]) -> None:

@@ -5,31 +5,25 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from drawings.checks.letters import unlettered
-from drawings.figures.forces.force_kinds import WHOLE
 from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
-from drawings.lettering.extent import bounds
-from drawings.measure.measure import check, measure
+from drawings.measure.measure import measure
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of
-from drawings.paper.limits import SEEN
-from drawings.paper.strokes import Fill, Group, Line, Text
+from drawings.paper.strokes import Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
 from tests import parts
-from tests.drawings.collisions import collisions
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
 from tests.rows import over
 
 A1 = hand_of("A1")
 SHOWN = sorted(CASES) if parts.whole else sorted(CASES)[::4]
-ROUNDING = 1e-9  # of the greatest force: what the construction may differ from the equilibrium by
 
 
 def written(name: str, k: int) -> dict[tuple[str, str], MeasuredVector]:
@@ -66,54 +60,6 @@ def test_a_ruler_finds_the_forces_of_the_worked_example() -> None:
 
 
 @pytest.mark.part
-@over("name", [name for name in SHOWN if name != "shaper at 60"])
-def test_every_written_force_is_what_the_equilibrium_of_all_links_gives(name: str) -> None:
-    case = forced(name)
-    for k in range(0, len(case.study.turn), 5):
-        marks = measure(svg(sheet(name, k)))
-        expected = case.expected(k)
-        assert list(check(marks)) == []
-        greatest = max(abs(one.force[k]) for one in expected.found.reactions.values())
-        for group in (*case.study.groups, None):
-            links = (expected.mechanism.drive.link,) if group is None else group.links
-            own = [one for one in marks.vectors if one.plan == f"forces-{'-'.join(map(str, links))}"]
-            slack = ROUNDING * greatest + 2 * marks.quantum * own[0].scale
-            must = expected.polygon(case.study.groups, group)
-            seen, known = {one.name: one.value for one in own}, {**expected.parts(group), **must}
-            least = SEEN * own[0].scale + slack
-            assert {force for force, value in must.items() if abs(value) > least} <= seen.keys() <= known.keys()
-            assert [force for force, value in seen.items() if not abs(value - known[force]) <= slack] == []
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> None:
-    case = forced(name)
-    for cut in case.plan.cuts:
-        shown = polygon(case.plan, cut, 0)
-        sides = [one for one in shown.forces if one.kind != WHOLE]
-        greatest = max(abs(one.value) for one in sides)
-        assert abs(sum(one.value for one in sides)) <= ROUNDING * greatest
-        for one, other in zip(sides, sides[1:] + sides[:1], strict=True):
-            assert abs(other.at - one.end) <= ROUNDING * greatest, (one.name, other.name)
-        for whole in (one for one in shown.forces if one.kind == WHOLE):  # a diagonal joins two corners
-            corners = [one.at for one in sides]
-            for end in (whole.at, whole.end):
-                assert min(abs(end - corner) for corner in corners) <= ROUNDING * greatest
-
-
-@pytest.mark.rest
-@pytest.mark.part
-@over("name", SHOWN)
-@over("paper, language", [("A1", "en"), ("A3", "ru")])
-def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: str, language: str) -> None:
-    for k in range(0, len(forced(name).study.turn), 7):
-        drawn = sheet(name, k, paper, language)
-        assert collisions(drawn) == []
-        assert list(unlettered(drawn)) == []
-
-
-@pytest.mark.part
 @over("name", SHOWN)
 def test_no_two_vectors_lie_on_one_another(name: str) -> None:
     for k in range(0, len(forced(name).study.turn), 3):
@@ -121,23 +67,6 @@ def test_no_two_vectors_lie_on_one_another(name: str) -> None:
             lines = [(arrow.vector.name, arrow.ends) for arrow in one.arrows]
             merged = [(a, b) for i, (a, x) in enumerate(lines) for b, y in lines[:i] if merging(x, y)]
             assert merged == []
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_the_lines_of_a_figure_stay_on_the_paper_that_it_asked_for(name: str) -> None:
-    case, hair = forced(name), 1e-6
-    for k in range(0, len(case.study.turn), 3):
-        hand = hand_of("A1")
-        cells = [Field(10 + 300 * number, 230, 300 + 300 * number, 450) for number in range(len(case.plan.cuts))]
-        for one, cell in zip(polygons(case, k, hand), cells, strict=True):
-            measure_ = room_of(one.shown, "", Drafting(hand))
-            left, bottom, right, top = spot(measure_, cell).box
-            title, *lines = one.lines  # the names of unseen forces beside the scale may be longer than the title
-            assert isinstance(title, Group)
-            box = bounds(Group((title.strokes[0], *lines)))
-            assert left - hair <= box[0] < box[2] <= right + hair
-            assert bottom - hair <= box[1] < box[3] <= top + hair
 
 
 def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -> None:
@@ -186,45 +115,6 @@ def test_a_polygon_without_any_force_says_so() -> None:
     (first, *_) = polygons(case, 2, A1)
     texts = [stroke.plain for stroke in flat(first.lines) if isinstance(stroke, Text)]
     assert texts == ["Force plan of group 4-5, position 2", "no force acts: every reaction is zero"]
-
-
-def test_letters_follow_the_language_and_the_letter_of_reactions() -> None:
-    drawn = leaf(list(polygons(forced("shaper at 60"), 0, A1, "ru", "P")), A1)
-    plain = {stroke.plain for stroke in flat(drawn.groups) if isinstance(stroke, Text)}
-    assert {"Pτ34", "Pn34", "P05", "P54", "Fп.с", "Pур", "Φ4"} <= plain
-    assert "План сил группы 4-5, положение 0" in plain
-    assert list(unlettered(drawn)) == []
-
-
-def test_the_directions_of_closing_sides_run_past_their_meeting() -> None:
-    (drawn, *_) = polygons(forced("shaper at 60"), 0, A1)
-    closing = {arrow.vector.name: arrow.ends for arrow in drawn.arrows if arrow.vector.kind == CLOSING}
-    corner = closing["R_05"][1]
-    assert abs(closing["R^n_34"][0] - corner) < 1e-6
-    thin = [
-        line for group in drawn.lines if isinstance(group, Group) for line in flat((group,)) if isinstance(line, Line)
-    ]
-    directions = [line for line in thin if line.style == A1.drafted and abs(line.end - corner) < 10]
-    for start, end in closing.values():
-        along = (end - start) / abs(end - start)
-        past = [
-            line for line in directions
-            if abs(((line.end - corner) / along).imag) < 1e-6
-            and ((line.end - corner) * (corner - line.start).conjugate()).real > 0
-        ]  # fmt: skip
-        assert past != []
-
-
-def test_each_vector_ends_in_an_arrowhead() -> None:
-    (drawn, *_) = polygons(forced("shaper at 60"), 0, A1)
-    seen = 0
-    for group in drawn.lines:
-        match group:
-            case Group((Line() as line, Fill() as head)) if group.data.get("kind") == "vector":
-                assert head.points[0] == line.end
-                assert all(abs(corner - line.start) < abs(line.end - line.start) for corner in head.points[1:])
-                seen += 1
-    assert seen == len(drawn.arrows)
 
 
 def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:

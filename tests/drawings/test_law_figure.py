@@ -1,4 +1,4 @@
-"""The figure of a law's diagrams: ordinates measured back, poles and scales in line, shocks drawn as what they are."""
+"""The figure of a law's diagrams: poles and scales in line, shocks drawn as what they are."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from drawings.checks.letters import unlettered
 from drawings.figures.cam import law_diagrams
 from drawings.figures.cam.law_diagrams import graph_part, pole_part
 from drawings.figures.cam.law_frame import LawFrame, LawPlate, rows
@@ -18,7 +17,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import INK, Circle, Leaf, Line
+from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, texts
 from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY
 from drawings.report.cam_notes import CamNotes
@@ -27,9 +26,8 @@ from plans.cam.diagrams import law_diagrams as diagrams_of
 from plans.cam.tables import smoothing
 from plans.model.cam import DWELL, POINTED, RETURN, RISE, ROCKING, Follower, Law
 from plans.model.cam_motion import CamFound, Contour, Sizes
-from tests.drawings.collisions import collisions
-from tests.drawings.exhibits import exhibited, read_back
-from tests.plans.law_cams import LIFT, LINES, READINGS, RISING, RULER, SMOOTH, STEADY, law_cam, usual
+from tests.drawings.exhibits import exhibited
+from tests.plans.law_cams import LINES, RULER, SMOOTH, STEADY, law_cam, usual
 
 CAMS = {
     "smooth": usual(Law("sine"), Law("3-4-5")),
@@ -41,8 +39,6 @@ CAMS = {
     "rocker": usual(Law("sine"), lift=math.radians(25), follower=Follower(ROCKING, POINTED, 0.12)),
     "level": law_cam((DWELL, 360, None)),
 }
-SHEETS = [("smooth", "A1", "ru"), ("hard", "A4", "ru"), ("soft", "A3", "en"), ("table", "A2", "en")]
-SHEETS += [("slides", "A4", "en"), ("no dwell", "A3", "ru"), ("rocker", "A2", "ru"), ("level", "A4", "en")]
 
 
 @cache
@@ -60,30 +56,6 @@ def framed(name: str, size: str = "A1") -> LawFrame:
     room = law_diagrams.measure(found(name), plate.drafting)
     scale = Scale(0.02, "φ", "rad")
     return LawFrame(plate, Spot(Field(0, 0, *room.size(scale)), scale))
-
-
-@pytest.mark.parametrize(
-    ("name", "size", "language"), [SHEETS[0], *(pytest.param(*one, marks=pytest.mark.rest) for one in SHEETS[1:])]
-)
-def test_every_ordinate_is_measured_back(name: str, size: str, language: str) -> None:
-    """S'' as the law has it, S' and S as they were constructed, each over its own position."""
-    sheet = leaf(name, size, language)
-    by_row = {row.key: row for row in rows(found(name))}
-    for one in read_back(sheet).vectors:
-        row = by_row[one.plan.removeprefix("law-K-")]
-        assert one.position is not None
-        assert one.value == pytest.approx(1j * float(row.after[one.position]), abs=one.scale * 1e-2)
-        assert one.name == found(name).strips.names[one.position]
-    assert collisions(sheet) == []
-    assert list(unlettered(sheet)) == []
-
-
-def test_numbered_ordinates_stand_over_one_another() -> None:
-    places: dict[int, set[float]] = {}
-    for one in read_back(leaf("smooth", "A1", "ru")).vectors:
-        assert one.position is not None
-        places.setdefault(one.position, set()).add(round(one.start.real, 3))
-    assert len(places) >= 12 and all(len(one) == 1 for one in places.values())
 
 
 @pytest.mark.parametrize("name", ["smooth", "soft", "no dwell", "rocker"])
@@ -141,32 +113,6 @@ def test_a_soft_shock_is_an_upright_line_and_named() -> None:
     assert [uprights[one] for one in smooth] == pytest.approx([0.0] * len(smooth), abs=1e-12)
     told = [text.plain for text in texts(leaf("soft").groups)]
     assert "soft shocks: 0, 2', 8, 9, 17" in told and "∞" not in told
-
-
-def test_phases_are_named_with_their_angles() -> None:
-    told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
-    assert {"φу = 120°", "φд.в = 30°", "φв = 90°", "φб.в = 120°"} <= set(told)
-    assert {"xrise = 100", "xrest = 100", "S'', 1/m", "S'"} <= {
-        text.plain for text in texts(leaf("slides", "A4", "en").groups)
-    }
-
-
-def test_the_error_of_the_chords_is_told() -> None:
-    told = [text.plain for text in texts(leaf("smooth", "A1", "ru").groups)]
-    assert {"погрешность хорд 3,1 %", "погрешность хорд 2,6 %"} <= set(told)
-    assert [text.plain for text in texts(leaf("hard", "A4", "ru").groups)].count("погрешность хорд 0 %") == 2
-
-
-def test_points_of_tables_are_drawn_where_they_are() -> None:
-    frame = framed("table")
-    last = frame.plate.rows[-1]
-    axes = frame.axes(last)
-    rings = [
-        one for one in graph_part(last, frame.plate, axes, ()).lines if isinstance(one, Circle) and one.style != INK
-    ]
-    expected = [axes.on(k * RISING, s * LIFT) for k, s in READINGS]
-    assert [one.centre for one in rings[: len(READINGS)]] == pytest.approx(expected)
-    assert len(rings) == 2 * len(READINGS) and frame.plate.rows[0].given == ()
 
 
 @pytest.mark.parametrize(("language", "said"), [("en", "off its points by"), ("ru", "отступает не более чем на")])

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.checks.letters import unlettered
 from drawings.figures.dynamics import load_diagram
 from drawings.figures.dynamics.load_course import course, courses
 from drawings.paper.walk import texts
 from plans.forces.stroke import Stroke
 from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Transmission
 from plans.model.mechanism import Way
-from tests.drawings.collisions import collisions
-from tests.drawings.exhibits import exhibited, read_back
+from tests.drawings.exhibits import exhibited
 
 SLIDES = Stroke(0.0, 3.0, 1, (0.5, 0.3), 3, "B", Way(0j, 1 + 0j))
 SWINGS = Stroke(0.0, 3.0, 1, (0.3, 1.3), 3)
@@ -20,7 +18,6 @@ PLANER = Force("F_us", 3, "B", 0j, 2000.0, None, WORKING, None, (0.05, 0.05))
 GAS = Force("F_g", 3, "B", 0j, 1.0, -1j, ALWAYS, Diagram((0, 0.2, 1), (7500, 3200, 700), (7500, 1100, 700)))
 RUBS = Force("F_D", 3, "B", 0j, 1.0, None, ALWAYS, Diagram((0, 0.2, 1), (500, 700, 1000), (100, 200, 300)), (0.1, 0.0))
 SAW = Moment("M_us", 3, 50.0, True, IDLE, (0.0, 0.2))
-MANY = Diagram(tuple(k / 20 for k in range(21)), tuple(100.0 + k * k for k in range(21)))
 
 
 def test_a_resistance_rests_in_the_overruns_and_on_the_way_back() -> None:
@@ -53,29 +50,3 @@ def test_loads_that_never_change_have_no_diagram() -> None:
     steady = Force("F_0", 3, "B", 0j, 10.0, 1j)
     machine = Machine({}, 0j, (steady, GAS, PLANER), (Moment("M_0", 1, 1.0), SAW), (), Transmission(), {})
     assert [one.name for one in courses(machine, {OUTPUT: SLIDES})] == ["F_g", "F_us", "M_us"]
-
-
-@pytest.mark.parametrize(("size", "language"), [("A1", "ru"), ("A3", "en")])
-def test_corners_and_stroke_are_measured_back(size: str, language: str) -> None:
-    loads = [course(one, SLIDES) for one in (PLANER, GAS, RUBS)]
-    leaf = exhibited([(load_diagram, one) for one in loads], size, language)
-    measured = read_back(leaf)
-    for load in loads:
-        own = {one.name: one for one in measured.vectors if one.plan == f"load_diagram-{load.name}"}
-        whole = own.pop("H")
-        assert whole.value == pytest.approx(load.length, abs=1e-5)
-        overruns = {name: own.pop(name).value for name in ("overrun_1", "overrun_2") if name in own}
-        assert list(overruns.values()) == pytest.approx([0.2 * share for share in load.overrun if share], abs=1e-5)
-        places = [(one.start - whole.start).real * whole.scale for one in own.values()]
-        assert places == pytest.approx([corner.real for corner in load.corners], abs=1e-5)
-        assert [one.value for one in own.values()] == pytest.approx([1j * c.imag for c in load.corners], abs=0.2)
-    assert collisions(leaf) == []
-    assert list(unlettered(leaf)) == []
-
-
-def test_many_corners_are_numbered() -> None:
-    leaf = exhibited([(load_diagram, course(GAS._replace(diagram=MANY), SLIDES))], "A1")
-    names = [one.name for one in read_back(leaf).vectors]
-    assert names[0] == "H" and names[1:] == [str(k + 1) for k in range(len(names) - 1)]
-    assert 5 < len(names) < 22
-    assert collisions(leaf) == []

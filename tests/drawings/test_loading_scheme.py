@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 from drawings.figures.forces.force_fan import LONG, SHORT, lengths
-from drawings.figures.forces.force_kinds import KNOWN
 from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
@@ -20,7 +19,7 @@ from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
-from drawings.paper.strokes import Group, Leaf, Line, Text
+from drawings.paper.strokes import Group, Text
 from drawings.paper.walk import flat
 from geometry.board import at
 from plans.forces.cut import PART, Cut
@@ -33,13 +32,11 @@ from plans.scene.scene import read_scene
 
 pytest.importorskip("shapely")
 from tests import parts
-from tests.drawings.collisions import collisions
 from tests.rows import over
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 ROOM = Field(10, 10, 290, 290)
 TOOTHED = Transmission(GEAR, 0.18, math.radians(210), math.radians(20))
-HAIR = 1e-9  # of a true value, or mm on paper: rounding
 
 
 class Machinery(NamedTuple):
@@ -119,10 +116,6 @@ def written(found: Drawn) -> list[str]:
     return [stroke.plain for stroke in flat(found.whole.strokes) if isinstance(stroke, Text)]
 
 
-def plain(name: str) -> str:
-    return name.replace("_", "").replace("^", "")
-
-
 def value(found: Drawn, name: str) -> complex:
     """Give a force as the force plan has it."""
     known = {load.name: load.force for load in found.cut.loads}
@@ -131,77 +124,9 @@ def value(found: Drawn, name: str) -> complex:
     return at(known[name].point, found.column)
 
 
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_arrow_points_as_its_force_does(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    for force, arrow in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
-        true = value(found, force.name)
-        run = arrow.tip - arrow.start
-        assert abs(run / abs(run) - true / abs(true)) < HAIR, force.name
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_force_acts_along_a_line_through_its_point(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    for load in found.cut.loads:
-        point = found.figure.place.on(at(load.at.point, found.column))
-        for force, arrow in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
-            if force.name == load.name:
-                off = (arrow.start - point) / (arrow.tip - arrow.start)
-                assert abs(off.imag) < HAIR, load.name
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_known_force_that_is_not_zero_has_one_arrow_and_one_letter(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    acting = [load.name for load in found.cut.loads if abs(at(load.force.point, found.column)) > 1e-6]
-    drawn_ = [force.name for force in found.shown.acting.forces if force.kind == KNOWN]
-    assert sorted(drawn_) == sorted(acting)
-    letters = written(found)
-    assert all(letters.count(plain(name)) == 1 for name in acting)
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_reaction_is_unknown_and_shown_by_its_parts(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    parts = [mark.name for support in found.cut.supports for mark in support.parts or (support.force,)]
-    unknown = {force.name for force in found.shown.acting.forces if force.kind != KNOWN}
-    assert {name for name in parts if abs(value(found, name)) > 1e-6} == unknown - {"P_bal"}
-
-
 def test_a_load_that_rests_on_the_idle_stroke_is_not_drawn() -> None:
     found = drawn("idle shaper", 0, 9)
     assert "Fus" not in written(found) and "Fus" in written(drawn("shaper", 0, 9))
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_no_letter_touches_a_line_or_another_letter(one: tuple[str, int, int]) -> None:
-    assert collisions(Leaf(300, 300, (drawn(*one).whole,), lettering="strokes")) == []
-
-
-@pytest.mark.rest
-@over("one", [one for one in ALL if one[0] in ("shaper", "four-bar")])
-def test_no_letter_touches_anything_on_a_large_russian_sheet(one: tuple[str, int, int]) -> None:
-    found = drawn(*one, hand_of("A1"), "ru")
-    assert collisions(Leaf(300, 300, (found.whole,), lettering="strokes")) == []
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_arm_is_square_to_its_line_of_action_and_as_long_as_it_is_stated(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    layout, stated = found.figure.layout, {arm.letter: arm for arm in found.shown.arms}
-    for arm in layout.arms:
-        true = stated[arm.letter]
-        force = value(found, true.name)
-        assert abs(((arm.foot - arm.about) * force.conjugate()).real) < HAIR * abs(force) * max(arm.length, 1)
-        assert arm.length * layout.place.scale.mu == pytest.approx(true.length, rel=1e-9)
-        assert written(found).count(plain(arm.letter.replace("{", "").replace("}", ""))) == 1
 
 
 @pytest.mark.part
@@ -248,69 +173,6 @@ def test_a_guide_presses_where_the_moments_about_the_pin_balance(column: int) ->
     assert "x05" in written(found)
 
 
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_couple_turns_as_its_moment_does(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    signs = {couple.name: at(couple.moment.point, found.column).real for couple in found.cut.couples}
-    signs |= {"M_bal": at(found.plan.balancing.point, found.column).real}
-    signs |= {
-        support.force.name.replace("R", "M", 1): at(support.moment.point, found.column).real
-        for support in found.cut.supports
-        if support.moment is not None
-    }
-    for moment, couple in zip(found.shown.acting.moments, found.figure.layout.couples, strict=True):
-        assert couple.sense == math.copysign(1, signs[moment.name])
-        assert written(found).count(plain(moment.name)) == 1
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_link_bears_its_number_and_every_point_its_letter(one: tuple[str, int, int]) -> None:
-    found, letters = drawn(*one), written(drawn(*one))
-    assert all(letters.count(str(link)) == 1 for link in found.cut.links)
-    assert all(letters.count(plain(name)) == 1 for name in found.shown.named)
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_two_arrows_of_one_line_of_action_do_not_cover_each_other(one: tuple[str, int, int]) -> None:
-    arrows = list(drawn(*one).figure.layout.arrows)
-    for k, first in enumerate(arrows):
-        for second in arrows[:k]:
-            ends = [(end - first.start) / first.direction for end in (second.start, second.tip)]
-            if all(abs(end.imag) < 1e-6 for end in ends):
-                low, high = sorted(end.real for end in ends)
-                assert high < HAIR or low > first.length - HAIR, (first.letter, second.letter)
-
-
-@pytest.mark.part
-@over("one", SHOWN)
-def test_every_line_stays_in_the_room_that_was_measured(one: tuple[str, int, int]) -> None:
-    layout = drawn(*one).figure.layout
-    box = layout.box
-    assert box is not None
-    for arrow in layout.arrows:
-        for end in (arrow.start, arrow.tip):
-            assert box.left <= end.real <= box.right and box.bottom <= end.imag <= box.top, arrow.letter
-
-
 def test_larger_forces_have_longer_arrows_within_bounds() -> None:
     found = lengths([0.5, 3.0, 40.0, 5000.0])
     assert found == sorted(found) and found[0] == SHORT and found[-1] == LONG
-
-
-def test_a_russian_sheet_has_its_own_words_and_letters() -> None:
-    letters = written(drawn("shaper", 0, 2, hand_of("A3"), "ru"))
-    assert "Схема нагружения группы 4-5, положение 2" in letters
-    assert {"Rτ34", "Fп.с"} <= set(letters)
-    assert any(text.endswith("силы не в масштабе") for text in letters)
-
-
-def test_outer_hinges_are_open_and_only_the_crank_has_its_stand() -> None:
-    def hatched(found: Drawn) -> bool:
-        thin = [s for s in found.figure.layout.joints.stands() if isinstance(s, Line)]
-        return bool(thin)
-
-    assert [hatched(drawn("shaper", number, 2)) for number in range(3)] == [False, False, True]
-    assert set(drawn("shaper", 0, 2).figure.layout.joints.hinges) == {"B", "D"}
