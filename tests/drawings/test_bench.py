@@ -16,23 +16,21 @@ import numpy as np
 import pytest
 
 from drawings import VERSION
-from drawings.bench import hands, plain_pen, plot, report, sessions, sheet, startup
+from drawings.bench import hands, plain_pen, plot, sessions, sheet, startup
 from drawings.bench.hands import FORCES_BY_HAND
 from drawings.commands import bench as command
 from drawings.commands import cli
 from drawings.commands.parser import parser
-from drawings.files import atomic_files
-from drawings.lettering.lettering import lettered, outline
+from drawings.lettering.lettering import outline
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
-from geometry.errors import DraftError
 from plans.bench import roads as forces
 from plans.bench.error import SLIPS, sizes
 from plans.bench.peers import PYLINKAGE
 from plans.bench.roads import CONSTRUCTION, Ground, ground, newton, prepared
 from plans.bench.trial import Bench, Goal, Order
 from plans.scene.scene import Scene, parse_scene, read_scene
-from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
+from tests.drawings.test_bench_report import TECHNIQUES, lines
 from tests.drawings.test_commands import GAPPED
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
@@ -144,20 +142,6 @@ def test_the_plain_pen_draws_the_same_strokes() -> None:
     assert len(list(letter.iter(f"{SVG}polyline"))) == len(outline(Text(0j, "A")))
 
 
-@pytest.mark.rest
-def test_the_plain_pen_leaves_no_stroke_of_a_sheet_out(paper: tuple[Ground, sheet.DrawnSheets]) -> None:
-    ready = lettered(paper[1].leaves[0])
-
-    def count(group: Group) -> int:
-        return sum(
-            count(stroke) if isinstance(stroke, Group) else len(outline(stroke)) if isinstance(stroke, Text) else 1
-            for stroke in group.strokes
-        )
-
-    elements = [e for e in ElementTree.fromstring(plain_pen.svg(ready)).iter() if e.tag not in (f"{SVG}g", f"{SVG}svg")]
-    assert len([e for e in elements if e.tag != f"{SVG}defs"]) == sum(count(group) for group in ready.groups)
-
-
 def test_a_sheet_that_is_refused_is_left_out_with_its_reason() -> None:
     text = (GALLERY / "shaper.toml").read_text("utf-8").replace("[sheet]", '[sheet]\napproved = "机构"')
     found = sessions.session(parse_scene(text), Order((12,), 1, startup=False), lambda what: None)
@@ -185,12 +169,6 @@ def test_a_start_up_draws_the_scene_in_processes_of_its_own(monkeypatch: pytest.
         "pass",
     ]  # once to compile, twice to be timed
     assert ran[0][3:5] == ["draw", str((GALLERY / "shaper.toml").resolve())]
-
-
-@pytest.mark.rest
-def test_a_start_up_that_draws_nothing_has_no_time(tmp_path: Path) -> None:
-    with pytest.raises(subprocess.CalledProcessError):
-        startup.startup(tmp_path / "no.toml", 1)
 
 
 def test_the_program_of_the_start_up_is_plandraft() -> None:
@@ -235,28 +213,6 @@ def test_a_scene_of_motion_alone_says_nothing_of_forces(quick: Bench) -> None:
     assert not [row.technique for row in quick.rows if "forces" in row.technique or "check" in row.technique]
     assert not [ratio.name for ratio in quick.ratios if "forces" in ratio.name]
     assert "reaction" not in " ".join(quick.words)
-
-
-@pytest.mark.rest
-def test_the_plot_and_the_csv_show_the_forces(loaded: Bench) -> None:
-    drawn = plot.svg(loaded).decode("utf-8")
-    for text in (*forces.TECHNIQUES, "F"):
-        assert f"<!-- {text} -->" in drawn
-    found = {line["technique"]: line for line in lines(report.csv_bytes(loaded)) if line["positions"] == "360"}
-    row = found[forces.FORCES_CONSTRUCTED]
-    assert 0 < float(row["error_R"]) < 1e-14 and 0 < float(row["error_M"]) < 1e-14
-    assert row["error_v"] == "" and row["accepted"] == "True"
-
-
-@pytest.mark.rest
-def test_a_force_sheet_that_is_refused_leaves_its_hands_out_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refused(*_: Any) -> Any:
-        raise DraftError("no room for the lever")
-
-    monkeypatch.setattr(hands.sheets, "sheets", refused)
-    study = prepared(of_forces(), 12)
-    rows = hands.of_forces(study, sheet.draw(study), sizes(study))
-    assert [row.note for row in rows] == ["left out: no room for the lever"] * 2
 
 
 Run = Callable[..., tuple[int, str, str]]
@@ -344,22 +300,6 @@ def test_a_folder_that_cannot_be_written_is_told_before_anything_is_measured(
     monkeypatch.setattr(sessions, "session", lambda *_: pytest.fail("measured"))
     (tmp_path / "file").write_text("", "utf-8")
     assert run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path / "file")[0] == 7
-
-
-@pytest.mark.rest
-def test_an_old_plot_outlives_a_failure_of_the_new_one(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    old = tmp_path / "shaper-bench.svg"
-    old.write_text("old", "utf-8")
-    monkeypatch.setattr(sessions, "session", lambda *_: invented())
-
-    def full(handle: int, content: bytes) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(atomic_files, "_fill", full)
-    assert run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path)[0] == 7
-    assert old.read_text("utf-8") == "old"
 
 
 def order(*words: str) -> Order:

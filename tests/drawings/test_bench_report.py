@@ -128,6 +128,7 @@ def test_the_plot_shows_techniques_that_are_not_of_linkages() -> None:
     assert plot.OF_OTHERS.strip() not in plot.svg(invented()).decode("utf-8")
 
 
+@pytest.mark.rest
 def test_a_plot_of_gaps_alone_is_still_a_plot() -> None:
     bare = replace(invented(), rows=(Row(PYLINKAGE, 12, note=NOT_INSTALLED),))
     assert ElementTree.fromstring(plot.svg(bare)).tag == f"{SVG}svg"

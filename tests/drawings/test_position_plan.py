@@ -20,13 +20,10 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, picture
 from drawings.layout.place import Place
-from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.sheets.kinematics import position
-from drawings.symbols.dashes import DASH_DOT, DASHED
 from plans.checks.compare import Comparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -123,13 +120,6 @@ def disc(circle: Circle) -> object:
     return shapely.Point(circle.centre.real, circle.centre.imag).buffer(circle.radius, quad_segs=90)
 
 
-def box(text: Text) -> object:
-    """The box of a turned text: its bounds before turning, turned about its anchor."""
-    left, bottom, right, top = bounds(Text(text.at, text.content, text.size, text.anchor, text.slanted))
-    about = (text.at.real, text.at.imag)
-    return shapely.affinity.rotate(shapely.box(left, bottom, right, top), text.rotation, origin=about)
-
-
 def length(stroke: Stroke) -> float:
     if isinstance(stroke, Arc):
         return stroke.radius * stroke.sweep
@@ -182,91 +172,6 @@ def test_every_bar_of_the_shown_position_reaches_its_hinges(name: str) -> None:
             if letter in found.bones.mechanism.hinges and (link, letter) not in blocks:
                 circle = found.circle(letter)
                 assert any(abs(abs(end - circle.centre) - circle.radius) < HAIR for end in ends), (link, letter)
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_broken_lines_begin_and_end_with_a_dash(name: str) -> None:
-    broken = [s for s in drawn(name).strokes() if not isinstance(s, Fill | Text) and s.style.dash]
-    assert broken or name in ("leg", "tangent")
-    for stroke in broken:
-        dash, *rest = stroke.style.dash
-        period, closed = dash + sum(rest), isinstance(stroke, Polyline) and stroke.closed
-        dashes = (length(stroke) + (0 if closed else sum(rest))) / period
-        assert dashes == pytest.approx(round(dashes), abs=1e-6) and dashes > 1.5
-        least, most = DASHED if len(rest) == 1 else DASH_DOT
-        assert least <= dash <= most
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_the_sense_of_rotation_is_clear_of_every_link_hinge_and_number(name: str) -> None:
-    found = drawn(name)
-    numbers = shapely.union_all([box(text) for text in flat(found.letters) if isinstance(text, Text)])
-    for arrow in found.strokes("rotation"):
-        for bar in [*thick(found), *hinges(found).values()]:
-            assert shape(arrow).distance(shape(bar)) > 0.5  # type: ignore[attr-defined]
-        assert shape(arrow).distance(numbers) > 0  # type: ignore[attr-defined]
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_no_line_strikes_the_number_of_the_stroke_through(name: str) -> None:
-    found = drawn(name)
-    extreme = found.bones.study.extreme_positions
-    if extreme is None or not extreme.extremes.sliding:  # the output turns, swings or runs on
-        assert "stroke" not in found.groups
-        return
-    number = next(text for text in found.strokes("stroke") if isinstance(text, Text))
-    for line in found.strokes():
-        if not isinstance(line, Text):
-            assert not shape(line).intersects(box(number)), line  # type: ignore[attr-defined]
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_the_dimension_of_the_stroke_is_as_long_as_the_stroke(name: str) -> None:
-    found = drawn(name)
-    if "stroke" in found.groups:
-        assert found.bones.study.extreme_positions is not None
-        text, dimension, *extensions = found.strokes("stroke")[:4]
-        assert isinstance(text, Text) and isinstance(dimension, Line)
-        first, last = (line for line in extensions if isinstance(line, Line))
-        along = (dimension.end - dimension.start) / abs(dimension.end - dimension.start)
-        apart = abs(((last.end - first.end) * along.conjugate()).real)
-        assert apart == pytest.approx(found.place.length(found.bones.study.extreme_positions.extremes.stroke), abs=1e-6)
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_hatching_is_equal_on_its_side_of_the_base_and_within_it(name: str) -> None:
-    found = drawn(name)
-    for layer in ("pairs", "grounds"):
-        strokes = found.strokes(layer)
-        for base, hatch in bases(strokes, found.hand):
-            along = (base.end - base.start) / abs(base.end - base.start)
-            spots = [(end - base.start) / along for line in hatch for end in (line.start, line.end)]
-            assert len({round(length(line), 6) for line in hatch}) == 1
-            assert all(-HAIR <= spot.real <= abs(base.end - base.start) + HAIR for spot in spots)
-            assert len({math.copysign(1, spot.imag) for spot in spots if abs(spot.imag) > HAIR}) == 1
-            for block in (s for s in found.strokes("shown-position") if isinstance(s, Polyline)):
-                inside = shapely.Polygon(shape(block)).buffer(-HAIR)  # type: ignore[call-overload]
-                assert layer == "pairs" or not any(shape(line).intersects(inside) for line in hatch)  # type: ignore[attr-defined]
-
-
-def bases(strokes: list[Stroke], hand: Hand) -> Iterator[tuple[Line, list[Line]]]:
-    """Give each base line, joined where a slot stands over it, with the thin hatching drawn after it."""
-    kept: list[Line] = []
-    for solid, run in itertools.groupby(strokes, lambda s: isinstance(s, Line) and s.style.width == hand.main):
-        lines = [line for line in run if isinstance(line, Line)]
-        if solid:
-            kept = lines[-1:] if abs(direction(lines[0]) - direction(lines[-1])) > HAIR else [lines[0], lines[-1]]
-        elif kept and lines:
-            yield Line(kept[0].start, kept[-1].end), lines
-
-
-def direction(line: Line) -> complex:
-    return (line.end - line.start) / abs(line.end - line.start)
 
 
 @pytest.mark.parametrize("name", first(["whitworth", "tangent", "shaper"]))
@@ -358,14 +263,6 @@ def test_of_36_positions_every_one_is_numbered_at_the_crank_and_few_at_the_outpu
     assert len([s for s in found.strokes("all-positions") if isinstance(s, Line)]) < 36 * 4
 
 
-@pytest.mark.part
-@over("name", SHOWN)
-def test_no_letter_or_number_lies_on_another(name: str) -> None:
-    texts = [text for text in flat(drawn(name).letters) if isinstance(text, Text)]
-    for one, other in itertools.combinations(texts, 2):
-        assert box(one).intersection(box(other)).area < 0.05, (one.plain, other.plain)  # type: ignore[attr-defined]
-
-
 def test_listed_positions_bear_their_crank_angles() -> None:
     said = [text.plain for text in flat(drawn("tangent").letters) if isinstance(text, Text)]
     assert {"0 (−40°)", "5 (10°)", "8 (40°)"} <= set(said)
@@ -377,33 +274,9 @@ def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
     assert first.radius + second.radius < abs(first.centre - second.centre)
 
 
-def test_the_symbols_of_a_small_sheet_are_smaller() -> None:
-    assert drawn("shaper", A4).circle("B").radius == pytest.approx(0.6 * drawn("shaper").circle("B").radius)
-
-
 def test_epsilon_has_its_own_arrow_and_letter_only_where_it_is_given() -> None:
     for name, arrows in (("shaper", 2), ("whitworth", 1)):
         found = drawn(name)
         assert sum(isinstance(stroke, Arc) for stroke in found.strokes("rotation")) == arrows
         said = [text.plain for text in flat(found.letters) if isinstance(text, Text)]
         assert ("ε1" in said) == (arrows == 2) and "ω1" in said
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_every_named_point_keeps_its_data(name: str) -> None:
-    found = drawn(name)
-    marks = [mark for mark in found.groups["pairs"].strokes if isinstance(mark, Group) and mark.data]
-    assert {mark.data["name"] for mark in marks} == set(found.bones.numbered.points) | set(found.bones.masses)
-    for mark in marks:
-        true = complex(*map(float, mark.data["value"].split()))
-        assert isinstance(mark.strokes[0], Circle)
-        assert abs(mark.strokes[0].centre - found.place.on(true)) < HAIR
-
-
-def test_text_widths_are_those_of_the_alphabet() -> None:
-    """The number of the stroke stands over its dimension line, or beyond its end where it is too short."""
-    for name in ("whitworth", "toggle press"):
-        text, dimension, *_ = drawn(name).strokes("stroke")
-        assert isinstance(text, Text) and isinstance(dimension, Line)
-        assert text_width(text) < abs(dimension.end - dimension.start)

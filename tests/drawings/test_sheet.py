@@ -11,14 +11,11 @@ import pytest
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import UnknownLetter, lettered
 from drawings.lettering.specimen import specimen
-from drawings.measure.measure import measure
 from drawings.page.page import Page, page_of
-from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import sheet, sheets
-from drawings.sheets.positions import position
 from plans.checks.compare import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
@@ -27,7 +24,6 @@ from tests.drawings.mechanisms import TOGGLE_PRESS
 from tests.parts import first
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-NUMBER = re.compile(rb"-?\d+(?:\.\d+)?")
 
 FOUR_BAR = """
 title = "Crank-rocker"
@@ -93,27 +89,6 @@ def test_a_russian_sheet_has_russian_words_and_decimal_commas() -> None:
     assert not any(re.search(r"\d\.\d", text) for text in said)
 
 
-def test_the_plans_of_the_named_positions_are_drawn_and_measure_back() -> None:
-    study, leaf = drawn(four_bar() + "[sheet]\nplans = [2, 5, 7]\nposition = 5\n")
-    measured = measure(svg(leaf))
-    plans = {(vector.plan, vector.position) for vector in measured.vectors}
-    assert plans == {(plan, k) for plan in ("velocities", "accelerations") for k in (2, 5, 7)}
-    velocity = {v.position: v.value for v in measured.vectors if v.plan == "velocities" and v.name == "p b"}
-    for k, value in velocity.items():
-        true = complex(study.motion().points["B"].v[k])
-        scale = next(v.scale for v in measured.vectors if v.plan == "velocities" and v.position == k)
-        assert abs(value - true) <= QUANTUM * scale * 1.01
-
-
-def test_every_letter_of_the_mechanism_is_measurable_in_the_shown_position() -> None:
-    study, leaf = drawn(four_bar())
-    measured = measure(svg(leaf))
-    shown = position(study, compare(study))
-    assert {point.name for point in measured.points} == {"A", "B", "C"}
-    for point in measured.points:
-        assert abs(point.value - complex(study.motion().points[point.name].r[shown])) <= QUANTUM * point.scale * 1.01
-
-
 def test_a_mechanism_that_reaches_no_position_gets_a_sheet_that_explains_why() -> None:
     _, leaf = drawn(four_bar(rod=0.05, rocker=0.05))
     said = " ".join(text.plain for text in texts(leaf))
@@ -136,12 +111,6 @@ def test_the_lengths_of_the_scene_stand_on_the_sheet_in_millimetres() -> None:
     _, leaf = drawn(four_bar())
     said = " ".join(text.plain for text in texts(leaf)).replace("\N{NO-BREAK SPACE}", " ")
     assert "lOA = 100, lAB = 400, lCB = 300" in " ".join(said.split())
-
-
-def test_advice_on_a_russian_sheet_is_russian() -> None:
-    _, leaf = drawn(four_bar(rod=0.05, rocker=0.05) + '[sheet]\nlanguage = "ru"\n')
-    said = " ".join(text.plain for text in texts(leaf))
-    assert "достают" in said and "reach from" not in said
 
 
 def test_gaps_are_crossed_out_on_the_crank_circle_and_named() -> None:
@@ -201,12 +170,6 @@ def test_plans_that_one_sheet_cannot_show_legibly_go_on_following_sheets() -> No
     assert [leaf.metadata["shown"] for leaf in leaves] == [0] + [None] * (len(leaves) - 1)
     values = [group.data["positions"] for leaf in leaves for group in leaf.groups if "positions" in group.data]
     assert {int(k) for text in values for k in text.split()} == {0, 1, 2, 3, 5, 7, 8, 9}
-
-
-@pytest.mark.rest
-def test_the_first_named_plan_is_the_position_in_full_lines() -> None:
-    _, leaf = drawn(four_bar() + "[sheet]\nplans = [7, 2]\n")
-    assert leaf.metadata["shown"] == 7
 
 
 TOGGLE = TOGGLE_PRESS.partition("positions")[0]

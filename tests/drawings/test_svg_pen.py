@@ -4,7 +4,6 @@ import cmath
 import hashlib
 import io
 import math
-import os
 import re
 import subprocess
 import sys
@@ -43,7 +42,7 @@ from drawings.paper.strokes import (
 )
 from drawings.pens import svg as pen
 from plans.model.motion import Complexes, Floats
-from tests.parts import examples, first
+from tests.parts import examples
 from tests.rows import over
 
 NS = "{http://www.w3.org/2000/svg}"
@@ -397,30 +396,6 @@ def test_newlines_stand_only_between_groups() -> None:
     )
 
 
-PRINTED = """
-import sys
-sys.path[:0] = {path!r}
-from tests_svg_pen import everything
-from drawings.pens import svg
-sys.stdout.buffer.write(svg.svg(everything()))
-"""
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize("seed", first("10"))
-def test_the_bytes_are_the_same_on_every_run(tmp_path: Path, seed: str) -> None:
-    (tmp_path / "tests_svg_pen.py").write_bytes(Path(__file__).read_bytes())
-    root = Path(pen.__file__).parents[2]
-    script = PRINTED.format(path=[str(tmp_path), str(root)])
-    run = subprocess.run(
-        [sys.executable, "-c", script],
-        env={**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": "C", "PYTHONDONTWRITEBYTECODE": "1"},
-        capture_output=True,
-        check=True,
-    )
-    assert run.stdout == pen.svg(everything()) == pen.svg(everything())
-
-
 def test_svgwrite_itself_finds_no_fault() -> None:
     """What we pass unchecked is valid by svgwrite's own tables, data- attributes apart."""
     [path] = drawn(Line(0j, 1), Arc(0j, 2, 0, 5))
@@ -450,39 +425,3 @@ def test_the_box_of_lettering_follows_anchor_and_rotation() -> None:
     assert (bottom, top) == pytest.approx((10 - 19, 10))  # three letters of 5d, two gaps of 2d
     with pytest.raises(SheetError):
         bounds(Group(()))
-
-
-def crowd() -> Leaf:
-    def at(k: int) -> complex:
-        return complex(k * 7919 % 8410, k * 104729 % 5940) / 10 + 0.0123
-
-    lines = tuple(Line(at(k), at(k + 5)) for k in range(1500))
-    heads = tuple(Fill((at(k), at(k + 1), at(k + 2))) for k in range(600))
-    circles = tuple(Circle(at(k), 2) for k in range(300))
-    texts = tuple(Text(at(k), "v_{BA}") for k in range(500))
-    curves = tuple(Polyline(tuple(at(j + 131 * k) for j in range(120))) for k in range(100))
-    return Leaf(841, 594, (Group(lines), Group(heads), Group(circles), Group(texts), Group(curves)))
-
-
-def plainly(sheet: Leaf) -> bytes:
-    """The same sheet as svgwrite is used by default: one element each, everything checked by it."""
-    drawing = svgwrite.Drawing(size=("841mm", "594mm"), viewBox="0 0 841 594")
-    for stroke in (stroke for group in sheet.groups for stroke in group.strokes):
-        match stroke:
-            case Line(start, end):
-                drawing.add(drawing.line(down(start), down(end), stroke="black", stroke_width=0.5))
-            case Fill(corners):
-                drawing.add(drawing.polygon([down(corner) for corner in corners], fill="black"))
-            case Circle(centre, radius):
-                drawing.add(drawing.circle(down(centre), radius, fill="none", stroke="black"))
-            case Polyline(chain):
-                drawing.add(drawing.polyline([down(point) for point in chain], fill="none", stroke="black"))
-            case Text(at):
-                label = drawing.text("v", insert=down(at), font_size=3.5)
-                label.add(drawing.tspan("BA", dy=[1], font_size=2.5))
-                drawing.add(label)
-    return bytes(drawing.tostring(), "utf-8")
-
-
-def down(point: complex) -> tuple[float, float]:
-    return point.real, 594 - point.imag
