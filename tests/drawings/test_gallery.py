@@ -23,11 +23,20 @@ from plans.study import Study
 from tests.drawings.collisions import collisions
 
 ENTRIES = catalogue()
+# Scenes that take longest and have their like among the others: their sets are drawn with `--whole`.
+LONG = (
+    "automaton", "coupled-rockers", "inversor", "jaw-crusher", "plunger-pump", "pumping-jack", "scissor-lift",
+    "squeezer", "table-cam", "toggle-press", "v-compressor", "walking-leg",
+)  # fmt: skip
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
 SQUEEZED = {"crank-rocker": 1}  # its notes fill their room: an index touches the line below
 
 
-@pytest.fixture(scope="session", params=ENTRIES, ids=[entry.name for entry in ENTRIES])
+def shown(entry: Entry) -> object:
+    return pytest.param(entry, id=entry.name, marks=pytest.mark.rest if entry.name in LONG else ())
+
+
+@pytest.fixture(scope="session", params=[*map(shown, ENTRIES)])
 def entry(request: pytest.FixtureRequest) -> Entry:
     """One scene after the other, so that all tests of a scene follow each other."""
     found: Entry = request.param
@@ -39,25 +48,20 @@ def drawn(entry: Entry, tmp_path_factory: pytest.TempPathFactory) -> SheetSet:
     return draw(entry.path, tmp_path_factory.mktemp(entry.name))
 
 
-@pytest.fixture(scope="session")
-def exhibit(entry: Entry, drawn: SheetSet) -> index.GalleryScene:
-    return index.GalleryScene(entry, drawn.study, drawn.paths)
-
-
 # The files of the gallery
 
 
-def test_its_sheets_and_reports_are_drawn_again_as_they_were(drawn: SheetSet) -> None:
+def test_its_sheets_and_reports_are_drawn_again_as_they_were(drawn: SheetSet, entry: Entry) -> None:
     assert [one for path in drawn.paths for one in differences(path, GALLERY / path.name)] == []
-
-
-def test_its_sheets_measure_and_are_sealed(drawn: SheetSet) -> None:
     sheets = [path for path in drawn.paths if path.suffix == ".svg"]
-    assert len(sheets) == len(drawn.sheets)
-    assert all(sealed(path.read_bytes()) for path in sheets)
+    assert len(sheets) == len(drawn.sheets) and all(sealed(path.read_bytes()) for path in sheets)
+    longer = tuple(f"{other.name}-" for other in ENTRIES if other.name.startswith(f"{entry.name}-"))
+    kept = {path.name for path in GALLERY.glob(f"{entry.name}-*.*") if path.suffix in command.WRITTEN}
+    assert {name for name in kept if not longer or not name.startswith(longer)} == {p.name for p in drawn.paths}
 
 
-def test_nothing_lies_outside_its_frame(drawn: SheetSet) -> None:
+@pytest.mark.rest  # the kept sheets were so when they were kept
+def test_nothing_lies_outside_its_frame_and_no_lettering_touches_anything(drawn: SheetSet, entry: Entry) -> None:
     for leaf in drawn.sheets:
         field = page_of(drawn.study.scene).field
         for group in leaf.groups:
@@ -65,24 +69,16 @@ def test_nothing_lies_outside_its_frame(drawn: SheetSet) -> None:
                 left, bottom, right, top = bounds(group)
                 assert field.left - LINE <= left and right <= field.right + LINE, group.name
                 assert field.bottom - LINE <= bottom and top <= field.top + LINE, group.name
-
-
-def test_no_lettering_touches_a_line_an_arrow_or_other_lettering(drawn: SheetSet, entry: Entry) -> None:
     found = [one for leaf in drawn.sheets for one in collisions(leaf)]
     assert len(found) == SQUEEZED.get(entry.name, 0), found
 
 
-def test_the_gallery_holds_what_its_scenes_draw_and_nothing_stale(drawn: SheetSet, entry: Entry) -> None:
-    longer = tuple(f"{other.name}-" for other in ENTRIES if other.name.startswith(f"{entry.name}-"))
-    kept = {path.name for path in GALLERY.glob(f"{entry.name}-*.*") if path.suffix in command.WRITTEN}
-    assert {name for name in kept if not longer or not name.startswith(longer)} == {p.name for p in drawn.paths}
-
-
-def test_its_files_are_those_of_one_run(entry: Entry) -> None:
-    manifest = read_manifest(GALLERY / f"{entry.name}-manifest.json")
-    assert manifest is not None
-    assert manifest.strangers(GALLERY) == []
-    assert manifest.scene_digest == digest(entry.path.read_bytes())
+def test_its_files_are_those_of_one_run() -> None:
+    for one in ENTRIES:
+        manifest = read_manifest(GALLERY / f"{one.name}-manifest.json")
+        assert manifest is not None
+        assert manifest.strangers(GALLERY) == []
+        assert manifest.scene_digest == digest(one.path.read_bytes())
 
 
 def test_every_renewal_is_listed_with_its_reason() -> None:
@@ -97,10 +93,11 @@ def test_every_sheet_and_report_belongs_to_a_scene() -> None:
     assert [name for name in files - {ALPHABET, index.PAGE} if not name.startswith(names)] == []
 
 
-def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_russian_name(entry: Entry) -> None:
-    assert len(entry.about.split()) > 40
-    assert re.search(r"\([^)]*[а-яё]", entry.about)
-    assert entry.about.endswith((".", ")"))
+def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_russian_name() -> None:
+    for one in ENTRIES:
+        assert len(one.about.split()) > 40, one.name
+        assert re.search(r"\([^)]*[а-яё]", one.about), one.name
+        assert one.about.endswith((".", ")")), one.name
 
 
 # The index page
@@ -111,10 +108,14 @@ def shaper(*names: str) -> index.GalleryScene:
     return index.GalleryScene(entry, Study(read_scene(entry.path)), tuple(map(Path, names)))
 
 
-def test_the_index_page_has_the_scene_s_row_and_section(exhibit: index.GalleryScene) -> None:
-    page = (GALLERY / index.PAGE).read_text("utf-8")
-    assert index.row(exhibit) in page
-    assert index.section(exhibit) in page
+def test_the_index_page_has_the_scene_s_row_and_section_and_leads_to_all_that_was_drawn(
+    drawn: SheetSet, entry: Entry
+) -> None:
+    page, exhibit = (GALLERY / index.PAGE).read_text("utf-8"), index.GalleryScene(entry, drawn.study, drawn.paths)
+    section = index.section(exhibit)
+    assert index.row(exhibit) in page and section in page
+    links = set(re.findall(r"\]\(([^)#]+)\)", section))
+    assert links == {f"{entry.name}.toml", *(path.name for path in drawn.paths)}
 
 
 def test_the_index_page_has_nothing_else() -> None:
@@ -122,11 +123,6 @@ def test_the_index_page_has_nothing_else() -> None:
     assert page.startswith(index.OPENING) and page.endswith(index.CLOSING)
     assert re.findall(r"^## (.*)", page, re.MULTILINE) == [entry.title for entry in ENTRIES]
     assert re.findall(r"\| `([\w-]+)` \|", page) == [entry.name for entry in ENTRIES]
-
-
-def test_the_links_of_a_section_lead_to_the_scene_and_all_that_was_drawn(exhibit: index.GalleryScene) -> None:
-    links = set(re.findall(r"\]\(([^)#]+)\)", index.section(exhibit)))
-    assert links == {f"{exhibit.entry.name}.toml", *(path.name for path in exhibit.paths)}
 
 
 def test_the_index_page_says_the_shaper_s_structure_stroke_and_time_ratio() -> None:
