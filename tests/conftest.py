@@ -12,9 +12,7 @@ from hypothesis import settings
 
 from tests import homes, parts
 
-settings.register_profile("same", derandomize=True, deadline=None)
-settings.load_profile("same")
-
+EXAMPLES, EVERYDAY = 100, 30  # of a property: with --whole, and every day where it does not say how many itself
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the program itself does: there are as many workers as cores
 
 # Where Python is told to keep no bytecode, every worker and every command that a test starts would compile all packages
@@ -33,14 +31,29 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--every", type=int, default=1, help=how)
 
 
+class Doctests:
+    """Looks for doctests in no file without one, of the whole tree: finding none costs as much as finding some."""
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_collect_file(self, file_path: Path) -> Generator[None, list[pytest.Collector], list[pytest.Collector]]:
+        found = yield
+        text = file_path.read_bytes() if any(isinstance(one, DoctestModule) for one in found) else b">>>"
+        return [one for one in found if b">>>" in text or not isinstance(one, DoctestModule)]
+
+
 def pytest_configure(config: pytest.Config) -> None:
     parts.whole = config.getoption("whole")
+    most = EXAMPLES if parts.whole else EVERYDAY
+    settings.register_profile("same", derandomize=True, deadline=None, max_examples=most)
+    settings.load_profile("same")
+    config.pluginmanager.register(Doctests())  # a hook of this file would be asked for the files beside it alone
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     kept: dict[bool, list[pytest.Item]] = {True: [], False: []}
     for item in items:
         names = {mark.name for mark in item.iter_markers()}
+        names |= {"part"} if getattr(getattr(item, "obj", None), "is_hypothesis_test", False) else set()
         kept[bool(names & {"part", "rest"}) if config.getoption("whole") else "rest" not in names].append(item)
     rows = [item for item in kept[True] if item.get_closest_marker("rest") and hasattr(item, "callspec")]
     every = config.getoption("every")
@@ -49,14 +62,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     kept = {True: [item for item in kept[True] if item not in left], False: [*kept[False], *left]}
     config.hook.pytest_deselected(items=kept[False])
     items[:] = kept[True]
-
-
-@pytest.hookimpl(wrapper=True)
-def pytest_collect_file(file_path: Path) -> Generator[None, list[pytest.Collector], list[pytest.Collector]]:
-    """Look for doctests in no file without one: finding none costs as much as finding some."""
-    found = yield
-    text = file_path.read_bytes() if any(isinstance(one, DoctestModule) for one in found) else b">>>"
-    return [one for one in found if b">>>" in text or not isinstance(one, DoctestModule)]
 
 
 def pytest_collection_finish() -> None:

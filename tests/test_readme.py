@@ -47,6 +47,7 @@ def test_what_is_checked_of_a_clone_is_what_the_readme_says() -> None:
     folders = "geometry plans drawings tests"
     assert checks == [
         "python -m pytest --whole --every 80",
+        "python -m pytest --whole tests/drawings/test_gallery.py",
         f"python -m ruff check {folders}",
         f"python -m ruff format --check {folders}",
         "python -m mypy",

@@ -20,11 +20,12 @@ from drawings.grading.marking import points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
+from tests import parts
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
 from tests.drawings.test_grading import laid
 from tests.mistakes import mistakes
-from tests.parts import first
+from tests.parts import first, several
 from tests.rows import over
 
 DRAWN = ("positions", "velocities", "accelerations", "diagrams", "notes")  # figures, which take long to read
@@ -45,29 +46,23 @@ def test_our_own_tables_are_right(by: Allowances) -> None:
     assert len(graded.verdicts) == 2 * 2 * 22 + 12 * 4
 
 
-@over("row", [one for one in MISTAKES if one["scene"] == "shaper"])
+@pytest.mark.part
+@over("row", MISTAKES if parts.whole else [one for one in MISTAKES if one["scene"] == "shaper"][::3])
 def test_a_mistake_in_a_table_is_named(row: dict[str, Any]) -> None:
-    named(row)
-
-
-@pytest.mark.rest
-@over("row", [one for one in MISTAKES if one["scene"] != "shaper"])
-def test_a_mistake_in_a_table_of_another_technique_is_named(row: dict[str, Any]) -> None:
-    named(row)
-
-
-def named(row: dict[str, Any]) -> None:
     own = table_task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
 @pytest.mark.parametrize(
     ("name", "row", "head", "position", "true", "called"),
-    [
-        ("values", "vB", "by plan", 2, 1.517, "v_B (by plan)"),
-        ("values", "vB", "by analysis", 2, 1.517, "v_B (by analysis)"),
-        ("output", "5", "v", None, 1.581, "v"),
-    ],
+    several(
+        [
+            ("values", "vB", "by plan", 2, 1.517, "v_B (by plan)"),
+            ("values", "vB", "by analysis", 2, 1.517, "v_B (by analysis)"),
+            ("output", "5", "v", None, 1.581, "v"),
+        ],
+        3,
+    ),
 )
 def test_a_cell_that_we_print_wrongly_is_not_the_truth(
     name: str, row: str, head: str, position: int | None, true: float, called: str

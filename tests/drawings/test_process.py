@@ -12,6 +12,7 @@ import pytest
 
 from drawings.commands import cli
 from drawings.files import signals
+from tests.drawings.conftest import Run
 from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
@@ -151,12 +152,14 @@ def test_the_schema_replaces_nothing_but_files(tmp_path: Path, place: str) -> No
 
 
 @pytest.mark.parametrize(("letters", "code"), [(250, 7), pytest.param(240, 0, marks=pytest.mark.rest)])
-def test_a_scene_of_a_very_long_name_is_drawn_or_told_to_be_too_long(tmp_path: Path, letters: int, code: int) -> None:
+def test_a_scene_of_a_very_long_name_is_drawn_or_told_to_be_too_long(
+    tmp_path: Path, run: Run, letters: int, code: int
+) -> None:
     scene = tmp_path / f"{'n' * letters}.toml"
     scene.write_bytes(PLAIN.read_bytes())
-    done = shell("", "draw", scene, "-o", tmp_path / "out")
-    assert done.returncode == code, done.stderr
-    assert code == 0 or b"File name too long. Fix: give the scene's file a shorter name" in done.stderr
+    ended, _, err = run("draw", scene, "-o", tmp_path / "out")
+    assert ended == code, err
+    assert code == 0 or "File name too long. Fix: give the scene's file a shorter name" in err
     assert (tmp_path / "out").exists() == (code == 0)
 
 

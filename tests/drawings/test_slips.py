@@ -13,6 +13,7 @@ from drawings.gallery.catalogue import GALLERY
 from drawings.paper.strokes import SheetError
 from geometry.errors import DraftError
 from tests.drawings.planting import DrawingFault, planted
+from tests.parts import some
 
 TABLES = sorted((Path(__file__).parents[1] / "cases" / "slips").glob("*.toml"))
 READ = [tomllib.loads(table.read_text("utf-8")) for table in TABLES]
@@ -23,11 +24,7 @@ EVERYDAY = 30  # of the slips, one is planted every day
 STOPPED = (DraftError, SheetError, ArithmeticError, LookupError, ValueError, AssertionError)
 
 
-def shown(slip: DrawingFault, number: int) -> object:
-    return pytest.param(slip, id=slip.name, marks=() if number % EVERYDAY == 0 else pytest.mark.rest)
-
-
-@pytest.mark.parametrize("slip", [shown(slip, k) for k, slip in enumerate(SLIPS)])
+@pytest.mark.parametrize("slip", some(SLIPS, EVERYDAY, [slip.name for slip in SLIPS]))
 def test_a_slip_is_seen(slip: DrawingFault, tmp_path: Path) -> None:
     scene = GALLERY / f"{slip.scene}.toml"
     with planted(slip):
