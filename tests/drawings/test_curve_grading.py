@@ -39,8 +39,7 @@ HAND = Allowances()
 SHARE = Allowances(Allowance(share=0.02))
 CASES = Path(__file__).parents[1] / "cases"
 MISTAKES = mistakes("curve_mistakes")
-# One of a linkage and one of a cam are made in the everyday run.
-DAILY = [next(row for row in MISTAKES if row["scene"] == scene) for scene in ("slider-crank", "valve-cam")]
+DAILY = [next(row for row in MISTAKES if row["scene"] == "slider-crank")]
 
 
 def said(own: CurveTask, source: bytes) -> list[str]:

@@ -34,6 +34,7 @@ from plans.techniques import technique_of
 from tests.drawings.students import TABLED, task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
+from tests.parts import first
 
 Capture = pytest.CaptureFixture[str]
 
@@ -85,14 +86,20 @@ def broken(source: bytes) -> Graded:
     return Graded(PASS)
 
 
-def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+HALTED = {"bug": (OURS, "grade.bug"), "memory": (REJECTED, "grade.memory"), "time": (REJECTED, "grade.late")}
+
+
+@pytest.mark.parametrize("names", first([("bug", "memory"), ("time",)]), ids=" ".join)  # a second of work goes by
+def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(
+    names: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(roll, "SECONDS", 0.0)  # of work, rounded up to one
-    paths = [tmp_path / name for name in ("bug", "memory", "time", "good")]
+    paths = [tmp_path / name for name in (*names, "good")]
     for path in paths:
         path.write_bytes(path.name.encode())
     graded = [one for _, one in roll.grade_all(paths, broken)]
-    assert [one.outcome for one in graded] == [OURS, REJECTED, REJECTED, PASS]
-    assert [one.reason and one.reason.key for one in graded] == ["grade.bug", "grade.memory", "grade.late", None]
+    told = [(one.outcome, one.reason and one.reason.key) for one in graded]
+    assert told == [*map(HALTED.__getitem__, names), (PASS, None)]
 
 
 def waits(source: bytes) -> Graded:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -47,6 +48,7 @@ start = {start}
 """
 
 
+@cache
 def drawn(text: str) -> tuple[LinkageStudy, Leaf]:
     study = LinkageStudy(parse_scene(text))
     return study, sheet(study, compare(study))
