@@ -25,7 +25,7 @@ from tests import parts
 from tests.drawings.collisions import collisions
 
 ENTRIES = catalogue()
-# Drawn every day: between them they go through 98 % of the lines that the drawing of all goes through, in a third of its
+# Drawn every day: between them they go through 98 % of the lines that drawing all goes through, in a third of its
 # time. The others are drawn with `--whole`.
 EVERYDAY = {
     "boxer", "copying-cam", "coupled-wheels", "crank-rocker", "engine-share", "fan", "flat-rocker-cam", "flywheel",
