@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 
@@ -16,7 +14,7 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Group, Leaf, LineStyle
 from drawings.pens.svg import svg
 from drawings.symbols.figure import Subject, point
-from geometry.curve import CubicPiece, sampled, straight
+from geometry.curve import sampled, straight
 from plans.analytic.cam.contour import contour
 from plans.cam.path import path
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
@@ -58,21 +56,6 @@ def theirs(case: Case, parts: int) -> Contour:
     cam, sizes = case
     turned = np.linspace(0.0, cam.turn, parts, endpoint=cam.translates)
     return contour(cam, sizes, roller_of(cam), turned[1:-1] if cam.translates and cam.rocks else turned)
-
-
-@pytest.mark.parametrize("turned", [pytest.param(0.0, marks=pytest.mark.rest), 37.5])
-def test_profile_is_read_back_as_it_was_drawn(turned: float) -> None:
-    case = USUAL, cases.sizes(USUAL)
-    found = curves(measure(written(case, turned=turned)))
-    for name, away in {WORKING: -0.01, PITCH: 0.0, OUTER: 0.01}.items():
-        drawn, own = path(*case, away), found[name]
-        assert [type(piece) for piece in own.pieces if isinstance(piece, CubicPiece)] == [
-            CubicPiece for piece in drawn.pieces if isinstance(piece, CubicPiece)
-        ]
-        assert drawn.deviation <= own.deviation < 1.1 * drawn.deviation
-        assert own.quantum == pytest.approx(math.sqrt(2) * 1e-6 * MU)
-        spots = np.array([piece.at(share) for piece in drawn.pieces for share in (0.1, 0.5, 0.9)])
-        assert apart(own.pieces, True, spots).max() <= own.quantum
 
 
 @pytest.mark.parametrize("case", first([one for one in every() if one[0].follower.end == ROLLER]), ids=titled)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-import pytest
-
 from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
@@ -20,7 +17,6 @@ from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
 from tests import parts
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
-from tests.rows import over
 
 A1 = hand_of("A1")
 SHOWN = sorted(CASES) if parts.whole else sorted(CASES)[::4]
@@ -57,16 +53,6 @@ def test_a_ruler_finds_the_forces_of_the_worked_example() -> None:
     for key, value in M57.items():
         assert abs(found[key].value - value) <= paper * found[key].scale + 1e-5, key  # 1e-5 N: their last digit
         assert abs(found[key].stated - value) <= 1e-5, key
-
-
-@pytest.mark.part
-@over("name", SHOWN)
-def test_no_two_vectors_lie_on_one_another(name: str) -> None:
-    for k in range(0, len(forced(name).study.turn), 3):
-        for one in polygons(forced(name), k, A1):
-            lines = [(arrow.vector.name, arrow.ends) for arrow in one.arrows]
-            merged = [(a, b) for i, (a, x) in enumerate(lines) for b, y in lines[:i] if merging(x, y)]
-            assert merged == []
 
 
 def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -> None:
@@ -126,13 +112,3 @@ def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:
     assert not any(merging(one, other) for k, one in enumerate(placed) for other in placed[:k])
     for one, shift in zip(segments, shifts, strict=True):
         assert abs(((one[1] - one[0]) * shift.conjugate()).real) < 1e-9  # a shift is square to its line
-
-
-def test_an_unknown_position_is_not_finite_and_raises_nothing() -> None:
-    shown = replace_start(polygon(forced("shaper").plan, forced("shaper").plan.cuts[0], 0))
-    assert not np.isfinite(shown.points).all()
-
-
-def replace_start(shown: ForcePolygon) -> ForcePolygon:
-    first, *others = shown.forces
-    return shown._replace(forces=(first._replace(value=complex("nan")), *others))

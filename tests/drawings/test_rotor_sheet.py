@@ -96,13 +96,6 @@ def test_stiff_rotors_are_drawn(apart: str, heavy: str) -> None:
 
 
 @pytest.mark.rest
-def test_planes_that_lie_together_on_paper_are_drawn() -> None:
-    far = Fraction(10**6)
-    planes = (Plane("I", far + Fraction(1, 10**9), 0.1), Plane("II", far, 0.1))
-    drawn(Rotor(masses(), planes, (Fraction(0), far)))
-
-
-@pytest.mark.rest
 def test_what_rounding_hides_may_be_missing() -> None:
     """A moment 10^42 times less than another, and planes a picometre apart."""
     pair = mass(1, "1e21", "1", 0, "0"), mass(2, "1e-21", "1", 10, "1")
