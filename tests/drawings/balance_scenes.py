@@ -9,8 +9,6 @@ FULL = '[balance]\naim = "full"\n'
 ONE = counterweight("on = 1", "mass = 5")
 THREE = counterweight("on = 3", "mass = 8")
 
-HEAVY = ((1, 6), (3, 160), (4, 30))  # of the book: links, and kg of their counterweights
-
 
 def own(text: str) -> str:
     """Take a scene of the balances by construction, for its sheet."""

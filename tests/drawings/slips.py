@@ -34,12 +34,6 @@ def marked(name: str, plan: str = "", kind: str = "") -> Callable[[Stroke], bool
     return is_it
 
 
-def dropped(name: str, plan: str, kind: str = "") -> Change:
-    """Leave a mark out."""
-    is_it = marked(name, plan, kind)
-    return lambda stroke: None if is_it(stroke) else stroke
-
-
 def stretched(name: str, plan: str, by: complex = 1.01) -> Change:
     """Draw a vector otherwise than it is, 1 % too long, and state it so: measuring alone cannot see it."""
     is_it = marked(name, plan, "vector")
@@ -52,23 +46,6 @@ def stretched(name: str, plan: str, by: complex = 1.01) -> Change:
             longer = replace(line, end=line.start + by * (line.end - line.start))
             return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(by * complex(x, y))})
         return stroke
-
-    return change
-
-
-def turned(name: str, plan: str) -> Change:
-    """Draw a vector the wrong way round, and state it so: measuring alone cannot see it."""
-
-    is_it = marked(name, plan)
-
-    def change(stroke: Stroke) -> Stroke:
-        if not isinstance(stroke, Group) or not is_it(stroke):
-            return stroke
-        line, *rest = stroke.strokes
-        assert isinstance(line, Line)
-        x, y = (float(part) for part in stroke.data["value"].split())
-        data = {**stroke.data, "value": stated(-complex(x, y))}
-        return replace(stroke, strokes=(replace(line, start=line.end, end=line.start), *rest), data=data)
 
     return change
 
@@ -100,26 +77,6 @@ def shifted(name: str, plan: str, by: complex) -> Change:
 def rewritten(old: str, new: str) -> Change:
     """Write another text for one, known by its markup or as it is read."""
     return lambda s: replace(s, content=new) if isinstance(s, Text) and old in (s.content, s.plain) else s
-
-
-def reworded(old: str, new: str) -> Change:
-    """Write a part of a text otherwise, of one that is read so."""
-    return lambda s: replace(s, content=s.content.replace(old, new)) if isinstance(s, Text) and s.plain == old else s
-
-
-def note(old: str, new: str) -> Change:
-    """Write a part of the notes otherwise."""
-
-    def change(stroke: Stroke) -> Stroke:
-        said = isinstance(stroke, Text) and isinstance(stroke.content, str)
-        return replace(stroke, content=stroke.content.replace(old, new)) if said else stroke
-
-    return in_part("notes", change)
-
-
-def without(name: str) -> Change:
-    """Leave a figure out."""
-    return lambda stroke: None if isinstance(stroke, Group) and stroke.name == name else stroke
 
 
 def in_part(name: str, change: Change) -> Change:

@@ -27,7 +27,6 @@ from tests.plans.cam_cases import Case, every, roller_of, titled
 MM = 1e-3
 PLAN, MU = "profile", 0.5 * MM
 PLACE = Place(210.3 + 190.7j, 0j, Scale(MU, "l", "m"))
-CASES = first(every())
 USUAL = cases.cam(TRANSLATING, ROLLER, 1, closure=GROOVE)
 
 

@@ -15,11 +15,9 @@ from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
-from tests import parts
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
 
 A1 = hand_of("A1")
-SHOWN = sorted(CASES) if parts.whole else sorted(CASES)[::4]
 
 
 def written(name: str, k: int) -> dict[tuple[str, str], MeasuredVector]:

@@ -33,26 +33,8 @@ from tests.plans.loaded import Loaded
 from tests.plans.machines import machine
 
 SIGNED = (
-    "P'",
-    "P''",
-    "A3",
-    "A'",
-    "B1",
-    "B2",
-    "K2",
-    "N3",
-    "S2",
-    "S3",
-    "O1",
-    "p",
-    "p'",
-    "π",
-    "a",
-    "n_B",
-    "k_A",
-    "Π",
-    "Р",
-)
+    "P'", "P''", "A3", "A'", "B1", "B2", "K2", "N3", "S2", "S3", "O1", "p", "p'", "π", "a", "n_B", "k_A", "Π", "Р",
+)  # fmt: skip
 NAMES = (*string.ascii_uppercase, *SIGNED)
 TWO_STONES = """
 [mechanism.frame]
