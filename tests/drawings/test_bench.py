@@ -152,25 +152,6 @@ def test_a_sheet_that_is_refused_is_left_out_with_its_reason() -> None:
     assert rows[CONSTRUCTION[2]].times is not None
 
 
-def test_a_start_up_draws_the_scene_in_processes_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    ran: list[list[str]] = []
-
-    def run(line: list[str], **_: object) -> subprocess.CompletedProcess[bytes]:
-        ran.append(line)
-        return subprocess.CompletedProcess(line, 4)
-
-    monkeypatch.setattr(startup.subprocess, "run", run)
-    times = startup.startup(GALLERY / "shaper.toml", 2)
-    assert [len(each.seconds) for each in times] == [2, 2, 2]
-    assert all(line[0] == sys.executable for line in ran)
-    assert [line[2] for line in ran] == 3 * [
-        startup.DRAW,
-        startup.IMPORTS,
-        "pass",
-    ]  # once to compile, twice to be timed
-    assert ran[0][3:5] == ["draw", str((GALLERY / "shaper.toml").resolve())]
-
-
 def test_the_program_of_the_start_up_is_plandraft() -> None:
     line = [sys.executable, "-c", startup.DRAW, "--version"]
     told = subprocess.run(line, capture_output=True, text=True, check=True, timeout=60).stdout

@@ -12,7 +12,6 @@ from xml.etree import ElementTree
 import pytest
 
 from drawings.bench import hands, plot, report, sheet
-from plans.bench import cams, cyclogram
 from plans.bench.error import Errors
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
@@ -22,10 +21,6 @@ from plans.bench.truth import KINDS
 SVG = "{http://www.w3.org/2000/svg}"
 MACHINE = Computer("Abacus 9", 4, 0.5, "Linux x86_64", "3.11.7", "2.4.6")
 TECHNIQUES = (*CONSTRUCTION, REPLAY, *map(newton, TOLERANCES), ROUNDING, sheet.MEASURED, sheet.PRINTED)
-
-
-OTHERS = (*cams.LAWS.values(), cams.INVERSION, cams.OFFSET, cams.PIECES, cyclogram.NOTCHED)
-ONCE = Times((1e-3,))
 
 
 def invented() -> Bench:
@@ -92,11 +87,6 @@ def test_the_table_tells_goals_and_verdicts() -> None:
 
 
 @pytest.mark.rest
-def test_the_plot_is_the_same_for_the_same_numbers() -> None:
-    assert plot.svg(invented()) == plot.svg(invented())
-
-
-@pytest.mark.rest
 def test_the_plot_is_black_and_white_and_shows_every_technique() -> None:
     content = plot.svg(invented()).decode("utf-8")
     root = ElementTree.fromstring(content)
@@ -115,17 +105,6 @@ def test_no_two_techniques_look_alike() -> None:
     assert len(set(plot.LOOKS.values())) == len(plot.LOOKS)
     assert {(look.marker, look.filled) for look in plot.LOOKS.values()} >= {("o", True), ("o", False)}
     assert len({(look.marker, look.filled) for look in plot.LOOKS.values()}) == len(plot.LOOKS)
-
-
-@pytest.mark.rest
-def test_the_plot_shows_techniques_that_are_not_of_linkages() -> None:
-    own = replace(invented(), rows=tuple(Row(name, 8, 8, Errors({"Q": 1e-3}, "Q"), times=ONCE) for name in OTHERS))
-    content = plot.svg(own).decode("utf-8")
-    assert all(f"<!-- {name} -->" in content for name in OTHERS)
-    looks = plot.looks_of(own.rows)
-    assert len({(look.marker, look.filled) for look in looks.values()}) == len(looks)
-    assert plot.OF_OTHERS.strip() in content
-    assert plot.OF_OTHERS.strip() not in plot.svg(invented()).decode("utf-8")
 
 
 @pytest.mark.rest

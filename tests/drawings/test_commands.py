@@ -251,17 +251,6 @@ def test_a_gap_is_null_in_every_number_and_named_with_its_reason(run: Run, gappe
     assert not {"NaN", "Infinity", "-0.0,"} & set(re.findall(r"NaN|Infinity|-0\.0,", out))
 
 
-def test_numbers_stand_in_the_coordinates_of_the_scene(run: Run, tmp_path: Path) -> None:
-    text = GAPPED.replace("O = [0, 0]", "O = [1, 2]").replace("C = [0.3, 0]", "C = [1.3, 2]")
-    (tmp_path / "moved.toml").write_text(text.replace("B = [0.25, 0.14]", "B = [1.25, 2.14]"), "utf-8")
-    (tmp_path / "here.toml").write_text(GAPPED, "utf-8")
-    here, moved = (json.loads(run("solve", tmp_path / f"{name}.toml")[1]) for name in ("here", "moved"))
-    for old, new in zip(here["points"]["B"]["r"], moved["points"]["B"]["r"], strict=True):
-        assert (new is None) == (old is None)
-        assert old is None or new == pytest.approx([old[0] + 1, old[1] + 2], abs=1e-12)
-    assert moved["points"]["B"]["v"] == here["points"]["B"]["v"]
-
-
 # compare
 
 
@@ -468,20 +457,6 @@ def test_measure_tells_which_vector_of_an_edited_sheet_differs(
     assert [row.split()[2:4] for row in out.splitlines() if "DIFFERS" in row] == [["p", "b"]]
 
 
-def test_measure_is_not_led_astray_by_moving_the_whole_drawing(
-    run: Run, good: dict[str, bytes], tmp_path: Path
-) -> None:
-    sheet = copied(good, tmp_path)
-    text = sheet.read_text("utf-8")
-    start, end = text.index("</metadata>") + len("</metadata>"), text.index('<metadata id="seal"')
-    sheet.write_text(
-        f'{text[:start]}<g transform="translate(7 -3) scale(2)">{text[start:end]}</g>{text[end:]}', "utf-8"
-    )
-    code, out, _ = run("measure", sheet)
-    assert code == 0
-    assert "p b" in out
-
-
 # Exit codes
 
 
@@ -640,17 +615,6 @@ def test_the_help_names_every_exit_code(run: Run) -> None:
 # By a real process
 
 
-@pytest.mark.rest
-def test_data_goes_to_stdout_and_talk_to_stderr(gapped: Path) -> None:
-    done = process("draw", gapped, "-o", gapped.parent / "out")
-    assert done.returncode == 4
-    assert b"out of reach" not in done.stdout
-    assert b": positions: out of reach at B" in done.stderr
-    done = process("solve", gapped.parent / "nowhere.toml")
-    assert (done.returncode, done.stdout) == (7, b"")
-    assert b"nowhere.toml" in done.stderr
-
-
 def test_a_reader_that_leaves_early_ends_the_command_quietly(tmp_path: Path) -> None:
     scene = edited(tmp_path, "positions = 12", "positions = 3000")
     command = [sys.executable, "-m", "drawings.commands.process", "solve", str(scene)]
@@ -679,12 +643,6 @@ def test_a_closed_stdout_ends_with_7_and_one_line() -> None:
     done = subprocess.run(["sh", "-c", command], cwd=ROOT, stderr=subprocess.PIPE, check=False)
     assert done.returncode == 7
     assert len(done.stderr.splitlines()) == 1
-
-
-@pytest.mark.rest
-def test_a_terminal_without_greek_letters_does_not_end_draw(tmp_path: Path) -> None:
-    done = process("draw", PLAIN, "-o", tmp_path, PYTHONIOENCODING="ascii")
-    assert done.returncode == 0, done.stderr
 
 
 def test_a_terminal_without_greek_letters_ends_no_command() -> None:
