@@ -17,7 +17,7 @@ from tests.parts import first, some
 from tests.plans.banks import ENGINE, counterweight
 
 
-@pytest.mark.parametrize("odd", some(EVERY, 20, [one.name for one in EVERY]))
+@pytest.mark.parametrize("odd", some(EVERY, 30, [one.name for one in EVERY]))
 def test_an_odd_scene_is_drawn_as_the_analysis_has_it(odd: Odd) -> None:
     study = Study(parse_scene(odd.text))
     leaves = leaves_of(study)

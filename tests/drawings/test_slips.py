@@ -20,7 +20,7 @@ READ = [tomllib.loads(table.read_text("utf-8")) for table in TABLES]
 SLIPS = [
     DrawingFault(name, **{"scene": table["scene"]} | one) for table in READ for name, one in table["slips"].items()
 ]
-EVERYDAY = 30  # of the slips, one is planted every day
+EVERYDAY = 50  # of the slips, one is planted every day
 STOPPED = (DraftError, SheetError, ArithmeticError, LookupError, ValueError, AssertionError)
 
 

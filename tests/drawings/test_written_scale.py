@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import pytest
+
 from drawings.grading.allowance import Allowances
 from drawings.grading.graded import grade
 from drawings.grading.seeing.onlooker import stated_scales
@@ -68,6 +70,7 @@ def test_a_plan_is_measured_by_its_scale_however_written(row: tuple[str, list[st
     assert [one.kind for one in wrong] == kinds
 
 
+@pytest.mark.rest
 def test_a_graph_on_a_form_is_read_by_its_scale_however_written() -> None:
     own = curve_task("slider-crank")
     source = on_form(own, {"velocity": 1.0})
