@@ -38,10 +38,10 @@ def _composed(compose: Callable[..., Any]) -> Callable[..., Any]:
     known: dict[Hashable, Any] = {}
 
     @wraps(compose)
-    def remembered(contents: Any, page: Any) -> Any:
+    def remembered(contents: Any, page: Any, cuts: Any) -> Any:
         key = pickle.dumps((contents, page)), changed
         if key not in known:
-            known[key] = compose(contents, page)
+            known[key] = compose(contents, page, cuts)
         return known[key]
 
     return remembered

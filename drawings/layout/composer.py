@@ -20,7 +20,7 @@ from drawings.layout.contents import Composition, Contents
 from drawings.layout.filling import Stood, filled, size_of
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.request import Request, SheetRun, fewest, partings, request
-from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nested
+from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nested, size_of_room
 from drawings.layout.slicing import Cuts, Slicing, Tree, pieces
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
@@ -34,9 +34,12 @@ SETTLED = 4  # sets, the best as they are cut, that are looked at when all on th
 PARTINGS = 6  # ways to part a set into sheets that are looked at
 
 
-def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
-    """Compose contents on as many sheets as keep every figure readable, the largest figures that fit."""
-    return _Composer(request(contents, page), page).composed()
+def compose(contents: Contents, page: Page, cuts: Cuts | None = None) -> tuple[Composition, ...]:
+    """Compose contents on as many sheets as keep every figure readable, the largest figures that fit.
+
+    What is known of the `cuts` of a page's room serves whatever else is composed there.
+    """
+    return _Composer(request(contents, page, cuts or Cuts(size_of_room(page))), page).composed()
 
 
 class _Cutting(NamedTuple):
@@ -47,7 +50,7 @@ class _Cutting(NamedTuple):
     opening: list[list[Shape]]
 
     def fits(self, i: int, j: int) -> bool:
-        return bool(len(self.slicing.sheet(i, j).sizes))
+        return self.slicing.sheet(i, j).shapes.number > 0
 
     def number(self, most: int) -> int:
         """Count the sheets that it takes; 0 if one of its units fits none."""
@@ -58,7 +61,7 @@ class _Cutting(NamedTuple):
 
     def trees(self, i: int, j: int) -> Iterator[Tree]:
         """Give the ways to cut a sheet, evenly chosen among them."""
-        count = len(self.slicing.sheet(i, j).sizes)
+        count = self.slicing.sheet(i, j).shapes.number
         step = max(count / POINTS, 1.0)
         for k in sorted({int(step * n) for n in range(POINTS) if step * n < count}):
             yield nested(self.slicing.sheet(i, j).tree(k), self.shapes, self.opening)
@@ -90,7 +93,6 @@ class _Composer:
 
     def __init__(self, asked: Request, page: Page) -> None:
         self.asked, self.page, self.orders = asked, page, asked.orders
-        self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[Order, State], _Cutting] = {}
         self.chosen: dict[tuple[Order, State, SheetRun, bool], Tree] = {}
         self.sheets: dict[tuple[Tree, tuple[Rung, ...], bool], Stood] = {}
@@ -116,7 +118,15 @@ class _Composer:
 
     def _fewest(self) -> int:
         """Count the sheets that are needed at the least scales."""
-        return min(self._cutting(order, self.asked.floors).number(0) for order in self.orders)
+        cuttings = [self._cutting(order, self.asked.floors) for order in self.orders]
+        if any(cutting.number(1) for cutting in cuttings):
+            return 1
+        counts = []
+        for cutting in cuttings:
+            counts.append(cutting.number(0))
+            if counts[-1] <= 2:
+                break
+        return min(counts)
 
     def _found(self, count: int) -> _Set:
         """Find the best set of so many sheets."""
@@ -135,7 +145,7 @@ class _Composer:
             shapes = [stock.shapes(unit, rungs) for unit in order]
             opening = [stock.opening(own, head_of(self.page)) for own in shapes]
             sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
-            slicing = Slicing(sizes, self.cuts, corner_of(self.page), opened)
+            slicing = Slicing(sizes, stock.cuts, corner_of(self.page), opened)
             self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
 

@@ -8,7 +8,7 @@ from typing import NamedTuple, TypeAlias
 from drawings.layout.arrangement import State, Steps, rungs_of, steps_of
 from drawings.layout.contents import Contents
 from drawings.layout.picture import Picture, Rung
-from drawings.layout.room import Order, Shape, Stock, Unit, corner_of, further, groups, head_of, orders, room_of
+from drawings.layout.room import Order, Shape, Stock, Unit, corner_of, further, groups, head_of, orders, size_of_room
 from drawings.layout.slicing import Cuts, Piece, Slicing
 from drawings.layout.table import RuledTable
 from drawings.page.page import Page
@@ -28,6 +28,8 @@ def fewest(count: int, fits: Fits) -> int:
     >>> fewest(5, lambda i, j: j - i < 2)
     3
     """
+    if count and fits(0, count - 1):
+        return 1
     least = [0]
     for j in range(count):
         ways = [least[i] for i in _starts(j, fits) if least[i] or i == 0]
@@ -87,16 +89,15 @@ class Request(NamedTuple):
     followed: bool = False
 
 
-def request(contents: Contents, page: Page) -> Request:
+def request(contents: Contents, page: Page, cuts: Cuts) -> Request:
     """Make contents fit a page: what is too large for a sheet is drawn smaller, taken apart, or goes on on the next."""
-    return _Fitting(contents, page).request()
+    return _Fitting(contents, page, cuts).request()
 
 
 class _Fitting:
-    def __init__(self, contents: Contents, page: Page) -> None:
-        self.contents, self.page = contents, page
-        room = room_of(page)
-        self.room = room.width, room.height
+    def __init__(self, contents: Contents, page: Page, cuts: Cuts) -> None:
+        self.contents, self.page, self.cuts = contents, page, cuts
+        self.room = size_of_room(page)
         self.names = {panel.item.name: k for k, panel in enumerate(contents.panels)}
         notes = () if contents.notes is None else (contents.notes,)
         self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
@@ -121,7 +122,7 @@ class _Fitting:
 
     @property
     def _stock(self) -> Stock:
-        return Stock(tuple(self.shown), self.room, self.workings)
+        return Stock(tuple(self.shown), self.room, self.cuts, self.workings)
 
     def _readable(self, read: Steps, every: Steps) -> tuple[Steps, int]:
         """Give the steps at which figures can be read, or else all, from the largest on at which each fits a sheet."""
@@ -148,7 +149,7 @@ class _Fitting:
     def _stands(self, shapes: Sequence[Shape]) -> bool:
         """Tell whether a unit stands on a sheet with nothing but the title block."""
         opening = [shape.size for shape in self._stock.opening(shapes, head_of(self.page))]
-        return len(Slicing([opening], Cuts(self.room), corner_of(self.page)).sheet(0, 0).sizes) > 0
+        return len(Slicing([opening], self.cuts, corner_of(self.page)).sheet(0, 0).sizes) > 0
 
     def _apart(self, unit: Unit, rungs: Mapping[str, Rung]) -> Iterator[Unit]:
         """Take what should stand together apart where no sheet holds it."""

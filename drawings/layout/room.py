@@ -37,6 +37,7 @@ class Stock:
 
     shown: tuple[Shown, ...]
     room: Size
+    cuts: Cuts = field(compare=False, repr=False)
     workings: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
     def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
@@ -44,7 +45,7 @@ class Stock:
         if isinstance(unit, int):
             return [Shape(size, Piece(unit, k)) for k, size in enumerate(self.sizes(unit, rungs))]
         inner = [self.shapes(one, rungs) for one in unit]
-        slicing = Slicing([[shape.size for shape in own] for own in inner], Cuts(self.room))
+        slicing = Slicing([[shape.size for shape in own] for own in inner], self.cuts)
         last = len(unit) - 1
         return [
             Shape((float(wide), float(high)), nested(slicing.run(0, last).tree(k), inner, tied=self.close(unit)))
@@ -170,6 +171,12 @@ def room_of(page: Page) -> Field:
         if place != page.block and place.left > room.left:
             room = room._replace(right=min(room.right, place.left))
     return room.inset(PAD)
+
+
+def size_of_room(page: Page) -> Size:
+    """Give how wide and high that field is, mm."""
+    room = room_of(page)
+    return room.width, room.height
 
 
 @cache

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -21,7 +22,7 @@ KEPT = 12  # sizes kept of a run
 SAME = 1e-9  # mm: sizes are sums of the same units in another order
 
 Size: TypeAlias = tuple[float, float]
-Ways: TypeAlias = npt.NDArray[np.intp]  # (n, 4), or (n,)
+Ways: TypeAlias = npt.NDArray[np.intp]
 
 
 class Piece(NamedTuple):
@@ -53,25 +54,37 @@ def pieces(tree: Tree) -> Iterator[Piece]:
 
 
 class Shapes(NamedTuple):
-    """The sizes (n, 2) mm that a run may have, and of each where the run is cut, which way, and both parts' sizes.
+    """The sizes mm that a run may have, the ways in which it is cut to them, and both parts' shapes at every cut.
 
-    `parts` are the shapes of both parts, by how many units stand before the cut; a single unit has none.
+    Where it is cut, which way, and both parts' sizes are one number, by a `grid` of these sizes. `parts` go by how many
+    units stand before the cut; a single unit has none, and its ways are its choices.
     """
 
-    sizes: Floats
+    number: int
+    table: Floats  # (2, most that are kept): widths and heights, infinite behind the last one
     ways: Ways
+    grid: tuple[int, int]
     parts: Mapping[int, tuple[Shapes, Shapes]]
+
+    @property
+    def sizes(self) -> Floats:
+        """The sizes (n, 2) mm."""
+        return self.table[:, : self.number].T
 
     def tree(self, choice: int, units: Sequence[int]) -> Tree:
         """Give how a run of some units is cut where it has one of its sizes."""
-        at, beside, first, second = map(int, self.ways[choice])
+        way = int(self.ways[choice])
         if not self.parts:
-            return Piece(units[0], first)
+            return Piece(units[0], way)
+        way, second = divmod(way, self.grid[1])
+        way, first = divmod(way, self.grid[0])
+        at = list(self.parts)[way // 2]
         parts = self.parts[at]
-        return Cut(bool(beside), parts[0].tree(first, units[:at]), parts[1].tree(second, units[at:]))
+        return Cut(bool(way % 2), parts[0].tree(first, units[:at]), parts[1].tree(second, units[at:]))
 
 
-NONE = Shapes(np.empty((0, 2)), np.empty((0, 4), int), {})
+BEYOND: Floats = np.full((2, KEPT), math.inf)
+NONE = Shapes(0, BEYOND, np.empty(0, int), (0, 0), {})
 
 
 class Cuts:
@@ -100,61 +113,50 @@ class Cuts:
         return self._runs[units]
 
     def _own(self, own: Sequence[Size]) -> Shapes:
-        sizes = np.array(own, float).reshape(-1, 2)
-        kept = self._chosen(sizes)
-        ways = np.zeros((len(kept), 4), int)
-        ways[:, 2] = kept
-        return Shapes(sizes[kept], ways, {})
+        wide, high = np.array(own, float).reshape(-1, 2).T
+        return self._kept(wide, high, (0, 0), {})
 
     def _join(self, units: tuple[int, ...]) -> Shapes:
         """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
         if sum(self._least[k] for k in units) > self._most:
             return NONE
         cuts = {at: (self.run(units[:at]), self.run(units[at:])) for at in range(1, len(units))}
-        parts = {at: pair for at, pair in cuts.items() if all(len(part.sizes) for part in pair)}
+        parts = {at: pair for at, pair in cuts.items() if pair[0].number and pair[1].number}
         if not parts:
             return NONE
-        first, second = (_alike([pair[k].sizes for pair in parts.values()]) for k in (0, 1))
-        sizes = _joined(first[:, :, None], second[:, None])
-        kept = self._chosen(sizes.reshape(-1, 2))
-        if not kept.size:
+        grid = max(pair[0].number for pair in parts.values()), max(pair[1].number for pair in parts.values())
+        first = np.array([pair[0].table for pair in parts.values()])[:, :, : grid[0], None]
+        second = np.array([pair[1].table for pair in parts.values()])[:, :, None, : grid[1]]
+        over, most = first + second + GAP, np.maximum(first, second)
+        wide, high = np.stack((most[:, 0], over[:, 0]), 1), np.stack((over[:, 1], most[:, 1]), 1)
+        return self._kept(wide.ravel(), high.ravel(), grid, parts)
+
+    def _kept(
+        self, wide: Floats, high: Floats, grid: tuple[int, int], parts: Mapping[int, tuple[Shapes, Shapes]]
+    ) -> Shapes:
+        """Keep of the sizes of a run those that fit into the room."""
+        fits = np.flatnonzero((wide <= self._wide) & (high <= self._high))
+        if not fits.size:
             return NONE
-        at, *rest = np.unravel_index(kept, sizes.shape[:-1])
-        ways = np.stack([np.array(list(parts))[at], *rest], axis=-1)
-        return Shapes(sizes.reshape(-1, 2)[kept], ways, parts)
-
-    def _chosen(self, sizes: Floats) -> Ways:
-        """Choose among sizes (n, 2) those of a run: of what fits into the room."""
-        fits = np.flatnonzero((sizes[:, 0] <= self._wide) & (sizes[:, 1] <= self._high))
-        return fits[_kept(sizes[fits])] if fits.size > 1 else fits
+        kept = fits[_unbeaten(wide[fits].round(PLACES), high[fits].round(PLACES))]
+        table = BEYOND.copy()
+        table[0, : len(kept)], table[1, : len(kept)] = wide[kept], high[kept]
+        return Shapes(len(kept), table, kept, grid, parts)
 
 
-def _alike(sizes: Sequence[Floats]) -> Floats:
-    """Put the sizes (n, 2) of several runs into one table (run, most n, 2); what is missing fits nowhere."""
-    table = np.full((len(sizes), max(map(len, sizes)), 2), math.inf)
-    for row, own in zip(table, sizes, strict=True):
-        row[: len(own)] = own
-    return table
-
-
-def _joined(first: Floats, second: Floats) -> Floats:
-    """Join sizes (cut, n, 1, 2) and (cut, 1, m, 2), one above the other and beside: (cut, 2, n, m, 2)."""
-    over, most = first + second + GAP, np.maximum(first, second)
-    sizes = np.empty((len(over), 2, *over.shape[1:]))
-    sizes[:, 0, ..., 0], sizes[:, 0, ..., 1] = most[..., 0], over[..., 1]
-    sizes[:, 1, ..., 0], sizes[:, 1, ..., 1] = over[..., 0], most[..., 1]
-    return sizes
-
-
-def _kept(sizes: Floats) -> Ways:
+def _unbeaten(wide: Floats, high: Floats) -> Ways:
     """Choose the sizes that no other beats both ways; of too many those that lie evenly among them."""
-    sizes = sizes.round(PLACES)
-    order = np.lexsort((sizes[:, 1], sizes[:, 0]))
-    high = sizes[order, 1]
+    order = np.lexsort((high, wide))
+    high = high[order]
     lower = np.ones(len(high), bool)
     lower[1:] = high[1:] < np.minimum.accumulate(high)[:-1]
     order = order[lower]
-    return order[np.linspace(0, len(order) - 1, KEPT).round().astype(int)] if len(order) > KEPT else order
+    return order[_evenly(len(order))] if len(order) > KEPT else order
+
+
+@cache
+def _evenly(count: int) -> Ways:
+    return np.linspace(0, count - 1, KEPT).round().astype(int)
 
 
 class Run(NamedTuple):

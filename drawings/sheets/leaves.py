@@ -18,6 +18,8 @@ from drawings.layout.filling import Loose, fill, most_bare
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import SMALLER, Picture, Spot
+from drawings.layout.room import size_of_room
+from drawings.layout.slicing import Cuts
 from drawings.layout.table import RuledTable
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import SLOT, template_of
@@ -129,6 +131,7 @@ class _Leaves:
     draft: Draft
     followed: bool = False  # by the sheets of another draft
     reserved: tuple[str, ...] = ()  # remarks for which the notes have room
+    known: Cuts | None = None  # from composing it with other remarks
 
     @cached_property
     def page(self) -> Page:
@@ -163,7 +166,12 @@ class _Leaves:
     @cached_property
     def composed(self) -> Sequence[Composition]:
         """Where all stands, sheet by sheet."""
-        return compose(self.contents, self.page)
+        return compose(self.contents, self.page, self.cuts)
+
+    @cached_property
+    def cuts(self) -> Cuts:
+        """The sizes of all runs of units in the room of the page."""
+        return self.known or Cuts(size_of_room(self.page))
 
     @property
     def cost(self) -> tuple[float, int]:
@@ -196,7 +204,7 @@ class _Leaves:
             said = own.notes[len(own.draft.notes) :]
             if said == own.reserved:
                 break
-            own = known.setdefault(said, replace(own, reserved=said))
+            own = known.setdefault(said, replace(own, reserved=said, known=own.cuts))
         return own
 
     @property
