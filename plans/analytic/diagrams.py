@@ -21,19 +21,18 @@ def alone(road: Analysis, output: Output, extremes: Extremes | None, motion: Mot
     axis = axis_of(motion.phi, sense, lost, road.ends, whole)
     if unfollowed(axis):
         return None
-    found = diagrams(road, output, extremes, axis, motion)
+    found = diagrams(ExactCourse(road, output, axis, float(motion.phi[0]), extremes), motion)
     return None if still(found.at, found.count, abs(road.mechanism.drive.omega), output.link) else found
 
 
-def diagrams(road: Analysis, output: Output, extremes: Extremes | None, axis: Axis, motion: Motion) -> Diagrams:
-    """Find the diagrams over an axis; `motion` is that at all positions of the scene.
+def diagrams(far: ExactCourse, motion: Motion) -> Diagrams:
+    """Find the diagrams of a course over its axis; `motion` is that at all positions of the scene.
 
     v over a part is the way over it by its time, a between two parts what v gains from middle to middle by that time.
     """
-    drive = road.mechanism.drive
-    far = ExactCourse(road, output, axis, float(motion.phi[0]), extremes)
-    omega, lead = abs(drive.omega), drive.epsilon / drive.omega
-    own = far.followed(axis.turned, _rows(road.mechanism, output, motion, axis.numbers))
+    axis, mechanism = far.axis, far.road.mechanism
+    omega, lead = abs(mechanism.drive.omega), mechanism.drive.epsilon / mechanism.drive.omega
+    own = far.followed(axis.turned, _rows(mechanism, far.output, motion, axis.numbers))
     at = far.count.course(axis.turned, own, omega)
     speeds = _rates(at.s, axis.turned, omega, axis.joined)
     return Diagrams(

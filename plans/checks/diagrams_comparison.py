@@ -51,9 +51,8 @@ def comparison_of(study: Study) -> Comparison:
         return Comparison(NoDiagrams(), NoDiagrams(), ())
     motion = motion_of(study)
     output, road = own.linkage.output, motion.road
-    extremes = road.extremes(output)
-    theirs = diagrams(road, output, extremes, ours.axis, motion.analysis)
-    exact = ExactCourse(road, output, ours.axis, float(motion.analysis.phi[0]), extremes)
+    exact = ExactCourse(road, output, ours.axis, float(motion.analysis.phi[0]), road.extremes(output))
+    theirs = diagrams(exact, motion.analysis)
     return DiagramsComparison(ours, theirs, tuple(_Bounds(own, ours, theirs, motion).findings()), exact)
 
 
