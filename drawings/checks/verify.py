@@ -14,8 +14,6 @@ from drawings.checks.seen.differences import differences
 from drawings.checks.seen.plain import plain
 from drawings.checks.written import marked_scales
 from drawings.checks.wrong import Wrong, on
-from drawings.collation.edit import Figures, lone
-from drawings.collation.items import items
 from drawings.eye.covering import COVERED, OUTSIDE, small, veiled
 from drawings.eye.sheet import SeenSheet, see
 from drawings.files.enclosure import Enclosure
@@ -94,13 +92,18 @@ def obscured(seen: SeenSheet) -> list[Message]:
 
     A line may be short and end under a hinge, an arc be one of those that notch the centre of a cam's roller.
     """
-    leaf, figures = seen.written, Figures(seen.written)
+    leaf = seen.written
     under = {id(one.stroke): one for one in seen.unseen if one.reason in (COVERED, OUTSIDE)}
     notches = {of for of, one in under.items() if isinstance(one.stroke, Arc) and one.reason == COVERED}
     lines = {of for of, one in under.items() if not isinstance(one.stroke, Text)} - notches
     large = {id(one.stroke) for one in veiled(leaf, small(leaf, SYMBOL), among=lines)} if lines else ()
     held = [of for of, one in under.items() if isinstance(one.stroke, Text) or of in large]
-    right = {id(item.stroke): item for item in items(leaf)} if held else {}
+    if not held:
+        return []
+    from drawings.collation.edit import Figures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
+    from drawings.collation.items import items  # noqa: PLC0415
+
+    figures, right = Figures(leaf), {id(item.stroke): item for item in items(leaf)}
     return [lone("hidden", right[of], figures, reason=under[of].reason).told for of in held]
 
 

@@ -17,7 +17,7 @@ from plans.checks.force_bill import ActingForce, ExpectedForces, ForceBill
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut, Equation, indices
 from plans.forces.statics import Statics
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 from plans.model.order import POSITIONS, VELOCITIES
 
 REACTION = re.compile(r"R(?=(\^.)?_\d+(,\d+)?$)")

@@ -19,9 +19,9 @@ from plans.analytic.points import placed
 from plans.balance.study import BalanceStudy
 from plans.checks.balance.comparison import BalanceComparison
 from plans.model.balance.linkage import Balance, Counterweight, State
-from plans.model.kinetostatics import NOTHING
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import NOTHING
 
 BEFORE, AFTER = "before", "after"  # the states of a machine
 ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told

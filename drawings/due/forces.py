@@ -29,8 +29,8 @@ from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.linkage.primaries import stroke
-from plans.model.kinetostatics import NOTHING, Kinetostatics
-from plans.model.motion import Floats
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import NOTHING, Floats
 from plans.study import Study
 
 BALANCING = "balancing"

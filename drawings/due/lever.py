@@ -20,9 +20,9 @@ from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
 from plans.checks.force_bill import ActingForce
 from plans.forces.primary import BALANCING, DRIVING
-from plans.model.kinetostatics import NOTHING
 from plans.model.machine import GEAR
 from plans.model.mechanism import FRAME
+from plans.model.motion import NOTHING
 
 LEVER, EQUATION = "lever", "equations-lever"
 DIGITS, ARM_DIGITS = 5, 4

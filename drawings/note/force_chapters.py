@@ -22,7 +22,7 @@ from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, Cut, Equation, Sid
 from plans.forces.force import ForcePlan
 from plans.forces.lever import Lever
 from plans.forces.statics import Statics
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import word
 

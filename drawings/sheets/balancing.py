@@ -39,8 +39,8 @@ from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
 from plans.checks.compare import MotionComparison
 from plans.model.balance.linkage import FORCE, Balance, State
-from plans.model.kinetostatics import NOTHING
 from plans.model.mechanism import FRAME
+from plans.model.motion import NOTHING
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed

@@ -15,8 +15,8 @@ from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.quantity import SLIP
 from plans.forces.statics import Statics, told_line
-from plans.model.kinetostatics import NOTHING
 from plans.model.machine import ALWAYS, GEAR, Force, Moment
+from plans.model.motion import NOTHING
 from plans.model.rates import Rates
 
 NBSP = "\N{NO-BREAK SPACE}"

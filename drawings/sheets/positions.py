@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -17,7 +17,6 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.notes import notes
 from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.checks.compare import MotionComparison
-from plans.forces.reading.form import ForceForm
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.order import POSITIONS
@@ -27,6 +26,7 @@ from plans.words.words import message, placed
 
 if TYPE_CHECKING:
     from plans.checks.force_comparison import ForceComparison
+    from plans.forces.reading.form import ForceForm
     from plans.forces.statics import Statics
 
 CHOICES = 12  # positions that a message offers at most
@@ -91,7 +91,8 @@ def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int,
         first = gone[min(gone)]
         where = {"reason": first.reason, "where": first.where, "position": first.position, "advice": first.advice}
         raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
-    wanted = study.scene.of(ForceForm).sheet.forces
+    form = cast("ForceForm | None", study.scene.part("forces"))
+    wanted = form.sheet.forces if form else ()
     for index, k in enumerate(wanted):
         if k in gone:
             line, column = study.scene.place(("sheet", "forces", index))

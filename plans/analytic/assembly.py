@@ -16,12 +16,13 @@ from plans.analytic.blocks import Block, Guess
 from plans.analytic.closure import Flags, close, closed, inverses, reciprocal_condition, settle, solutions
 from plans.analytic.ends import End
 from plans.analytic.points import TURN, Constraints, Indices, X, Y
-from plans.model.kinetostatics import FORCES, INDETERMINATE
 from plans.model.mechanism import Drive, Mechanism
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,
     CHANGE_POINT,
     DEAD_CENTRE,
+    FORCES,
+    INDETERMINATE,
     NOT_REACHABLE,
     OUT_OF_REACH,
     PARALLEL_GUIDES,

@@ -19,10 +19,10 @@ from plans.analytic.placement import Placement
 from plans.analytic.points import TURN, Constraints, X, Y, place
 from plans.analytic.positions import blocks
 from plans.model.group import Pair
-from plans.model.kinetostatics import INDETERMINATE, Balancing, Kinetostatics, Loading, Reaction, without_forces
+from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction, without_forces
 from plans.model.machine import FORCE, GEAR, Machine, Transmission
 from plans.model.mechanism import FRAME, Drive, Mechanism
-from plans.model.motion import DEAD_CENTRE, Complexes, Floats, Gap, Motion
+from plans.model.motion import DEAD_CENTRE, INDETERMINATE, Complexes, Floats, Gap, Motion
 
 
 class Multipliers(NamedTuple):

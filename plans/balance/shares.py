@@ -18,7 +18,7 @@ from plans.balance.states import forces_around, mass_centre, positions_around
 from plans.balance.stems import Tree
 from plans.forces.statics import Statics
 from plans.model.balance.linkage import EPS, SHARES, Choice, Shares
-from plans.model.kinetostatics import pair
+from plans.model.group import pair
 from plans.model.machine import FORCE, GEAR, Body, Machine
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes

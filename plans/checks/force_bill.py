@@ -12,8 +12,8 @@ from plans.analytic.points import placed
 from plans.forces.cut import indices
 from plans.forces.dyads import GROUP_FORCES, Split
 from plans.forces.primary import BALANCING, DRIVING
-from plans.model.group import Group, Joint, Pair
-from plans.model.kinetostatics import Kinetostatics, Loading, Reaction, pair
+from plans.model.group import Group, Joint, Pair, pair
+from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
 from plans.model.machine import GEAR, Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Motion

@@ -24,10 +24,10 @@ from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
 from plans.linkage.primaries.ram import lever
-from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
+from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.losses import Friction
 from plans.model.machine import Track
-from plans.model.motion import Floats
+from plans.model.motion import FORCES, Floats
 from plans.model.order import ORDERS
 
 if TYPE_CHECKING:

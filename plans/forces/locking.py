@@ -29,8 +29,8 @@ import numpy as np
 
 from geometry.meet import cross, dot
 from plans.forces.rubbing import lost, pressing
-from plans.model.group import Group
-from plans.model.kinetostatics import Reaction, pair
+from plans.model.group import Group, pair
+from plans.model.kinetostatics import Reaction
 from plans.model.losses import CENTRAL, SLANTED, TILTED, Jam
 from plans.model.machine import Rubbing
 from plans.model.mechanism import FRAME

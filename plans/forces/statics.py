@@ -24,18 +24,21 @@ from plans.linkage.extreme import ExtremePositions, extremes
 from plans.linkage.gaps import near_edge
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy, obstruction
-from plans.model.group import Pair
-from plans.model.kinetostatics import (
-    FORCES,
-    INDETERMINATE,
-    Kinetostatics,
-    Loading,
-    pairs,
-    without_forces,
-)
+from plans.model.group import Pair, pairs
+from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
 from plans.model.machine import Force, Machine, Track
 from plans.model.mechanism import Output, StructureError
-from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Complexes, Extremes, Floats, Gap, Motion
+from plans.model.motion import (
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    FORCES,
+    INDETERMINATE,
+    Complexes,
+    Extremes,
+    Floats,
+    Gap,
+    Motion,
+)
 from plans.model.order import VELOCITIES
 from plans.model.working import NoWorkingStroke
 from plans.scene.faults import SceneError, dotted

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple, Protocol, TypeAlias
 
-from plans.model.mechanism import Slide
+from plans.model.mechanism import FRAME, Mechanism, Slide
 
 Joint: TypeAlias = str | Slide  # a hinge by its point, or a sliding pair
 
@@ -56,3 +57,16 @@ class Group(Protocol):
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:
         """The pairs of its links with each other."""
+
+
+def pair(one: int, other: int, joint: Joint) -> Pair:
+    """Name a pair: the reaction of its lower-numbered link on the other."""
+    return Pair(min(one, other), max(one, other), joint)
+
+
+def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
+    """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
+    found = [pair(FRAME, mechanism.drive.link, mechanism.drive.guide or mechanism.drive.pivot)]
+    for group in groups:
+        found += [pair(*told) for told in (*group.outer_pairs, *group.inner_pairs)]
+    return tuple(found)

@@ -13,15 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from plans.model.group import Group, Joint, Pair
-from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Complexes, Floats, Gap
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, FORCES, INDETERMINATE, NOTHING, Complexes, Floats, Gap
 from plans.model.order import VELOCITIES
-
-FORCES = "forces"  # the plan of gaps where a machine is assembled, but has no forces; their two reasons
-INDETERMINATE = "statically indeterminate"
-# Share of a machine's largest force: less is the rounding of numbers that a scene gives with twelve digits.
-NOTHING = 1e-9
 
 
 class Applied(NamedTuple):
@@ -166,16 +159,3 @@ class Kinetostatics:
     def _largest(self, rows: Sequence[Any]) -> float:
         sizes = (np.abs(self.counted(row)) for row in rows)
         return max((float(np.fmax.reduce(size, axis=None, initial=0.0)) for size in sizes), default=0.0)
-
-
-def pair(one: int, other: int, joint: Joint) -> Pair:
-    """Name a pair: the reaction of its lower-numbered link on the other."""
-    return Pair(min(one, other), max(one, other), joint)
-
-
-def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
-    """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
-    found = [pair(FRAME, mechanism.drive.link, mechanism.drive.guide or mechanism.drive.pivot)]
-    for group in groups:
-        found += [pair(*told) for told in (*group.outer_pairs, *group.inner_pairs)]
-    return tuple(found)

@@ -14,6 +14,10 @@ from plans.words.words import Message
 # Why a position has no places, or no velocities; the first three are also what bars the crank.
 OUT_OF_REACH, CHANGE_POINT, PARALLEL_GUIDES = "out of reach", "change point", "parallel guides"
 DEAD_CENTRE, BEYOND_CHANGE_POINT, NOT_REACHABLE = "dead centre", "beyond a change point", "not reachable"
+FORCES = "forces"  # the plan of gaps where a machine is assembled, but has no forces: at a dead centre, or as it is
+INDETERMINATE = "statically indeterminate"
+# Share of the largest force or vector: less is the rounding of numbers that a scene gives with twelve digits.
+NOTHING = 1e-9
 
 Complexes = npt.NDArray[np.complex128]
 Floats = npt.NDArray[np.float64]

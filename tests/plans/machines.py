@@ -10,8 +10,8 @@ import numpy as np
 
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.model.group import Pair
-from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist, pairs
+from plans.model.group import Pair, pairs
+from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist
 from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.model.mechanism import Mechanism, Slide
 from plans.model.motion import Floats, Motion

@@ -15,7 +15,8 @@ from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.force_template import ForcePattern
 from plans.forces.friction import friction, whole
 from plans.forces.rubbing import edges, lost, pressing
-from plans.model.kinetostatics import Applied, Loading, Reaction, Twist, pairs
+from plans.model.group import pairs
+from plans.model.kinetostatics import Applied, Loading, Reaction, Twist
 from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction
 from plans.model.machine import GEAR, Body, Machine, Rubbing, Transmission
 from plans.model.mechanism import Link, Mechanism, Output, Slide, Way

@@ -24,8 +24,7 @@ from plans.linkage.plan import Plan
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Dyad
-from plans.model.group import Pair
-from plans.model.kinetostatics import pairs
+from plans.model.group import Pair, pairs
 from plans.model.mechanism import FRAME, Link, Output, Slide
 from plans.model.motion import Floats
 from plans.model.structure import formula, mechanism_class

@@ -18,8 +18,7 @@ from geometry.errors import DraftError
 from plans.checks.compare import MotionComparison, compare, compare_extremes
 from plans.checks.comparison import Comparison
 from plans.linkage.study import LinkageStudy
-from plans.model.kinetostatics import FORCES
-from plans.model.motion import Motion
+from plans.model.motion import FORCES, Motion
 from plans.scene.scene import Scene, parse_scene
 from tests.time_limit import limited
 from tests.trials.chains import chain

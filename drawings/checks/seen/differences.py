@@ -9,8 +9,7 @@ from functools import lru_cache
 from itertools import zip_longest
 
 from drawings.checks.wrong import Wrong
-from drawings.collation.collate import Hidden, collate
-from drawings.collation.items import inside
+from drawings.collation.items import Item, inside
 from drawings.eye.covering import veiled
 from drawings.eye.ink import Unseen
 from drawings.eye.letters import NEAR
@@ -38,15 +37,18 @@ def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
     there = seen.written
     if not any(one.reason in NEVER for one in seen.unseen) and _same_paper(laid, there) and same(laid, there):
         return
-    told = collate(uncovered(_rounded(laid, there)), seen.leaf, _hidden(seen.unseen), _hidden(veiled(laid)))
+    from drawings.collation.collate import Hidden, collate  # noqa: PLC0415  (only a difference pays for it)
+
+    lost, hidden = ([Hidden(*one) for one in _unseen(own)] for own in (seen.unseen, veiled(laid)))
+    told = collate(uncovered(_rounded(laid, there)), seen.leaf, lost, hidden)
     yield from told.whole
     yield from (one.told for one in told.edits)
     if told.clean:
         yield message("wrong.unlike", name=next(_unlike(laid, there), ""))
 
 
-def _hidden(unseen: Iterable[Unseen]) -> list[Hidden]:
-    return [Hidden(item, one.reason) for one in unseen for item in inside(one.stroke, one.group)]
+def _unseen(unseen: Iterable[Unseen]) -> Iterator[tuple[Item, str]]:
+    return ((item, one.reason) for one in unseen for item in inside(one.stroke, one.group))
 
 
 def _unlike(laid: Leaf, there: Leaf) -> Iterator[str]:

@@ -17,8 +17,8 @@ from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
 from plans.model.balance.linkage import DISC, Counterweight, State
-from plans.model.kinetostatics import NOTHING
 from plans.model.mechanism import Mechanism
+from plans.model.motion import NOTHING
 
 WEIGHTS, COSTS = "counterweights", "costs"  # the names of the tables
 DIGITS = 5

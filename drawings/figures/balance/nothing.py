@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from plans.model.balance.linkage import State
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 
 
 class Nothing(NamedTuple):

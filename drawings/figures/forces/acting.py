@@ -19,8 +19,8 @@ from geometry.board import at
 from plans.forces.cut import INERTIA, REACTION, WEIGHT, Cut, Support
 from plans.forces.force import ForcePlan
 from plans.forces.primary import BALANCING, DRIVING
-from plans.model.kinetostatics import NOTHING
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
+from plans.model.motion import NOTHING
 
 AWAY = -1  # stands for the links that were taken away: an open hinge is one with them
 

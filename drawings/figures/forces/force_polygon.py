@@ -28,7 +28,7 @@ from geometry.board import Mark, at, between
 from geometry.meet import EPS
 from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 
 SYMBOL, UNIT = "F", "N"
 DETAIL = "detail-"  # before a cut's links: the name of an enlarged detail of its force plan

@@ -27,7 +27,7 @@ from drawings.symbols.symbols import STAND
 from geometry.board import Mark, at
 from plans.forces.cut import Cut, Equation
 from plans.forces.force import ForcePlan
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 
 
 class Leverage(NamedTuple):

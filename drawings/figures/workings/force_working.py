@@ -10,7 +10,7 @@ from drawings.page.drafting import Drafting
 from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, Couple, Load
 from plans.forces.force import ForcePlan
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 
 
 def working(plan: ForcePlan, links: Sequence[int], position: int, name: str, drafting: Drafting) -> Working:

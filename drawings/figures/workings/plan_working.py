@@ -9,7 +9,7 @@ from drawings.figures.workings.working import DIGITS, READING, ScaleFactor, Work
 from drawings.lettering.indices import with_index
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 
 
 def working(shown: VectorDiagram, name: str, drafting: Drafting) -> Working:

@@ -13,9 +13,9 @@ from drawings.page.drafting import Drafting
 from drawings.report.rotor_notes import ANGLE
 from plans.balance.stems import Stem, Tree
 from plans.balance.weights import line_of
-from plans.model.kinetostatics import NOTHING
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import NOTHING
 
 NO_BREAK = "\N{NO-BREAK SPACE}"
 EQUALS = f"{NO_BREAK}= "  # a long equation may be broken behind it

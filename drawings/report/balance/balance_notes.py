@@ -17,9 +17,10 @@ from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
 from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
-from plans.model.kinetostatics import NOTHING, Reaction
+from plans.model.kinetostatics import Reaction
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import NOTHING
 
 ALIKE = 6  # digits to which ratios must differ for one to be the larger: both roads name the same pair then
 CHANGED = "\N{NO-BREAK SPACE}→\N{NO-BREAK SPACE}"

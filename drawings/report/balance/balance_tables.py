@@ -15,7 +15,7 @@ from drawings.report.balance.balance_notes import BalanceNotes
 from drawings.report.markdown import header, row
 from plans.balance.weights import line_of
 from plans.model.balance.linkage import DISC, Counterweight, Shares, State
-from plans.model.kinetostatics import NOTHING
+from plans.model.motion import NOTHING
 from plans.words.words import word
 
 DIGITS = 10

@@ -25,9 +25,10 @@ from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
-from plans.model.kinetostatics import FORCES, Kinetostatics
+from plans.model.kinetostatics import Kinetostatics
 from plans.model.losses import Friction
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
+from plans.model.motion import FORCES
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 

@@ -8,9 +8,8 @@ import numpy as np
 
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices
-from plans.model.kinetostatics import NOTHING
 from plans.model.losses import Friction
-from plans.model.motion import Floats
+from plans.model.motion import NOTHING, Floats
 
 
 class Least(NamedTuple):

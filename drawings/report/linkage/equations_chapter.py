@@ -22,8 +22,7 @@ from plans.linkage.letters import POLES
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Dyad
-from plans.model.kinetostatics import NOTHING
-from plans.model.motion import Motion
+from plans.model.motion import NOTHING, Motion
 from plans.model.order import ACCELERATIONS, PLANS, POSITIONS, VELOCITIES
 from plans.words.words import word
 

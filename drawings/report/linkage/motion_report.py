@@ -29,8 +29,7 @@ from plans.linkage.extreme import ExtremePositions
 from plans.linkage.pressure import interval
 from plans.linkage.primaries import ram as cylinder
 from plans.linkage.study import EXTREMES, LinkageStudy
-from plans.model.group import Pair
-from plans.model.kinetostatics import pairs
+from plans.model.group import Pair, pairs
 from plans.model.mechanism import FRAME, Ram, Slide
 from plans.model.order import PLANS, POSITIONS, VELOCITIES
 from plans.model.structure import formula, mechanism_class

@@ -25,8 +25,7 @@ from plans.model.balance.linkage import (
     Shares,
     Task,
 )
-from plans.model.group import Group
-from plans.model.kinetostatics import pair
+from plans.model.group import Group, pair
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 

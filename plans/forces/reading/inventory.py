@@ -23,7 +23,7 @@ from plans.forces.reading.form import (
 )
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.guides import direction
-from plans.model.kinetostatics import pairs
+from plans.model.group import pairs
 from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Track, Transmission
 from plans.model.mechanism import FRAME, Mechanism, Parting
 from plans.model.structure import decompose

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.model.kinetostatics import NOTHING, Kinetostatics
-from plans.model.motion import Complexes, Floats, Gap
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import NOTHING, Complexes, Floats, Gap
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 NONE, FULL, PARTIAL, SHARE = "none", "full", "partial", "share"  # what is aimed at
