@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections import Counter, defaultdict
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -241,7 +240,7 @@ def collate(right: Leaf, there: Leaf, hidden: Sequence[Hidden] = (), usual: Sequ
     """
     back, whole = _laid_back(right, there)
     rounding = QUANTUM if back == STAY else 4 * QUANTUM * max(1.0, abs(back.p))
-    laid = there if back == STAY else replace(there, groups=tuple(_brought(group, back) for group in there.groups))
+    laid = there if back == STAY else there._replace(groups=tuple(_brought(group, back) for group in there.groups))
     figures = Figures(right)
     ours = items(right)
     found = match(ours, items(laid), rounding)

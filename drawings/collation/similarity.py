@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 from drawings.collation.items import Ink, Item
@@ -130,4 +129,4 @@ def _wider(stroke: Ink, scale: float) -> Ink:
     style = stroke.style._replace(
         width=stroke.style.width * scale, dash=tuple(one * scale for one in stroke.style.dash)
     )
-    return stroke._replace(style=style) if isinstance(stroke, tuple) else replace(stroke, style=style)
+    return stroke._replace(style=style)

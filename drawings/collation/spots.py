@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import replace
 
 from drawings.collation.items import Ink
 from drawings.measure.transform import Affine
@@ -44,9 +43,9 @@ def brought(stroke: Stroke, by: Affine) -> Stroke:
     size, turn = abs(by.p), cmath.phase(by.p)
     match stroke:
         case Group():
-            return replace(stroke, strokes=tuple(brought(one, by) for one in stroke.strokes))
+            return stroke._replace(strokes=tuple(brought(one, by) for one in stroke.strokes))
         case Line(start, end):
-            return replace(stroke, start=by(start), end=by(end))
+            return stroke._replace(start=by(start), end=by(end))
         case Polyline() | Fill():
             return stroke._replace(points=tuple(by(point) for point in stroke.points))
         case Arc(centre, radius, first, last):
@@ -54,10 +53,10 @@ def brought(stroke: Stroke, by: Affine) -> Stroke:
                 centre=by(centre), radius=radius * size, start_angle=first + turn, end_angle=last + turn
             )
         case Circle(centre, radius):
-            return replace(stroke, centre=by(centre), radius=radius * size)
+            return stroke._replace(centre=by(centre), radius=radius * size)
         case Curve():
             return stroke._replace(pieces=tuple(piece.placed(by.p, by.t) for piece in stroke.pieces))
         case Text():
-            return replace(
-                stroke, at=by(stroke.at), size=stroke.size * size, rotation=stroke.rotation + math.degrees(turn)
+            return stroke._replace(
+                at=by(stroke.at), size=stroke.size * size, rotation=stroke.rotation + math.degrees(turn)
             )

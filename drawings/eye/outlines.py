@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
 
 from drawings.eye.lettered import Track, chains, tracks
 from drawings.measure.curvedata import pieces
@@ -172,5 +171,4 @@ def cornered(stroke: Stroke) -> Stroke:
     """Give a stroke as it is seen: of one without corners nobody sees how they would be drawn."""
     if not isinstance(stroke, Line | Arc | Circle) or stroke.style.join == PLAIN.join:
         return stroke
-    style = stroke.style._replace(join=PLAIN.join)
-    return stroke._replace(style=style) if isinstance(stroke, Arc) else replace(stroke, style=style)
+    return stroke._replace(style=stroke.style._replace(join=PLAIN.join))

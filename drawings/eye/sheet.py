@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
@@ -337,7 +337,7 @@ def uncovered(leaf: Leaf) -> Leaf:
 def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
     """Give a leaf without some of its strokes."""
     hidden = {id(one) for one in strokes}
-    return replace(leaf, groups=tuple(_kept(leaf.groups, hidden))) if hidden else leaf
+    return leaf._replace(groups=tuple(_kept(leaf.groups, hidden))) if hidden else leaf
 
 
 def _leaf(observer: Observer, measured: Measured) -> Leaf:
@@ -362,7 +362,7 @@ def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
 def _kept(groups: Iterable[Group], hidden: Collection[int]) -> Iterator[Group]:
     """Give groups with what can be seen in them."""
     for group in groups:
-        yield replace(group, strokes=tuple(_visible(group.strokes, hidden)))
+        yield group._replace(strokes=tuple(_visible(group.strokes, hidden)))
 
 
 def _visible(strokes: Iterable[Stroke], hidden: Collection[int]) -> Iterator[Stroke]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
 from typing import Any, NamedTuple
@@ -305,4 +305,4 @@ def _facts(_: Collection[str]) -> dict[str, Any]:
 def _signed(leaf: Leaf, kind: str) -> Leaf:
     """Say in the data of a sheet that it is a form, of which kind, and how it is numbered; nothing else."""
     kept = {key: leaf.metadata[key] for key in ("title", "number", "of", "document") if key in leaf.metadata}
-    return replace(leaf, metadata={"form": kind, **kept, "plandraft": VERSION})
+    return leaf._replace(metadata={"form": kind, **kept, "plandraft": VERSION})

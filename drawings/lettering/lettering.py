@@ -8,7 +8,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from functools import lru_cache
 from typing import Final, NamedTuple
 
@@ -121,7 +120,7 @@ def letters_of(text: Text) -> tuple[PlacedLetter, ...]:
 def lettered(leaf: Leaf, lettering: str = "strokes") -> Leaf:
     """Say how the texts of a sheet are written; either way the alphabet must have their letters."""
     demand(texts(leaf.groups))
-    return replace(leaf, lettering=lettering)
+    return leaf._replace(lettering=lettering)
 
 
 @lru_cache(maxsize=256)

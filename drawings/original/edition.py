@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from drawings import VERSION
 from drawings.measure.seal import digest
@@ -23,4 +22,4 @@ def leaves_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
 
 
 def _signed(leaf: Leaf, scene: Scene) -> Leaf:
-    return replace(leaf, metadata={**leaf.metadata, "scene": digest(scene.content), "plandraft": VERSION})
+    return leaf._replace(metadata={**leaf.metadata, "scene": digest(scene.content), "plandraft": VERSION})

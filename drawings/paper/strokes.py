@@ -9,7 +9,6 @@ import cmath
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any, Literal, NamedTuple, TypeAlias
@@ -46,10 +45,10 @@ class LineStyle(NamedTuple):
 
 PLAIN = LineStyle()
 INK = LineStyle(width=0, colour="none", fill="#000000")
+NO_DATA: Mapping[str, Any] = {}
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(NamedTuple):
     """A straight line from `start` to `end`."""
 
     start: complex
@@ -85,8 +84,7 @@ class Arc(NamedTuple):
         return self.centre + cmath.rect(self.radius, self.start_angle + share * self.sweep)
 
 
-@dataclass(frozen=True, slots=True)
-class Circle:
+class Circle(NamedTuple):
     """A whole circle."""
 
     centre: complex
@@ -116,8 +114,7 @@ class Run(NamedTuple):
     level: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(NamedTuple):
     """Lettering of `size` mm that starts, is centred or ends at a point; a string is marked up, runs stay as they are.
 
     In a string `_` lowers and `^` raises the next character or braced group; a backslash takes the next one as it is.
@@ -142,8 +139,7 @@ class Text:
         return _joined(self.content)
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+class Group(NamedTuple):
     """Strokes that belong together; `data` tells what they are and is written as data- attributes.
 
     Kinds that can be measured ("vector", "point", "pole", "corner", "profile") carry their data on their first stroke,
@@ -153,7 +149,7 @@ class Group:
 
     strokes: tuple[Stroke, ...]
     name: str = ""
-    data: Mapping[str, str] = field(default_factory=dict)
+    data: Mapping[str, str] = NO_DATA
     title: str = ""
     states: Statement | None = None
 
@@ -161,8 +157,7 @@ class Group:
 Stroke: TypeAlias = Line | Polyline | Arc | Circle | Fill | Curve | Text | Group
 
 
-@dataclass(frozen=True, slots=True)
-class Leaf:
+class Leaf(NamedTuple):
     """A whole sheet ready for a pen: size in mm, groups from back to front, and the JSON-able description."""
 
     width: float
@@ -170,7 +165,7 @@ class Leaf:
     groups: tuple[Group, ...]
     title: str = ""
     description: str = ""
-    metadata: Mapping[str, Any] = field(default_factory=dict)
+    metadata: Mapping[str, Any] = NO_DATA
     lettering: str = "text"  # "strokes" of our own alphabet, or "text" in the fonts of the viewer
     cramped: tuple[str, ...] = ()  # figures too small for their letters, which is told and not written
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
 from drawings.paper.statement import Statement
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
@@ -59,8 +58,8 @@ def unstated(leaf: Leaf) -> Leaf:
     >>> unstated(Leaf(1, 1, (Group((cell,), "table"),))).groups == (Group((Text(0j, "1"),), "table"),)
     True
     """
-    return replace(
-        leaf, groups=tuple(one for group in leaf.groups for one in _written(group) if isinstance(one, Group))
+    return leaf._replace(
+        groups=tuple(one for group in leaf.groups for one in _written(group) if isinstance(one, Group))
     )
 
 

@@ -7,7 +7,6 @@ import json
 import math
 import unicodedata
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -37,9 +36,9 @@ def pieces(text: Text) -> Iterator[Text]:
         if not plain.strip():
             continue
         size, rise = (index_size(text.size), _RISES[level] * text.size) if level else (text.size, 0.0)
-        own = replace(text, content=(Run(plain.strip()),), size=size, anchor="start")
-        through = replace(text, content=(*text.runs[:k], Run(plain.rstrip(), level)))
-        yield replace(own, at=start + complex(text_width(through) - text_width(own), rise) * turn)
+        own = text._replace(content=(Run(plain.strip()),), size=size, anchor="start")
+        through = text._replace(content=(*text.runs[:k], Run(plain.rstrip(), level)))
+        yield own._replace(at=start + complex(text_width(through) - text_width(own), rise) * turn)
 
 
 def longest(text: Text) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -69,7 +68,7 @@ def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], dr
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
     contents = _contents(drawing, exact, compared, drafting)
     first, *further = (_told(contents, drafting, way) for way in ways)
-    return replace(first, instead=tuple(further))
+    return first._replace(instead=tuple(further))
 
 
 def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> _Contents:

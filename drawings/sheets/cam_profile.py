@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -45,7 +44,7 @@ def _draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draf
         if _true(small, draft):
             return small, draft
     first, *further = (_told(shown, every, several, drafting_of(scene)) for every in EVERY)
-    return scene, replace(first, instead=tuple(further))
+    return scene, first._replace(instead=tuple(further))
 
 
 def _formats(scene: Scene) -> Iterator[Scene]:

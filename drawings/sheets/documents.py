@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 
 from drawings.lettering.lettering import UnknownLetter, demand
 from drawings.page.page import BLOCK, EXTRA, Page, page_of
@@ -126,11 +125,11 @@ def _numbered(leaf: Leaf, page: Page, sheet: int, sheets: int) -> Leaf:
     numbers = page.numbers(sheet, sheets)
     groups = tuple(_filled(group, numbers) if group.name == BLOCK else group for group in leaf.groups)
     document = {"designation": page.designation, "sheet": sheet, "sheets": sheets}
-    return replace(leaf, groups=groups, metadata={**leaf.metadata, "document": document})
+    return leaf._replace(groups=groups, metadata={**leaf.metadata, "document": document})
 
 
 def _filled(block: Group, numbers: Group) -> Group:
     strokes: list[Stroke] = [
         numbers if isinstance(stroke, Group) and stroke.name == NUMBERS else stroke for stroke in block.strokes
     ]
-    return replace(block, strokes=tuple(strokes))
+    return block._replace(strokes=tuple(strokes))

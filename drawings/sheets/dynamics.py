@@ -101,7 +101,7 @@ class _DynamicsSheet:
     def draft(self) -> Draft:
         """The draft that tells most, and those that need less room."""
         first, *further = (self._drafted(way) for way in self._ways())
-        return replace(first, instead=tuple(further))
+        return first._replace(instead=tuple(further))
 
     def _ways(self) -> tuple[Way, ...]:
         """List the ways: in line wherever the paper takes that."""

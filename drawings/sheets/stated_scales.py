@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -51,8 +50,7 @@ def captions(workings: Iterable[Working]) -> Iterator[Caption]:
     return (Caption(one.panel, one.write, of=one.of, working=True) for one in workings if one.lines(None))
 
 
-@dataclass(frozen=True)
-class Draft:
+class Draft(NamedTuple):
     """What the sheets of one kind show: figures and lettering in their order, tables, notes.
 
     `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.

@@ -6,7 +6,6 @@ GOST 2.303-68: dashes of 2 to 8 mm in a dashed line, of 5 to 30 mm in a dash-dot
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from itertools import pairwise
 
 from drawings.lettering.extent import GRAIN
@@ -22,7 +21,7 @@ def fit_dashes(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
     for stroke in strokes:
         match stroke:
             case Line(start, end, style) if style.dash:
-                yield replace(stroke, style=fit(style, abs(end - start)))
+                yield stroke._replace(style=fit(style, abs(end - start)))
             case Arc(radius=radius, style=style) if style.dash:
                 yield stroke._replace(style=fit(style, radius * stroke.sweep))
             case Polyline(points, closed, style) if style.dash:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -92,7 +91,7 @@ def _line(line: Line, masks: Sequence[Mask]) -> Iterator[Line]:
     run = line.end - line.start
     cuts = (share for mask in masks for share in _line_cuts(line.start, run, mask))
     for low, high in _kept(cuts, masks, lambda share: line.start + share * run):
-        yield replace(line, start=line.start + low * run, end=line.start + high * run)
+        yield line._replace(start=line.start + low * run, end=line.start + high * run)
 
 
 def _arc(arc: Arc, masks: Sequence[Mask]) -> Iterator[Arc]:

@@ -7,7 +7,6 @@ and epsilon of the link and the places of its points (M3.1) (составляю�
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
@@ -89,8 +88,7 @@ def carried_from(line: Mark, direction: Mark) -> bool:
     return line.step.inputs[1].step.inputs == (direction,)
 
 
-@dataclass(frozen=True)
-class _Parts:
+class _Parts(NamedTuple):
     """The parts on the plans of some positions, and the motion there by analysis."""
 
     study: LinkageStudy

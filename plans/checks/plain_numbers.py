@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
 from typing import Any
 
 from plans.model.motion import Gap
@@ -22,4 +21,4 @@ def pairs(values: Any) -> list[list[float] | None]:
 
 def gap_numbers(gap: Gap) -> dict[str, Any]:
     """Give a gap as plain data."""
-    return {**asdict(gap), "where": str(gap.where), "advice": str(gap.advice)}
+    return {**gap._asdict(), "where": str(gap.where), "advice": str(gap.advice)}

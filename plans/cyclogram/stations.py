@@ -32,7 +32,7 @@ class Trial:
     def __init__(self, sweep: Sweep, out: Output, extremes: Extremes) -> None:
         self.sweep, self.extremes = sweep, extremes
         self.sense = -1.0 if sweep.mechanism.drive.omega < 0 else 1.0
-        drive = replace(sweep.mechanism.drive, omega=1.0, epsilon=0.0)
+        drive = sweep.mechanism.drive._replace(omega=1.0, epsilon=0.0)
         self.travel = Travel(sweep.over(replace(sweep.mechanism, drive=drive)), out)
 
     @cached_property

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -56,7 +55,7 @@ class CyclogramStudy:
         if not name:
             return own
         if name in self.linkage.mechanism.links[own.link].points:
-            return replace(own, point=name)
+            return own._replace(point=name)
         shown = output_at(self.linkage.mechanism, name)
         assert shown is not None  # the survey has seen to it
         return shown

@@ -213,7 +213,7 @@ class Reduction:
 
 def unit(mechanism: Mechanism, sense: int) -> Mechanism:
     """Give the mechanism with a crank that turns steadily at one radian a second."""
-    return replace(mechanism, drive=replace(mechanism.drive, omega=float(sense), epsilon=0.0))
+    return replace(mechanism, drive=mechanism.drive._replace(omega=float(sense), epsilon=0.0))
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside

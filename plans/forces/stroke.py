@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -146,7 +145,7 @@ def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Outpu
     if track.parting is not None:
         return Output(load.link, track.point, track.working, track.parting)
     shown = output_at(mechanism, track.point)
-    return shown and replace(shown, working=track.working)
+    return shown and shown._replace(working=track.working)
 
 
 def _thing(track: Track, output: Output) -> Message:

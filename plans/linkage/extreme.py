@@ -107,7 +107,7 @@ def _resting(sweep: Sweep) -> Sweep:
     mechanism = sweep.mechanism
     if abs(mechanism.drive.omega) == 1:
         return sweep
-    return sweep.over(replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0)))
+    return sweep.over(replace(mechanism, drive=mechanism.drive._replace(omega=1.0, epsilon=0.0)))
 
 
 def _notched(drawn: tuple[Plan, list[Mark]] | None, rest: float) -> tuple[complex, bool]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from operator import attrgetter
@@ -322,7 +321,7 @@ class LinkageStudy:
             links.angle[lost] = np.nan
         gaps.forget(drawn, lost)
         named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
-        return replace(drawn, gaps=tuple(sorted(named, key=attrgetter("position"))))
+        return drawn._replace(gaps=tuple(sorted(named, key=attrgetter("position"))))
 
 
 def study_of(study: Study) -> LinkageStudy:

@@ -7,7 +7,7 @@ the key "a-b"; the opposite reaction is its negative.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -102,7 +102,7 @@ class Kinetostatics:
         named = [gap for gap in self.gaps if gap.plan == FORCES]
         known = {gap.position for gap in named}
         still = [gap for gap in self.gaps if gap.plan == VELOCITIES.plan and gap.position not in known]
-        return (*named, *(replace(gap, plan=FORCES, reason=without_forces(gap)) for gap in still))
+        return (*named, *(gap._replace(plan=FORCES, reason=without_forces(gap)) for gap in still))
 
     @property
     def size(self) -> float:

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
+from typing import NamedTuple
 
 from geometry.errors import DraftError
 
@@ -29,24 +30,21 @@ class StructureError(DraftError, ValueError):
         self.links, self.found, self.needed = links, found, needed
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(NamedTuple):
     """A link (звено) and its points in its own frame: first point at 0, second on +x; link 0 is the frame (стойка)."""
 
     number: int
     points: Mapping[str, complex]
 
 
-@dataclass(frozen=True, slots=True)
-class Way:
+class Way(NamedTuple):
     """A directed line fixed in a link: a point of it and its unit direction, both in the link's own frame."""
 
     through: complex
     direction: complex
 
 
-@dataclass(frozen=True, slots=True)
-class Slide:
+class Slide(NamedTuple):
     """A sliding pair (поступательная пара): a line of the slider and a line of the owner that stay the same line."""
 
     slider: int
@@ -61,8 +59,7 @@ class Slide:
         return self.on_slider if link == self.slider else self.on_owner
 
 
-@dataclass(frozen=True, slots=True)
-class Passage:
+class Passage(NamedTuple):
     """A linkage as the sketch of it chooses, and how far it moves while a cylinder in it only grows, or only shortens.
 
     `sides` are those of its groups; `home` is the crank angle rad of the sketch, `low`, `high` are those of its ends.
@@ -74,8 +71,7 @@ class Passage:
     high: float
 
 
-@dataclass(frozen=True, slots=True)
-class Ram:
+class Ram(NamedTuple):
     """A cylinder (гидроцилиндр) between a foot and a point, whose length m is the drive's law.
 
     It goes from one length to another at a speed m/s and an acceleration m/s2 of their distance. Where the foot is a
@@ -94,8 +90,7 @@ class Ram:
     passage: Passage | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Drive:
+class Drive(NamedTuple):
     """The drive (привод): the crank's number, fixed hinge, far end, angular velocity rad/s and acceleration rad/s2.
 
     Of a slide that is pushed along the coordinate is its way in units of `unit` m, as if a wheel of that radius rolled
@@ -124,16 +119,14 @@ class Drive:
         return self.guide is None and self.ram is None
 
 
-@dataclass(frozen=True, slots=True)
-class Parting:
+class Parting(NamedTuple):
     """How far a point is from another along a line of two points, from the first of which to the second it counts."""
 
     other: str
     line: tuple[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class Output:
+class Output(NamedTuple):
     """The output link (выходное звено) and, where it slides or was asked for, the point that shows its motion."""
 
     link: int

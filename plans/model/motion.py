@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,8 +22,7 @@ Complexes = npt.NDArray[np.complex128]
 Floats = npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Gap:
+class Gap(NamedTuple):
     """A position that cannot be assembled or has no result (разрыв); never interpolated across."""
 
     position: int
@@ -78,8 +76,7 @@ class LinkMotion(tuple[Floats, ...]):
         return self[2]
 
 
-@dataclass(frozen=True)
-class Motion:
+class Motion(NamedTuple):
     """All points and moving links of a mechanism over its positions, up to the order of derivative asked for."""
 
     by: str  # "construction" or "analysis"
@@ -107,7 +104,7 @@ class Motion:
         """Give this motion with each of its rows made another."""
         points = {name: PointMotion(map(row, rows)) for name, rows in self.points.items()}
         links = {link: LinkMotion(map(row, rows)) for link, rows in self.links.items()}
-        return replace(self, phi=phi, points=points, links=links)
+        return self._replace(phi=phi, points=points, links=links)
 
     def fill(self, part: Motion, at: slice) -> None:
         """Put the motion over a part of the positions into this over them all."""
@@ -120,8 +117,7 @@ class Motion:
         return self.made(self.phi, np.array)
 
 
-@dataclass(frozen=True)
-class Extremes:
+class Extremes(NamedTuple):
     """The two extreme positions of the output link (крайние положения), the working stroke first."""
 
     phi: tuple[float, float]  # rad in [0, 2 pi): crank where the working stroke begins, and where it ends

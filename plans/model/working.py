@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import replace
 
 from plans.model.mechanism import FASTER, FRAME, SLOWER, Mechanism, Output, StructureError, Way
 from plans.words.words import message
@@ -51,7 +50,7 @@ def ways(mechanism: Mechanism, output: Output, begin: float, end: float) -> tupl
     """
     found = []
     for name in (*TURNS, *PARTINGS, *WAYS):
-        gone, whole = _progress(mechanism, replace(output, working=name), begin, end)
+        gone, whole = _progress(mechanism, output._replace(working=name), begin, end)
         found += [name] if gone > LEANING * whole else []
     return tuple(found)
 

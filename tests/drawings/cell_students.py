@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
@@ -48,7 +47,7 @@ def table_task(scene: str) -> TableTask:
 def tables_of(sheet: Original) -> Leaf:
     """Give a sheet with its tables alone: what else stands on it takes long to read."""
     own = (one for one in _inside(sheet.leaf.groups) if one.name and table_of(sheet.kind, one.name))
-    return replace(sheet.leaf, groups=tuple(own))
+    return sheet.leaf._replace(groups=tuple(own))
 
 
 def _inside(strokes: tuple[Stroke, ...]) -> Iterator[Group]:
@@ -78,14 +77,14 @@ def written(leaf: Leaf, table: TableAsked, new: Mapping[Key, str]) -> bytes:
     """Draw a sheet in whose cells texts of an editor stand instead of ours; an empty one leaves a cell empty."""
     cells = cells_of(leaf, table)
     gone = {id(text) for key in new for text in cells[key].texts}
-    source = svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
+    source = svg(leaf._replace(groups=tuple(_without(one, gone) for one in leaf.groups)))
     own = (_text(leaf, cells[key], text) for key, text in new.items() if text)
     return source.partition(SEAL)[0] + "".join(own).encode() + b"</svg>"
 
 
 def _without(group: Group, gone: set[int]) -> Group:
     strokes = (one for one in group.strokes if id(one) not in gone)
-    return replace(group, strokes=tuple(_without(one, gone) if isinstance(one, Group) else one for one in strokes))
+    return group._replace(strokes=tuple(_without(one, gone) if isinstance(one, Group) else one for one in strokes))
 
 
 def _text(leaf: Leaf, cell: SeenCell, text: str) -> str:
@@ -102,7 +101,7 @@ def made(task: TableTask, row: Mapping[str, Any]) -> bytes:
         cells = (cell for key, cell in cells_of(leaf, table).items() if key[0].startswith(row["without"]))
         gone = {id(text) for cell in cells for text in cell.texts}
         gone |= {id(text) for text in texts(leaf.groups) if folded(text.plain).startswith(row["without"])}
-        return svg(replace(leaf, groups=tuple(_without(one, gone) for one in leaf.groups)))
+        return svg(leaf._replace(groups=tuple(_without(one, gone) for one in leaf.groups)))
     own = {key_of(table, *_place(name)): text for name, text in row["writes"].items()}
     return written(leaf, table, own)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -65,9 +64,9 @@ def drawn(
         asked = task.figure(key)
         moves = _moves(asked, own)
         groups = tuple(_group(one, asked, moves, along) for one in leaf.groups)
-        leaf = replace(leaf, groups=groups)
+        leaf = leaf._replace(groups=groups)
     kept = (_kept(one, keep) for one in leaf.groups)
-    return svg(replace(leaf, groups=tuple(one for one in kept if isinstance(one, Group))))
+    return svg(leaf._replace(groups=tuple(one for one in kept if isinstance(one, Group))))
 
 
 def _moves(asked: FigureAsked, values: Values) -> Values:
@@ -78,7 +77,7 @@ def _moves(asked: FigureAsked, values: Values) -> Values:
 def _kept(one: Stroke, keep: Keep) -> Stroke | None:
     if isinstance(one, Group):
         parts = (_kept(part, keep) for part in one.strokes)
-        one = replace(one, strokes=tuple(part for part in parts if part is not None))
+        one = one._replace(strokes=tuple(part for part in parts if part is not None))
     return keep(one)
 
 
@@ -87,7 +86,7 @@ def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Gro
     own = group.data.get("name", ""), group.data.get("position", "")
     if group.data.get("plan") == asked.plan and own in places:
         by = complex(moves[places[own]])
-        return replace(group, strokes=tuple(_marked(one, asked, by, along) for one in group.strokes))
+        return group._replace(strokes=tuple(_marked(one, asked, by, along) for one in group.strokes))
     if asked.rings and group.name.startswith("ring-") and group.name[5:].isdigit():
         return _ring(group, asked, moves)
     if asked.arms and group.name == asked.plan:
@@ -95,7 +94,7 @@ def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Gro
     strokes = tuple(_group(one, asked, moves, along) if isinstance(one, Group) else one for one in group.strokes)
     if group.name == asked.plan and asked.paper is not None:
         strokes = tuple(_curve(one, asked, moves, along) for one in strokes)
-    return replace(group, strokes=strokes)
+    return group._replace(strokes=strokes)
 
 
 def _arms(group: Group, asked: FigureAsked, moves: Values) -> Group:
@@ -104,7 +103,7 @@ def _arms(group: Group, asked: FigureAsked, moves: Values) -> Group:
     for letter, by in zip(asked.arms, moves.tolist(), strict=True):
         arm = arm_at(whole, asked.plan, letter)
         assert arm is not None
-        whole = replace(whole, groups=(_carried(whole.groups[0], arm[1], letter, by),))
+        whole = whole._replace(groups=(_carried(whole.groups[0], arm[1], letter, by),))
     return whole.groups[0]
 
 
@@ -114,14 +113,14 @@ def _carried(group: Group, mass: complex, letter: str, by: complex) -> Group:
             case Group():
                 return _carried(one, mass, letter, by)
             case Circle() if abs(one.centre - mass) < 1e-3:
-                return replace(one, centre=one.centre + by)
+                return one._replace(centre=one.centre + by)
             case Line() if abs(one.end - mass) < 1e-3:
-                return replace(one, end=one.end + by)
+                return one._replace(end=one.end + by)
             case Text() if one.plain == letter:
-                return replace(one, at=one.at + by)
+                return one._replace(at=one.at + by)
         return one
 
-    return replace(group, strokes=tuple(map(moved, group.strokes)))
+    return group._replace(strokes=tuple(map(moved, group.strokes)))
 
 
 def _ring(group: Group, asked: FigureAsked, moves: Values) -> Group:
@@ -134,16 +133,16 @@ def _ring(group: Group, asked: FigureAsked, moves: Values) -> Group:
         if place is None or not isinstance(one, Line):
             return one
         ray = cmath.rect(1, cmath.phase((asked.true[place] + moves[place]) / asked.true[place]))
-        return replace(one, start=centre + (one.start - centre) * ray, end=centre + (one.end - centre) * ray)
+        return one._replace(start=centre + (one.start - centre) * ray, end=centre + (one.end - centre) * ray)
 
-    return replace(group, strokes=tuple(turned(one) for one in group.strokes))
+    return group._replace(strokes=tuple(turned(one) for one in group.strokes))
 
 
 def _marked(one: Stroke, asked: FigureAsked, by: complex, along: float) -> Stroke:
     aside = along * _along(asked)
     if isinstance(one, Line):
-        return replace(one, start=one.start + aside, end=one.end + by + aside)
-    return replace(one, centre=one.centre + by) if isinstance(one, Circle) else one
+        return one._replace(start=one.start + aside, end=one.end + by + aside)
+    return one._replace(centre=one.centre + by) if isinstance(one, Circle) else one
 
 
 def _along(asked: FigureAsked) -> complex:
@@ -222,4 +221,4 @@ def _lost(one: Stroke, asked: FigureAsked, row: Mapping[str, Any]) -> Stroke | N
 
 def _kept_texts(group: Group) -> Group:
     parts = (_kept_texts(one) if isinstance(one, Group) else one for one in group.strokes)
-    return replace(group, strokes=tuple(one for one in parts if not (isinstance(one, Text) and "μ" in one.plain)))
+    return group._replace(strokes=tuple(one for one in parts if not (isinstance(one, Text) and "μ" in one.plain)))

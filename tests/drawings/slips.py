@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
 
@@ -12,14 +11,14 @@ Change = Callable[[Stroke], Stroke | None]
 
 def changed(leaf: Leaf, change: Change) -> Leaf:
     """Change every stroke of a sheet; one changed into None is left out."""
-    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := _walked(g, change), Group)))
+    return leaf._replace(groups=tuple(group for g in leaf.groups if isinstance(group := _walked(g, change), Group)))
 
 
 def _walked(stroke: Stroke, change: Change) -> Stroke | None:
     found = change(stroke)
     if isinstance(found, Group):
         kept = tuple(inner for s in found.strokes if (inner := _walked(s, change)) is not None)
-        return replace(found, strokes=kept) if kept else None
+        return found._replace(strokes=kept) if kept else None
     return found
 
 
@@ -43,8 +42,8 @@ def stretched(name: str, plan: str, by: complex = 1.01) -> Change:
             line = stroke.strokes[0]
             assert isinstance(line, Line)
             x, y = (float(part) for part in stroke.data["value"].split())
-            longer = replace(line, end=line.start + by * (line.end - line.start))
-            return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(by * complex(x, y))})
+            longer = line._replace(end=line.start + by * (line.end - line.start))
+            return stroke._replace(strokes=(longer,), data={**stroke.data, "value": stated(by * complex(x, y))})
         return stroke
 
     return change
@@ -63,20 +62,20 @@ def shifted(name: str, plan: str, by: complex) -> Change:
         x, y = (float(part) for part in stroke.data["value"].split())
         data = {**stroke.data, "value": stated(complex(x, y) + by * scale)}
         moved = (
-            replace(first, end=first.end + by)
+            first._replace(end=first.end + by)
             if isinstance(first, Line)
-            else replace(first, centre=first.centre + by)
+            else first._replace(centre=first.centre + by)
             if isinstance(first, Circle)
             else first
         )
-        return replace(stroke, strokes=(moved, *rest), data=data)
+        return stroke._replace(strokes=(moved, *rest), data=data)
 
     return change
 
 
 def rewritten(old: str, new: str) -> Change:
     """Write another text for one, known by its markup or as it is read."""
-    return lambda s: replace(s, content=new) if isinstance(s, Text) and old in (s.content, s.plain) else s
+    return lambda s: s._replace(content=new) if isinstance(s, Text) and old in (s.content, s.plain) else s
 
 
 def in_part(name: str, change: Change) -> Change:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
@@ -78,7 +77,7 @@ def drawn(
     shifts = {letter: (place - was[letter]) / plan.scales[plan.plan] for letter, place in places.items()}
     own = (group for group in sheet.leaf.groups if not group.name.startswith(aside))
     groups = tuple(_group(group, plan, shifts, keep) for group in own)
-    return svg(replace(sheet.leaf, groups=groups))
+    return svg(sheet.leaf._replace(groups=groups))
 
 
 def _group(group: Group, plan: PlanAsked, shifts: Places, keep: Callable[[Stroke], Stroke | None]) -> Group:
@@ -88,7 +87,7 @@ def _group(group: Group, plan: PlanAsked, shifts: Places, keep: Callable[[Stroke
         if _is_of(group, plan) and group.data["kind"] == "vector":
             own = iter(_arrow(group, shifts))
         kept = (keep(one) for one in own)
-        return replace(group, strokes=tuple(one for one in kept if one is not None))
+        return group._replace(strokes=tuple(one for one in kept if one is not None))
     return group
 
 
@@ -99,18 +98,18 @@ def _is_of(group: Group, plan: PlanAsked) -> bool:
 def _moved(one: Stroke, plan: PlanAsked, shifts: Places) -> Stroke:
     if isinstance(one, Group):
         if _is_of(one, plan) and one.data["kind"] == "vector":
-            return replace(one, strokes=_arrow(one, shifts))
+            return one._replace(strokes=_arrow(one, shifts))
         by = shifts.get(one.data["name"], 0j) if _is_of(one, plan) and one.data["kind"] == "point" else 0j
         parts = tuple(_moved(part, plan, shifts) for part in one.strokes)
-        return replace(one, strokes=tuple(_aside(part, by) for part in parts))
+        return one._replace(strokes=tuple(_aside(part, by) for part in parts))
     if isinstance(one, Text):
         shift = next((by for letter, by in shifts.items() if lettered(letter) == one.plain), 0j)
-        return replace(one, at=one.at + shift)
+        return one._replace(at=one.at + shift)
     return one
 
 
 def _aside(one: Stroke, by: complex) -> Stroke:
-    return replace(one, centre=one.centre + by) if isinstance(one, Circle) and by else one
+    return one._replace(centre=one.centre + by) if isinstance(one, Circle) and by else one
 
 
 def lettered(letter: str) -> str:
@@ -122,7 +121,7 @@ def _arrow(group: Group, shifts: Places) -> tuple[Stroke, ...]:
     start, end = group.data["name"].split(" ")
     line, *head = group.strokes
     assert isinstance(line, Line)
-    again = replace(line, start=line.start + shifts.get(start, 0j), end=line.end + shifts.get(end, 0j))
+    again = line._replace(start=line.start + shifts.get(start, 0j), end=line.end + shifts.get(end, 0j))
     old, new = line.end - line.start, again.end - again.start
     turn = cmath.rect(1, cmath.phase(new) - cmath.phase(old)) if old and new else 1
     heads = (

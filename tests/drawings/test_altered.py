@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -42,7 +41,7 @@ def last_moved(group: Group) -> Group:
     heads = [one for one in flat((group,)) if isinstance(one, Fill)]
     line = next(one for one in flat((group,)) if isinstance(one, Line))
     along = (line.end - line.start) / abs(line.end - line.start) / 2
-    longer = replace(line, end=line.end + along)
+    longer = line._replace(end=line.end + along)
     by = {id(heads[-1]): brought(heads[-1], Affine(1 + 0j, 0j, along))} if heads else {id(line): longer}
     return within(group, lambda one: by.get(id(one), one))
 
@@ -73,7 +72,7 @@ def misread(stroke: Stroke) -> Stroke:
     if place is None:
         return stroke
     digit = str(int(stroke.content[place]) % 9 + 1)
-    return replace(stroke, content=stroke.content[:place] + digit + stroke.content[place + 1 :])
+    return stroke._replace(content=stroke.content[:place] + digit + stroke.content[place + 1 :])
 
 
 def within(group: Group, change: Callable[[Stroke], Stroke]) -> Group:
@@ -81,7 +80,7 @@ def within(group: Group, change: Callable[[Stroke], Stroke]) -> Group:
 
 
 def longer(stroke: Stroke) -> Stroke:
-    return replace(stroke, end=stroke.end + ASIDE.t) if isinstance(stroke, Line) else stroke
+    return stroke._replace(end=stroke.end + ASIDE.t) if isinstance(stroke, Line) else stroke
 
 
 ALTERED: Mapping[Kind, Callable[[Group], Group]] = {
@@ -93,7 +92,7 @@ ALTERED: Mapping[Kind, Callable[[Group], Group]] = {
     Kind.DIRECTION: lambda group: within(group, turned_head),
     Kind.NUMBER: lambda group: within(group, misread),
     Kind.LETTER: lambda group: within(
-        group, lambda one: replace(one, content="Ж") if isinstance(one, Text) else one
+        group, lambda one: one._replace(content="Ж") if isinstance(one, Text) else one
     ),
 }  # fmt: skip
 

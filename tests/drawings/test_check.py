@@ -6,7 +6,6 @@ import json
 import re
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -127,7 +126,7 @@ def other_text() -> bytes:
     leaf = fan().sheets[0].leaf
     table = next(group for group in leaf.groups if group.name == "masses-1")
     cell = next(one for one in texts((table,)) if one.plain == "0,09")
-    return svg(swapped(leaf, cell, replace(cell, content="0,08")))
+    return svg(swapped(leaf, cell, cell._replace(content="0,08")))
 
 
 def test_the_data_of_an_edit_have_its_place_and_figure(folder: Path, capsys: Capture) -> None:
@@ -193,7 +192,7 @@ def test_measure_names_marks_that_are_missing_and_added(folder: Path, capsys: Ca
     leaf = fan().sheets[0].leaf
     figure = next(group for group in leaf.groups if group.name == "unbalances")
     gone = next(one for one in figure.strokes if getattr(one, "data", {}).get("kind") == "vector")
-    other = replace(gone, data=dict(gone.data) | {"name": "X"})
+    other = gone._replace(data=dict(gone.data) | {"name": "X"})
     (folder / NAME).write_bytes(svg(swapped(leaf, gone, other)))
     code = cli.main(["measure", str(folder / NAME), "--scene", str(SCENE)])
     said = capsys.readouterr().out

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -58,11 +57,11 @@ def edited(change: Callable[[Stroke], Any], leaf: Leaf = LEAF, top: int | None =
 
     def of(stroke: Stroke) -> Any:
         if isinstance(stroke, Group):
-            stroke = replace(stroke, strokes=tuple(one for own in stroke.strokes if (one := of(own)) is not None))
+            stroke = stroke._replace(strokes=tuple(one for own in stroke.strokes if (one := of(own)) is not None))
         return change(stroke)
 
     groups = (of(group) if top in (None, k) else group for k, group in enumerate(leaf.groups))
-    return replace(leaf, groups=tuple(group for group in groups if group is not None))
+    return leaf._replace(groups=tuple(group for group in groups if group is not None))
 
 
 def told(there: Leaf, *hidden: Hidden) -> list[str]:
@@ -72,7 +71,7 @@ def told(there: Leaf, *hidden: Hidden) -> list[str]:
 
 def mirrored_line(line: Any) -> Line:
     """Mirror a line about the upright through x = 140."""
-    return replace(line, start=280 - line.start.conjugate(), end=280 - line.end.conjugate())
+    return line._replace(start=280 - line.start.conjugate(), end=280 - line.end.conjugate())
 
 
 def named(name: str, change: Callable[[Group], Any]) -> Leaf:
@@ -108,31 +107,31 @@ CASES = {
         [f"moved by 5 mm, 0.05 m/s: vector p b with its arrow and letters at (60.00, 50.00) mm, {IN_PLAN}"],
     ),
     "an end is moved": (
-        named("p b", lambda one: replace(one, strokes=(Line(40 + 50j, 82 + 50j), *one.strokes[1:]))),
+        named("p b", lambda one: one._replace(strokes=(Line(40 + 50j, 82 + 50j), *one.strokes[1:]))),
         [f"one end moved by 2 mm, 0.02 m/s: vector p b at (60.00, 50.00) mm, {IN_PLAN}"],
     ),
     "a vector is drawn end for end": (
-        named("p b", lambda one: replace(one, strokes=(Line(80 + 50j, 40 + 50j), *one.strokes[1:]))),
+        named("p b", lambda one: one._replace(strokes=(Line(80 + 50j, 40 + 50j), *one.strokes[1:]))),
         [f"drawn end for end: vector p b at (60.00, 50.00) mm, {IN_PLAN}"],
     ),
     "a line is drawn in a hair": (
-        edited(lambda one: replace(one, style=STYLE) if isinstance(one, Line) else one, top=SCHEME),
+        edited(lambda one: one._replace(style=STYLE) if isinstance(one, Line) else one, top=SCHEME),
         ["line width 0.001 mm instead of 0.5 mm: line at (150.00, 150.00) mm, scheme-1"],
     ),
     "a cell says another number": (
-        text("12.5", lambda one: replace(one, content="12.3")),
+        text("12.5", lambda one: one._replace(content="12.3")),
         ["“12.3” stands where “12.5” must: table cell “12.5” at (32.00, 202.00) mm, the table values-1"],
     ),
     "a letter is moved": (
-        text("a", lambda one: replace(one, at=one.at + 2)),
+        text("a", lambda one: one._replace(at=one.at + 2)),
         [f"moved by 2 mm, 0.02 m/s: lettering “a” at (71.00, 71.00) mm, {IN_PLAN}"],
     ),
     "a scale is another": (
-        text("μv = 0.01", lambda one: replace(one, content="μ_v = 0.02")),
+        text("μv = 0.01", lambda one: one._replace(content="μ_v = 0.02")),
         [f"“μv = 0.02” stands where “μv = 0.01” must: heading “μv = 0.01” at (40.00, 90.00) mm, {IN_PLAN}"],
     ),
     "a circle is larger": (
-        edited(lambda one: replace(one, radius=10) if isinstance(one, Circle) else one, top=SCHEME),
+        edited(lambda one: one._replace(radius=10) if isinstance(one, Circle) else one, top=SCHEME),
         ["the radius differs by 1 mm: circle at (150.00, 150.00) mm, scheme-1"],
     ),
     "a figure is gone": (
@@ -148,19 +147,19 @@ CASES = {
         [f"turned by 90.00°, moved by up to {FARTHEST:.4g} mm: all of scheme-1, from (150.00, 150.00) mm"],
     ),
     "a figure is mirrored": (
-        whole("arms", lambda one: replace(one, strokes=tuple(mirrored_line(line) for line in one.strokes))),
+        whole("arms", lambda one: one._replace(strokes=tuple(mirrored_line(line) for line in one.strokes))),
         ["drawn mirrored, moved by up to 40 mm: 2 lines and letters together, from (145.00, 40.00) mm, arms in links"],
     ),
     "a line is added": (
-        whole("velocities-2", lambda one: replace(one, strokes=(*one.strokes, Line(50 + 55j, 60 + 90j)))),
+        whole("velocities-2", lambda one: one._replace(strokes=(*one.strokes, Line(50 + 55j, 60 + 90j)))),
         [f"added: line at (55.00, 72.50) mm, {IN_PLAN}"],
     ),
     "a vector is there twice": (
-        whole("velocities-2", lambda one: replace(one, strokes=(*one.strokes, Line(40 + 50j, 80 + 50j)))),
+        whole("velocities-2", lambda one: one._replace(strokes=(*one.strokes, Line(40 + 50j, 80 + 50j)))),
         [f"there twice: line at (60.00, 50.00) mm, {IN_PLAN}"],
     ),
     "the paper is larger": (
-        replace(LEAF, width=212.1),
+        LEAF._replace(width=212.1),
         ["the paper is 212.1 × 297 mm; it must be 210 × 297 mm"],
     ),
 }  # fmt: skip
@@ -192,7 +191,7 @@ def test_a_patch_is_told_with_what_it_hides() -> None:
 
 def test_a_drawing_that_was_moved_as_a_whole_is_laid_back() -> None:
     turned = cmath.rect(1.01, 0.02)
-    moved = replace(LEAF, groups=tuple(brought(one, Affine(turned, 0j, 3 + 2j)) for one in LEAF.groups))
+    moved = LEAF._replace(groups=tuple(brought(one, Affine(turned, 0j, 3 + 2j)) for one in LEAF.groups))
     found = collate(LEAF, moved)
     assert found.edits == ()
     (whole,) = found.whole
@@ -201,14 +200,14 @@ def test_a_drawing_that_was_moved_as_a_whole_is_laid_back() -> None:
 
 def test_a_mirrored_drawing_is_refused() -> None:
     def mirrored(one: Stroke) -> Stroke:
-        return replace(one, centre=-one.centre.conjugate() + 220) if isinstance(one, Circle) else one
+        return one._replace(centre=-one.centre.conjugate() + 220) if isinstance(one, Circle) else one
 
     with pytest.raises(SheetRefused, match="mirrored"):
         collate(LEAF, edited(mirrored, top=1))
 
 
 def test_another_sheet_is_strange() -> None:
-    other = replace(LEAF, groups=(*LEAF.groups[:3], velocities("accelerations-5", 101.3)))
+    other = LEAF._replace(groups=(*LEAF.groups[:3], velocities("accelerations-5", 101.3)))
     found = collate(LEAF, other)
     assert found.strange and not collate(LEAF, edited(lambda one: one)).strange
 

@@ -12,7 +12,6 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
-from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -278,7 +277,7 @@ def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
     def wrong(*arguments: Any) -> Motion:
         motion = solve(*arguments)
         r, v, a = motion.points["D"]
-        return replace(motion, points={**motion.points, "D": PointMotion((r, v * (1 + 1e-6), a))})
+        return motion._replace(points={**motion.points, "D": PointMotion((r, v * (1 + 1e-6), a))})
 
     monkeypatch.setattr(comparing.Analysis, "motion", wrong)
 

@@ -87,7 +87,7 @@ def test_a_title_block_that_says_otherwise_is_withheld(plant: Callable[[Leaf, Pa
     scene = scene_of()
     bound = dict(bind(laid_out(scene), scene))
     first = bound["kinematics"][0]
-    other = replace(first, groups=(plant(first, page_of(scene)),))
+    other = first._replace(groups=(plant(first, page_of(scene)),))
     told = wrong({**bound, "kinematics": (other, *bound["kinematics"][1:])}, scene)
     assert any(says in one for one in told)
 

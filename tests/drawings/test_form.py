@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -144,7 +143,7 @@ def test_a_form_has_places_poles_and_the_heads_of_its_tables() -> None:
 
 
 def planted(leaf: Leaf, *strokes: Any) -> bytes:
-    return blank_file(replace(leaf, groups=(*leaf.groups, Group(strokes))))
+    return blank_file(leaf._replace(groups=(*leaf.groups, Group(strokes))))
 
 
 @pytest.mark.rest

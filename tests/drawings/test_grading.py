@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -95,18 +94,18 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
             if row["how"] == "missing":
                 return None
             if row["how"] == "swapped ends":
-                return replace(stroke, strokes=(replace(line, start=line.end, end=line.start),))
+                return stroke._replace(strokes=(line._replace(start=line.end, end=line.start),))
             if row["how"] == "alone":
-                return replace(stroke, strokes=(replace(line, end=line.end + row["by"]),))
+                return stroke._replace(strokes=(line._replace(end=line.end + row["by"]),))
         parts = (kept(one, plan, row) for one in stroke.strokes)
-        return replace(stroke, strokes=tuple(one for one in parts if one is not None))
+        return stroke._replace(strokes=tuple(one for one in parts if one is not None))
     if isinstance(stroke, Text):
         if row["how"] == "unscaled" and stroke.plain.startswith("μ"):
             return None
         if row["how"] == "unlettered" and stroke.plain == lettered(end):
             return None
         if row["how"] == "letters swapped" and stroke.plain in (lettered(start), lettered(end)):
-            return replace(stroke, content=lettered(end if stroke.plain == lettered(start) else start))
+            return stroke._replace(content=lettered(end if stroke.plain == lettered(start) else start))
     return stroke
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -38,7 +37,7 @@ def test_a_table_that_was_taken_off_a_sheet_of_ours_is_missing() -> None:
     leaf = tables_of(sheet)
     kept = tuple(one for one in leaf.groups if table_of(sheet.kind, one.name) != "output")
     assert len(kept) < len(leaf.groups)
-    graded = grade(svg(replace(leaf, groups=kept)), SheetTask(tables=own.tables), HAND)
+    graded = grade(svg(leaf._replace(groups=kept)), SheetTask(tables=own.tables), HAND)
     assert graded.outcome == FAIL
     assert {(one.plan, one.kind) for one in graded.wrong} == {("table output", "missing")}
     won, most = points_of(graded.verdicts, Marking())
@@ -50,21 +49,21 @@ def test_a_table_whose_lines_are_lost_is_not_read_and_not_missing() -> None:
     sheet = own.originals.sheets[0]
     leaf = tables_of(sheet)
     groups = (unruled(one) if table_of(sheet.kind, one.name) == "output" else one for one in leaf.groups)
-    graded = grade(svg(replace(leaf, groups=tuple(groups))), SheetTask(tables=own.tables), HAND)
+    graded = grade(svg(leaf._replace(groups=tuple(groups))), SheetTask(tables=own.tables), HAND)
     assert (graded.outcome, [one.kind for one in graded.unseen]) == (PART, ["untabled"])
 
 
 def unruled(group: Group) -> Group:
     """Give a table without its lines."""
     inside = (unruled(one) if isinstance(one, Group) else one for one in group.strokes)
-    return replace(group, strokes=tuple(one for one in inside if isinstance(one, Group | Text)))
+    return group._replace(strokes=tuple(one for one in inside if isinstance(one, Group | Text)))
 
 
 def test_a_row_that_was_taken_off_a_form_is_missing() -> None:
     own = table_task("shaper")
     table, sheet = own.table("values"), own.originals.sheets[0]
     leaf = tables_of(sheet._replace(leaf=form_of(own.originals.study)["kinematics"][0]))
-    less = replace(leaf, groups=tuple(unnamed(one, "atA,") for one in leaf.groups))
+    less = leaf._replace(groups=tuple(unnamed(one, "atA,") for one in leaf.groups))
     source = written(less, table, {key_of(table, "vB", "by plan", 2): "1.517"})
     graded = grade(source, SheetTask(tables=own.tables), HAND)
     kinds = Counter(one.kind for one in graded.verdicts)
@@ -75,7 +74,7 @@ def unnamed(group: Group, row: str) -> Group:
     """Give a table without the name of a row."""
     inside = (unnamed(one, row) if isinstance(one, Group) else one for one in group.strokes)
     kept = (one for one in inside if not (isinstance(one, Text) and folded(one.plain).startswith(row)))
-    return replace(group, strokes=tuple(kept))
+    return group._replace(strokes=tuple(kept))
 
 
 def test_one_of_two_copies_of_a_table_is_to_be_left() -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from copy import copy
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -86,10 +85,10 @@ def printed(leaf: Leaf, texts: tuple[Text, ...], number: str) -> Leaf:
 
     def again(one: Stroke) -> Stroke:
         if isinstance(one, Group):
-            return replace(one, strokes=tuple(map(again, one.strokes)))
-        return replace(one, content=number) if isinstance(one, Text) and one in texts else one
+            return one._replace(strokes=tuple(map(again, one.strokes)))
+        return one._replace(content=number) if isinstance(one, Text) and one in texts else one
 
-    return replace(leaf, groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
+    return leaf._replace(groups=tuple(group for one in leaf.groups if isinstance(group := again(one), Group)))
 
 
 @pytest.mark.rest
@@ -126,7 +125,7 @@ def test_tables_are_found_on_a_sheet_that_was_moved_as_a_whole(how: str) -> None
     own = table_task("shaper")
     row = next(one for one in MISTAKES if one["says"] == ["v_B (by plan) place 9"])
     corners = tuple(one for one in own.originals.sheets[0].leaf.groups if not one.name.startswith(DRAWN))
-    leaf = replace(own.originals.sheets[0].leaf, groups=corners)
+    leaf = own.originals.sheets[0].leaf._replace(groups=corners)
     assert said(own, laid(svg(leaf), how)) == []
     table = own.table("values")
     source = written(leaf, table, {key_of(table, "vB", "by plan", 2): "3.02"})

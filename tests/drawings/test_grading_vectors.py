@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -90,7 +89,7 @@ def shown_back(arrow: Group) -> Group:
     again = [
         one._replace(points=tuple(2 * line.start - at for at in one.points)) for one in heads if isinstance(one, Fill)
     ]
-    return replace(arrow, strokes=(replace(line, end=2 * line.start - line.end), *again))
+    return arrow._replace(strokes=(line._replace(end=2 * line.start - line.end), *again))
 
 
 def turned_back(couple: Group) -> Group:
@@ -99,7 +98,7 @@ def turned_back(couple: Group) -> Group:
     assert isinstance(arc, Arc) and isinstance(head, Fill)
     way = (arc.at(0.5) - arc.centre) / arc.radius
     points = tuple(arc.centre + way**2 * (spot - arc.centre).conjugate() for spot in head.points)
-    return replace(couple, strokes=(arc, head._replace(points=points)))
+    return couple._replace(strokes=(arc, head._replace(points=points)))
 
 
 def _is_arrow(group: Group, name: str) -> bool:
@@ -120,11 +119,11 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
         if row["how"] == "swapped ends":
             line, *_ = stroke.strokes
             assert isinstance(line, Line)
-            return replace(stroke, strokes=(replace(line, start=line.end, end=line.start),))
+            return stroke._replace(strokes=(line._replace(start=line.end, end=line.start),))
         if row["how"] == "end aside":
             line, *heads = stroke.strokes
             assert isinstance(line, Line)
-            return replace(stroke, strokes=(replace(line, end=line.end + complex(*row["by"])), *heads))
+            return stroke._replace(strokes=(line._replace(end=line.end + complex(*row["by"])), *heads))
     if isinstance(stroke, Text):
         if row["how"] == "unscaled" and stroke.plain.startswith("μ"):
             return None
@@ -132,7 +131,7 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
             return None
         if row["how"] == "letters swapped" and stroke.plain in (letters[names[0]], letters[names[1]]):
             other = names[stroke.plain == letters[names[0]]]
-            return replace(stroke, content=next(one.letter for one in plan.vectors if one.name == other))
+            return stroke._replace(content=next(one.letter for one in plan.vectors if one.name == other))
     return stroke
 
 

@@ -4,7 +4,6 @@ import cmath
 import math
 import re
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -392,8 +391,8 @@ def test_a_full_sheet_is_measured_quickly() -> None:
 
 def test_the_table_is_in_the_words_of_the_scene() -> None:
     drawn = vector(10 + 20j, 13 + 24j, 0.5)
-    far = replace(drawn, data=drawn.data | {"value": "9 9"})
-    measured = measure(sheet(replace(far, data=far.data | {"plan": "velocities", "unit": "m/s"})))
+    far = drawn._replace(data=drawn.data | {"value": "9 9"})
+    measured = measure(sheet(far._replace(data=far.data | {"plan": "velocities", "unit": "m/s"})))
     off = {miss.key for miss in check(measured)}
     assert list(lines(measured, off, "ru")) == [
         "план скоростей    3  B          (1,5; 2)                   м/с    ОТЛИЧАЕТСЯ от заявленного"

@@ -8,7 +8,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -208,7 +207,7 @@ def test_a_figure_at_another_scale_or_turned_is_told() -> None:
     level, upright = about(20 + 20j)
     row = due(Kind.CURVE, line(10), ends=(0.0, 2.0))
     assert faults(level, upright, CURVED, due=[row]) == []
-    coarser = replace(upright, states=upright.states._replace(scale=6.0)) if upright.states else upright
+    coarser = upright._replace(states=upright.states._replace(scale=6.0)) if upright.states else upright
     turned = stated(Kind.AXIS, Line(20 + 20j, 80 + 20j), name="x", scale=0.1)
     for axes in ((level, coarser), (turned, upright)):
         assert len(faults(*axes, CURVED, due=[row])) == 1

@@ -105,7 +105,7 @@ def test_lettering_that_is_covered_or_off_the_paper_is_told_and_the_sheet_is_wri
 
     def spoilt(study: Any) -> Mapping[str, Sequence[Leaf]]:
         return {
-            kind: [replace(leaf, groups=(*leaf.groups, Group(strokes, "added"))) for leaf in leaves]
+            kind: [leaf._replace(groups=(*leaf.groups, Group(strokes, "added"))) for leaf in leaves]
             for kind, leaves in own(study).items()
         }
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import pytest
 
@@ -55,8 +54,8 @@ def test_a_scale_is_read_however_it_is_written(row: tuple[str, dict[str, str], d
 def rescaled(stroke: Stroke, text: str) -> Stroke:
     """Give a stroke with the scale of velocities written otherwise."""
     if isinstance(stroke, Group):
-        return replace(stroke, strokes=tuple(rescaled(one, text) for one in stroke.strokes))
-    return replace(stroke, content=text) if isinstance(stroke, Text) and stroke.plain.startswith("μv") else stroke
+        return stroke._replace(strokes=tuple(rescaled(one, text) for one in stroke.strokes))
+    return stroke._replace(content=text) if isinstance(stroke, Text) and stroke.plain.startswith("μv") else stroke
 
 
 @over("row", [("μ_v = 10 (mm/s)/mm", []), ("K_v=1 mm/(cm/s)", []), ("μ_v = 2·10^{-2} m/s/mm", ["scale"])])

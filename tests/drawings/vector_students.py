@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,14 +64,14 @@ def sheet_of(
     groups = (
         _group(group, moves, position, keep) for group in leaf.groups if not group.name.startswith(ASIDE)
     )  # fmt: skip
-    return svg(replace(leaf, groups=tuple(groups)))
+    return svg(leaf._replace(groups=tuple(groups)))
 
 
 def _group(
     top: Group, moves: Mapping[Key, tuple[complex, complex]], position: str | None, keep: Callable[[Stroke], Any]
 ) -> Group:
     shifts = dict(_shifts(top, moves, position))
-    return replace(top, strokes=tuple(_strokes(top.strokes, moves, shifts, position, keep)))
+    return top._replace(strokes=tuple(_strokes(top.strokes, moves, shifts, position, keep)))
 
 
 def _shifts(
@@ -108,16 +107,16 @@ def _strokes(
             match one.strokes:
                 case (Line() as leader, Text() as text) if text.plain in shifts:
                     by = shifts[text.plain][1]
-                    led = replace(leader, start=leader.start + by, end=leader.end + by)
-                    one = replace(one, strokes=(led, replace(text, at=text.at + by)))  # noqa: PLW2901
+                    led = leader._replace(start=leader.start + by, end=leader.end + by)
+                    one = one._replace(strokes=(led, text._replace(at=text.at + by)))  # noqa: PLW2901
                     shifts = {letter: shift for letter, shift in shifts.items() if letter != text.plain}
             if one.data.get("kind") == "vector" and one.data.get("position") == position and key in moves:
-                drawn = replace(one, strokes=_arrow(one, *moves[key]))
+                drawn = one._replace(strokes=_arrow(one, *moves[key]))
             else:
-                drawn = replace(one, strokes=tuple(_strokes(one.strokes, moves, shifts, position, keep)))
+                drawn = one._replace(strokes=tuple(_strokes(one.strokes, moves, shifts, position, keep)))
         elif isinstance(one, Text) and one.plain in shifts:
             middle, by = shifts[one.plain]
-            drawn = replace(one, at=middle + by) if abs(by) > SLIGHT else replace(one, at=one.at + by)
+            drawn = one._replace(at=middle + by) if abs(by) > SLIGHT else one._replace(at=one.at + by)
         kept = keep(drawn)
         if kept is not None:
             yield kept
@@ -127,10 +126,10 @@ def _arrow(group: Group, by: complex, vector: complex) -> tuple[Stroke, ...]:
     line, *heads = group.strokes
     assert isinstance(line, Line)
     old = line.end - line.start
-    again = replace(line, start=line.start + by, end=line.start + by + vector)
+    again = line._replace(start=line.start + by, end=line.start + by + vector)
     turn = cmath.rect(1, cmath.phase(vector) - cmath.phase(old)) if vector else 1
     if abs(vector - old) < 1e-9:
-        return (replace(line, start=line.start + by, end=line.end + by), *(_along(one, by) for one in heads))
+        return (line._replace(start=line.start + by, end=line.end + by), *(_along(one, by) for one in heads))
     return again, *(
         one._replace(points=tuple(again.end + (spot - line.end) * turn for spot in one.points))
         for one in heads[:1]

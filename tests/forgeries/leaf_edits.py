@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from random import Random
 from typing import Any
 
@@ -25,10 +24,10 @@ def changed(leaf: Leaf, change: Callable[[Stroke], Any]) -> Leaf:
         for stroke in strokes:
             other = change(stroke)
             if other is stroke and isinstance(stroke, Group):
-                other = replace(stroke, strokes=tuple(within(stroke.strokes)))
+                other = stroke._replace(strokes=tuple(within(stroke.strokes)))
             yield from other if isinstance(other, list) else [] if other is None else [other]
 
-    return replace(leaf, groups=tuple(within(leaf.groups)))
+    return leaf._replace(groups=tuple(within(leaf.groups)))
 
 
 def swapped(leaf: Leaf, old: Stroke, new: Any) -> Leaf:
@@ -105,7 +104,7 @@ def value_forged(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     head = [brought(one, Affine(t=by)) for one in mark.strokes[1:]]
     value = complex(*map(float, mark.data["value"].split())) * 1.07
     data = dict(mark.data) | {"value": f"{value.real:.12g} {value.imag:.12g}"}
-    forged = replace(mark, strokes=(replace(line, end=line.end + by), *head), data=data)
+    forged = mark._replace(strokes=(line._replace(end=line.end + by), *head), data=data)
     return swapped(leaf, mark, forged), of(bearer(leaf, mark), Figures(leaf), "end", "reshaped")
 
 
@@ -120,7 +119,7 @@ def reversed_vector(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     mark = chance.choice(own)
     line = mark.strokes[0]
     assert isinstance(line, Line)
-    other = replace(mark, strokes=(replace(line, start=line.end, end=line.start), *mark.strokes[1:]))
+    other = mark._replace(strokes=(line._replace(start=line.end, end=line.start), *mark.strokes[1:]))
     return swapped(leaf, mark, other), of(bearer(leaf, mark), Figures(leaf), "reversed")
 
 
@@ -154,7 +153,7 @@ def _lettering(what: str) -> Edit:
         runs = list(found.stroke.runs)
         place = chance.choice([k for k, run in enumerate(runs) if any(one in DIGITS for one in run.text)])
         runs[place] = runs[place]._replace(text=_other_digit(runs[place].text, chance))
-        return swapped(leaf, found.stroke, replace(found.stroke, content=tuple(runs))), Told(
+        return swapped(leaf, found.stroke, found.stroke._replace(content=tuple(runs))), Told(
             ("text",), found.name, Figures(leaf).of(found)
         )
 
@@ -175,7 +174,7 @@ def letters_swapped(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     pair = chance.choice(pairs)
     a, b = (item.stroke for item in pair)
     assert isinstance(a, Text) and isinstance(b, Text)
-    other = {id(a): replace(a, content=b.runs), id(b): replace(b, content=a.runs)}
+    other = {id(a): a._replace(content=b.runs), id(b): b._replace(content=a.runs)}
     return changed(leaf, lambda one: other.get(id(one), one)), Told(
         ("text", "moved"), pair[0].name, Figures(leaf).of(pair[0])
     )
@@ -192,7 +191,7 @@ def letter_moved(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     found = pick(leaf, chance, lambda item: item.what == "letter")
     if found is None or not isinstance(found.stroke, Text):
         return None
-    other = replace(found.stroke, at=found.stroke.at + 3 - 2j)
+    other = found.stroke._replace(at=found.stroke.at + 3 - 2j)
     return swapped(leaf, found.stroke, other), Told(("moved",), found.name, Figures(leaf).of(found))
 
 
@@ -209,7 +208,7 @@ def _styled(change: Callable[[LineStyle], LineStyle], *kinds: str) -> Edit:
         found = pick(leaf, chance, lambda item: isinstance(item.stroke, Line) and item.stroke.style.colour != "none")
         if found is None or not isinstance(found.stroke, Line):
             return None
-        other = replace(found.stroke, style=change(found.stroke.style))
+        other = found.stroke._replace(style=change(found.stroke.style))
         return swapped(leaf, found.stroke, other), of(found, Figures(leaf), *kinds)
 
     return edit
@@ -220,7 +219,7 @@ def line_turned(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     if found is None or not isinstance(found.stroke, Line):
         return None
     line = found.stroke
-    other = replace(line, end=line.start + (line.end - line.start) * (1 + 0.2j))
+    other = line._replace(end=line.start + (line.end - line.start) * (1 + 0.2j))
     return swapped(leaf, line, other), of(found, Figures(leaf), "end", "missing")
 
 
@@ -228,7 +227,7 @@ def circle_larger(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     found = pick(leaf, chance, lambda item: isinstance(item.stroke, Circle) and not item.home.mark)
     if found is None or not isinstance(found.stroke, Circle):
         return None
-    other = replace(found.stroke, radius=found.stroke.radius * 1.1)
+    other = found.stroke._replace(radius=found.stroke.radius * 1.1)
     return swapped(leaf, found.stroke, other), of(found, Figures(leaf), "radius")
 
 
@@ -259,7 +258,7 @@ def covered(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
         True,
         LineStyle(0.25, (), "#ffffff", "#ffffff"),
     )
-    return replace(leaf, groups=(*leaf.groups, Group((patch,)))), Told(("patch",))
+    return leaf._replace(groups=(*leaf.groups, Group((patch,)))), Told(("patch",))
 
 
 def title_cell(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
@@ -270,7 +269,7 @@ def title_cell(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     )
     if found is None or not isinstance(found.stroke, Text):
         return None
-    other = replace(found.stroke, content=(found.stroke.runs[0]._replace(text="Иванов"),))
+    other = found.stroke._replace(content=(found.stroke.runs[0]._replace(text="Иванов"),))
     return swapped(leaf, found.stroke, other), Told(("text",), found.name, "title-block")
 
 
@@ -309,7 +308,7 @@ def _group(leaf: Leaf, chance: Random, by: Affine) -> tuple[Leaf, Told] | None:
 
 
 def paper_larger(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
-    return replace(leaf, width=leaf.width * 1.01, height=leaf.height * 1.01), Told(("whole",))
+    return leaf._replace(width=leaf.width * 1.01, height=leaf.height * 1.01), Told(("whole",))
 
 
 LEAF_EDITS: dict[str, Edit] = {

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from pathlib import Path
 from random import Random
 
@@ -51,7 +50,7 @@ def strangers(known: Mapping[str, Originals]) -> Iterator[tuple[Originals, Forge
     names = list(known)
     for name, other in zip(names[1:], names, strict=False):
         own, strange = known[name], known[other].sheets[0].leaf
-        leaf = replace(strange, metadata={**strange.metadata, "scene": own.digest})
+        leaf = strange._replace(metadata={**strange.metadata, "scene": own.digest})
         yield own, Forgery("a sheet of another scene", own.sheets[0].name, svg(leaf), Told(("strange",)))
 
 
@@ -63,7 +62,7 @@ def displaced(known: Mapping[str, Originals], folder: Path) -> Iterator[tuple[Or
         scene.write_text(PLANS.sub(lambda found: f"{found[1]}{int(found[2]) + 1}", text, count=1), "utf-8")
         if PLANS.search(text):
             sheet = Originals(scene).sheets[0]
-            leaf = replace(sheet.leaf, metadata={**sheet.leaf.metadata, "scene": own.digest})
+            leaf = sheet.leaf._replace(metadata={**sheet.leaf.metadata, "scene": own.digest})
             told = Told(("missing",), figure=f"velocities-{PLANS.findall(text)[0][1]}")
             yield own, Forgery("plans of another position", sheet.name, svg(leaf), told)
 

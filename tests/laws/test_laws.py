@@ -6,7 +6,6 @@ A law knows no technique: it holds what states nothing, lines, symbols, arrowhea
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -85,7 +84,7 @@ def sheet(name: str, kind: str) -> Leaf:
 def plus(name: str, *strokes: Stroke) -> Change:
     """Add strokes to a part of a sheet."""
     return lambda one: (
-        replace(one, strokes=(*one.strokes, *strokes)) if isinstance(one, Group) and one.name == name else one
+        one._replace(strokes=(*one.strokes, *strokes)) if isinstance(one, Group) and one.name == name else one
     )
 
 
@@ -94,7 +93,7 @@ def each(kind: type[Stroke], change: Callable[..., Stroke]) -> Change:
 
 
 def longer(one: Line) -> Line:
-    return replace(one, end=one.start + 1.1 * (one.end - one.start))
+    return one._replace(end=one.start + 1.1 * (one.end - one.start))
 
 
 def larger(one: Fill) -> Fill:
@@ -106,19 +105,19 @@ def bent(one: Polyline) -> Polyline:
 
 
 def thinner(one: Line) -> Line:
-    return replace(one, style=one.style._replace(width=0.3))
+    return one._replace(style=one.style._replace(width=0.3))
 
 
 def thin(one: Line) -> Line:
-    return replace(one, style=one.style._replace(width=0.35))
+    return one._replace(style=one.style._replace(width=0.35))
 
 
 def smaller(one: Circle) -> Circle:
-    return replace(one, radius=0.9 * one.radius)
+    return one._replace(radius=0.9 * one.radius)
 
 
 def leaning(one: Line) -> Line:
-    return replace(one, start=one.start + 1)
+    return one._replace(start=one.start + 1)
 
 
 OVER = Text(200 + 200j, "B"), Line(190 + 201j, 220 + 201j)
@@ -149,7 +148,7 @@ def test_a_breach_is_found(law: object, kind: str, change: Change) -> None:
 def test_letters_that_are_exchanged_are_found() -> None:
     leaf = sheet("four-masses", "rotor")
     swap = {"m1": "m_{2}", "m2": "m_{1}"}
-    spoilt = changed(leaf, each(Text, lambda one: replace(one, content=swap.get(one.plain, one.content))))
+    spoilt = changed(leaf, each(Text, lambda one: one._replace(content=swap.get(one.plain, one.content))))
     assert spoilt != leaf
     assert list(breaches({"rotor": [spoilt]}, "GOST", [letters])) != []
 

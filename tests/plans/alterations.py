@@ -15,7 +15,7 @@ def moved(mechanism: Mechanism, frame: Map, own: Map | None = None) -> Mechanism
     maps: dict[int, Map] = dict.fromkeys(mechanism.links, own or (lambda place: place)) | {FRAME: frame}
     links = {n: Link(n, {p: maps[n](z) for p, z in link.points.items()}) for n, link in mechanism.links.items()}
     slides = tuple(
-        replace(s, on_slider=_way(s.on_slider, maps[s.slider]), on_owner=_way(s.on_owner, maps[s.owner]))
+        s._replace(on_slider=_way(s.on_slider, maps[s.slider]), on_owner=_way(s.on_owner, maps[s.owner]))
         for s in mechanism.slides
     )
     sketch = {name: frame(place) for name, place in mechanism.sketch.items()}
@@ -33,11 +33,11 @@ def renamed(mechanism: Mechanism, points: Mapping[str, str], numbers: Mapping[in
         for n, link in mechanism.links.items()
     }
     slides = [
-        replace(s, slider=numbers[s.slider], owner=numbers[s.owner], point=points.get(s.point, s.point))
+        s._replace(slider=numbers[s.slider], owner=numbers[s.owner], point=points.get(s.point, s.point))
         for s in mechanism.slides
     ]
     old = mechanism.drive
-    drive = replace(old, link=numbers[old.link], pivot=points[old.pivot], end=points[old.end])
+    drive = old._replace(link=numbers[old.link], pivot=points[old.pivot], end=points[old.end])
     return replace(
         mechanism,
         links=dict(sorted(links.items())),

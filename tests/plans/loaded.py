@@ -225,6 +225,6 @@ def loaded(draw: st.DrawFn, kinds: tuple[str, ...] = (MOMENT, FORCE, GEAR)) -> L
     else:
         mechanism, phi = posed(draw(st.integers(0, len(scenes()) - 1)), draw(st.integers(0, 11)))
         omega, epsilon = mechanism.drive.omega, draw(_maybe(SIGNS))
-        drive = replace(mechanism.drive, omega=draw(SIGNS) * omega, epsilon=epsilon * omega**2)
+        drive = mechanism.drive._replace(omega=draw(SIGNS) * omega, epsilon=epsilon * omega**2)
         mechanism = replace(mechanism, drive=drive)
     return Loaded(mechanism, draw(machines(mechanism, kinds)), phi)

@@ -46,7 +46,7 @@ def pointed(mechanism: Mechanism) -> Mechanism:
     """Let every slide name a point of its slider, as a scene's do: the last one, mostly not the link's origin."""
 
     def named(slide: Slide) -> Slide:
-        return replace(slide, point=list(mechanism.links[slide.slider].points)[-1])
+        return slide._replace(point=list(mechanism.links[slide.slider].points)[-1])
 
     return replace(mechanism, slides=tuple(map(named, mechanism.slides)))
 

@@ -51,4 +51,4 @@ def value(number: Any) -> complex:
 
 def driven(mechanism: Mechanism, omega: float, epsilon: float) -> Mechanism:
     """Give a mechanism another drive."""
-    return replace(mechanism, drive=replace(mechanism.drive, omega=omega, epsilon=epsilon))
+    return replace(mechanism, drive=mechanism.drive._replace(omega=omega, epsilon=epsilon))

@@ -42,7 +42,7 @@ def shaper(loads: Mapping[tuple[int, complex], complex] = CUTTING) -> Run:
     """The shaper with the ram's guide exactly amid the sagitta of B's arc."""
     mechanism = linkages.shaper()
     slot, guide = mechanism.slides
-    exact = replace(guide, on_owner=Way(1j * sqrt(0.35**2 - 0.12**2), 1 + 0j))
+    exact = guide._replace(on_owner=Way(1j * sqrt(0.35**2 - 0.12**2), 1 + 0j))
     return Run(replace(mechanism, slides=(slot, exact)), SHAPER, AT_60, steady(1, loads))
 
 
@@ -241,7 +241,7 @@ def test_positions_out_of_reach_stay_gaps():
 def test_a_gap_of_the_motion_has_no_forces_whatever_the_equations_say():
     run = Run(ROCKER, machine(), TURN, steady(12, {(3, 0j): 100 + 0j, (2, 0.2 + 0j): 50j}))
     told = Gap(4, float(TURN[4]), "velocities", "dead centre", "B", 0.0, "")
-    run.motion = replace(run.motion, gaps=(told,))
+    run.motion = run.motion._replace(gaps=(told,))
     assert gaps(run.forces) == {4: ("velocities", "dead centre")}
     assert np.flatnonzero(np.isnan(balancing_moment(*run.case))).tolist() == [4]
     assert np.flatnonzero(np.isinf(energy_balance(*run.case).allowed)).tolist() == [4]

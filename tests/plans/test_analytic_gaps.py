@@ -106,7 +106,7 @@ def test_a_sketch_may_leave_out_what_follows():
 
 
 def test_two_points_of_a_link_at_one_place_give_it_no_direction():
-    links = {**CRANK_ROCKER.links, 2: replace(CRANK_ROCKER.links[2], points={"A": 0j, "E": 0j, "B": 0.4 + 0j})}
+    links = {**CRANK_ROCKER.links, 2: CRANK_ROCKER.links[2]._replace(points={"A": 0j, "E": 0j, "B": 0.4 + 0j})}
     doubled = replace(CRANK_ROCKER, links=links, sketch={"E": 0.02 + 0.1j, "B": 0.4 + 0.3j})
     assert solve(doubled, TURN).points["B"].r == pytest.approx(solve(CRANK_ROCKER, TURN).points["B"].r, abs=16 * EPS)
 
@@ -120,7 +120,7 @@ def test_conditions_of_either_road_and_at_gaps():
 
 def test_one_drive_needs_mobility_one():
     frame = {"O": 0j, "C": 0.35 + 0j, "D": 0.5 + 0j}
-    links = {**CRANK_ROCKER.links, 0: replace(CRANK_ROCKER.links[0], points=frame)}
-    links[4] = replace(links[3], number=4, points={"D": 0j, "B": complex(hypot(0.2, 0.3))})
+    links = {**CRANK_ROCKER.links, 0: CRANK_ROCKER.links[0]._replace(points=frame)}
+    links[4] = links[3]._replace(number=4, points={"D": 0j, "B": complex(hypot(0.2, 0.3))})
     with pytest.raises(StructureError):
         solve(replace(CRANK_ROCKER, links=links), TURN)

@@ -125,7 +125,7 @@ DRIVES = (Transmission(), 0.0), (GEAR, 0.0), (GEAR, 300.0)
 def test_the_best_share_is_least_of_all(place, drive, epsilon) -> None:
     """By trying a thousand shares, whose reaction is that of a full force analysis: none is better."""
     case = engine(0.02)
-    links = replace(case.mechanism, drive=replace(case.mechanism.drive, epsilon=epsilon))
+    links = replace(case.mechanism, drive=case.mechanism.drive._replace(epsilon=epsilon))
     case = case._replace(mechanism=links, machine=replace(case.machine, gravity=-9.81j, transmission=drive))
     found = case.balance(Task(SHARE, (place,)))
     for best, of in ((found.shares.least_force, "shaking"), (found.shares.least_reaction, "reaction")):

@@ -56,10 +56,10 @@ def turned(mechanism: Mechanism) -> Mechanism:
         return told if link == FRAME else Way(own(told.through, link), told.direction * turn(link))
 
     links = {
-        n: replace(one, points={p: own(z, n) for p, z in one.points.items()}) for n, one in mechanism.links.items()
+        n: one._replace(points={p: own(z, n) for p, z in one.points.items()}) for n, one in mechanism.links.items()
     }
     slides = tuple(
-        replace(s, on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
+        s._replace(on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
     )
     return replace(mechanism, links=links | {FRAME: mechanism.links[FRAME]}, slides=slides)
 

@@ -147,7 +147,7 @@ def askew(mechanism: Mechanism, turn: complex) -> Mechanism:
     """Turn the frame, so that what happens on it falls between the angles that a sweep looks at first."""
     frame = Link(FRAME, {name: place * turn for name, place in mechanism.links[FRAME].points.items()})
     slides = tuple(
-        replace(slide, on_owner=Way(slide.on_owner.through * turn, slide.on_owner.direction * turn))
+        slide._replace(on_owner=Way(slide.on_owner.through * turn, slide.on_owner.direction * turn))
         for slide in mechanism.slides
     )
     sketch = {name: place * turn for name, place in mechanism.sketch.items()}

@@ -179,7 +179,7 @@ def shaper() -> Mechanism:
     mechanism = linkages.shaper()
     slot, guide = mechanism.slides
     middle = 0.35 * sqrt(1 - (0.12 / 0.35) ** 2)
-    return replace(mechanism, slides=(slot, replace(guide, on_owner=Way(middle * 1j, 1 + 0j))))
+    return replace(mechanism, slides=(slot, guide._replace(on_owner=Way(middle * 1j, 1 + 0j))))
 
 
 def test_six_link_shaper_positions_and_velocities():

@@ -101,10 +101,10 @@ def as_between(mechanism: Mechanism) -> Mechanism:
     """Take a cylinder that a triangle holds for one between two links."""
     own = mechanism.drive.ram
     assert own is not None
-    loose = replace(mechanism, drive=replace(mechanism.drive, ram=replace(own, links=(0, 1))))
+    loose = replace(mechanism, drive=mechanism.drive._replace(ram=own._replace(links=(0, 1))))
     found = between.passage(loose)
     assert found is not None and loose.drive.ram is not None
-    return replace(loose, drive=replace(loose.drive, ram=replace(loose.drive.ram, passage=found[0])))
+    return replace(loose, drive=loose.drive._replace(ram=loose.drive.ram._replace(passage=found[0])))
 
 
 def test_a_cylinder_that_is_left_out_pushes_as_one_without_mass_that_is_drawn() -> None:

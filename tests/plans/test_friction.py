@@ -51,7 +51,7 @@ def shaper(omega: float = 10.0, epsilon: float = 5.0) -> Mechanism:
     """The shaper with the ram's guide exactly amid the sagitta of B's arc."""
     mechanism = linkages.shaper(omega=omega, epsilon=epsilon)
     slot, guide = mechanism.slides
-    return replace(mechanism, slides=(slot, replace(guide, on_owner=Way(1j * sqrt(0.35**2 - 0.12**2), 1 + 0j))))
+    return replace(mechanism, slides=(slot, guide._replace(on_owner=Way(1j * sqrt(0.35**2 - 0.12**2), 1 + 0j))))
 
 
 def found(
@@ -263,7 +263,7 @@ def test_numbers_of_the_links_do_not_matter(road: str) -> None:
     """The slider is link 2 and the rod link 3: now the inner reaction is told of the slider on the rod."""
     mechanism = linkages.slider_crank(1, 1.2)
     links = {0: mechanism.links[0], 1: mechanism.links[1], 2: Link(2, {"B": 0}), 3: Link(3, {"A": 0, "B": 1.2})}
-    slides = (replace(mechanism.slides[0], slider=2),)
+    slides = (mechanism.slides[0]._replace(slider=2),)
     other = replace(mechanism, links=links, slides=slides, output=Output(2, "B"))
     machine = replace(LIGHT, friction={"0-2": Rubbing(0.7)})
     now = found(other, machine, against(2, "B", 500), 0, [10, 60, 90, 120, 170, 270], road)
@@ -365,7 +365,7 @@ def test_a_contact_may_be_far_from_the_origin_of_its_link() -> None:
     """The yoke's contact is about E, 1 m from D: the block's force passes it at the distance 1 - 0.1 cos(phi)."""
     yoke = linkages.scotch_yoke(0.1)
     slot, guide = yoke.slides
-    guide = replace(guide, on_slider=Way(1 + 0j, 1j), on_owner=Way(1 + 0j, 1j), point="E")
+    guide = guide._replace(on_slider=Way(1 + 0j, 1j), on_owner=Way(1 + 0j, 1j), point="E")
     machine = replace(LIGHT, friction={"0-3": Rubbing(0.3, 0, 1.5)})
     now = found(replace(yoke, slides=(slot, guide)), machine, against(3, "D", 500), 0, [20, 60, 150, 200])
     wanted = [0.3 * 2 * (1 - 0.1 * cos(radians(k))) / 1.5 for k in (20, 60, 150, 200)]

@@ -25,7 +25,7 @@ def test_a_hair_too_short_is_a_gap_and_a_hair_too_long_is_drawn(miss):
         for mechanism, first in (
             (linkages.four_bar(0.1, 0.3, 0.15 + shift, 0.35, sketch={"B": 0.3 + 0.14j}), 180),
             (linkages.slider_crank(0.06, 0.20, 0.14 - shift), 270),
-            (replace(slot, slides=(replace(slot.slides[0], on_owner=Way((0.23 - shift) * 1j, 1 + 0j)),)), 270),
+            (replace(slot, slides=(slot.slides[0]._replace(on_owner=Way((0.23 - shift) * 1j, 1 + 0j)),)), 270),
         ):
             study = study_of(mechanism, first)
             motion = study.motion(0)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +31,7 @@ PRESSED = PUMP.replace('value = "3 кН"', "diagram = { travel = [0, 1], force =
 
 def found(text: str, by: str, shown: Output | None = None) -> Extremes:
     study = LinkageStudy(parse_scene(text))
-    output = study.output if shown is None else replace(shown, working=study.output.working)
+    output = study.output if shown is None else shown._replace(working=study.output.working)
     if by == "analysis":
         reached = Analysis(study.mechanism, first=False).extremes(output)
         assert reached is not None

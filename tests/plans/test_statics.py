@@ -99,7 +99,7 @@ def test_what_both_roads_give_up_is_counted_and_what_one_gives_up_alone_is_a_dis
     assert comparison.left_out["forces"] == [4, 10]
     theirs = comparison.analysis
     others = tuple(gap for gap in theirs.gaps if gap.position != 4)
-    for told in (others, (*others, replace(theirs.gaps[0], position=4, plan="forces", reason="dead centre"))):
+    for told in (others, (*others, theirs.gaps[0]._replace(position=4, plan="forces", reason="dead centre"))):
         apart = replace(comparison, analysis=replace(theirs, gaps=told))
         assert {(gap.position, gap.plan) for _, gap in apart.alone} == {(4, "forces")}
         assert not apart.agrees

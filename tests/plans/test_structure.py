@@ -105,7 +105,7 @@ def test_three_sliding_pairs_are_no_group():
 
 def test_a_slot_along_its_own_guide_is_no_group():
     mechanism = hung("RPP", FRAME, False)
-    slides = tuple(replace(slide, on_slider=AXIS, on_owner=AXIS) for slide in mechanism.slides)
+    slides = tuple(slide._replace(on_slider=AXIS, on_owner=AXIS) for slide in mechanism.slides)
     with pytest.raises(StructureError, match="parallel"):
         decompose(replace(mechanism, slides=slides))
 
@@ -127,8 +127,8 @@ def test_double_hinges_hold_two_groups():
     base = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
     for rod, slider in ((4, 5), (5, 4)):
         links = dict(base.links)
-        links[rod] = replace(base.links[2], number=rod, points={"B": 0j, "D": 0.5 + 0j})
-        links[slider] = replace(base.links[2], number=slider, points={"D": 0j})
+        links[rod] = base.links[2]._replace(number=rod, points={"B": 0j, "D": 0.5 + 0j})
+        links[slider] = base.links[2]._replace(number=slider, points={"D": 0j})
         guide = Slide(slider, FRAME, AXIS, Way(0.2j, 1 + 0j), "D", "")
         mechanism = replace(base, links=links, slides=(guide,))
         assert mechanism.mobility == 1

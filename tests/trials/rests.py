@@ -17,7 +17,7 @@ ROUNDS = 8  # of Newton, each doubling the digits
 
 def off(mechanism: Mechanism, out: Output, phi: float) -> float:
     """Give how far a crank angle, rad, is from the rest next to it, in roundings of the data and of the angle."""
-    mechanism = replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0))
+    mechanism = replace(mechanism, drive=mechanism.drive._replace(omega=1.0, epsilon=0.0))
     posed = Analysis(mechanism, first=False).motion(np.array([phi]))
     true = MP.mpf(phi)
     for _ in range(ROUNDS):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from plans.analytic.kinematics import Analysis
@@ -105,7 +103,7 @@ def test_a_road_that_is_wrong_in_the_last_digits_is_told(monkeypatch):
     def spoilt(self: Analysis, phi: object, order: int = 2) -> Motion:
         found = motion(self, phi, order)
         b = found.points["B"]
-        return replace(found, points={**found.points, "B": PointMotion((b.r, b.v * (1 + 100 * EPS), b.a))})
+        return found._replace(points={**found.points, "B": PointMotion((b.r, b.v * (1 + 100 * EPS), b.a))})
 
     monkeypatch.setattr(Analysis, "motion", spoilt)
     wrong = [one for one in judged("crank-rockers", 1) if not one.roundings <= BORNE]

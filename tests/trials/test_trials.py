@@ -7,7 +7,6 @@ import re
 import warnings
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -107,7 +106,7 @@ GAPPED = 50  # a chain in which both roads name the same gaps
 
 def test_a_road_with_another_reason_for_a_gap_is_told(monkeypatch):
     assert tried("chains", GAPPED).outcome == trial.GAPS and not tried("chains", GAPPED).faults
-    broken(monkeypatch, lambda found: replace(found, gaps=tuple(replace(g, reason="dead centre") for g in found.gaps)))
+    broken(monkeypatch, lambda found: found._replace(gaps=tuple(g._replace(reason="dead centre") for g in found.gaps)))
     assert {fault for fault, _ in tried("chains", GAPPED).faults} == {APART, trial.WITHHELD}
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
 
@@ -67,19 +66,19 @@ def _rounded(laid: Leaf, there: Leaf) -> Leaf:
     def rounded(stroke: Stroke) -> Stroke:
         match stroke:
             case Group():
-                return replace(stroke, strokes=tuple(map(rounded, stroke.strokes)))
+                return stroke._replace(strokes=tuple(map(rounded, stroke.strokes)))
             case Text():
                 found = next((one for one in texts if _same_place(stroke, one, even)), None)
                 if found is not None:
-                    return replace(stroke, at=found.at, rotation=found.rotation)
-                return replace(stroke, at=next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at))
+                    return stroke._replace(at=found.at, rotation=found.rotation)
+                return stroke._replace(at=next((one.at for one in texts if abs(one.at - stroke.at) <= even), stroke.at))
             case Fill() | Arc():
                 return next((one for one in shapes if _same(stroke, one, even)), stroke)
             case Polyline((start, end), False):
                 return Line(start, end, stroke.style)
         return stroke
 
-    return replace(laid, groups=tuple(replace(one, strokes=tuple(map(rounded, one.strokes))) for one in laid.groups))
+    return laid._replace(groups=tuple(one._replace(strokes=tuple(map(rounded, one.strokes))) for one in laid.groups))
 
 
 def same(laid: Leaf, there: Leaf) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from functools import lru_cache
 
 from drawings.eye.alike import regular, signs
@@ -39,7 +38,7 @@ _RISES = {-1: -LOWERED, 1: RAISED}
 def plain(leaf: Leaf, lettering: str) -> Leaf:
     """Give a leaf with the plainest strokes that look as its own do, one for one, as it is written in a lettering."""
     lined = lettering == "strokes"
-    return replace(leaf, groups=tuple(_group(group, lined) for group in leaf.groups), lettering=lettering)
+    return leaf._replace(groups=tuple(_group(group, lined) for group in leaf.groups), lettering=lettering)
 
 
 def _group(group: Group, lined: bool) -> Group:
@@ -100,7 +99,7 @@ def _text(text: Text, lined: bool) -> Text:
     head = text.plain[: len(text.plain) - len(text.plain.lstrip(_SPACES))]
     along = -_SHARES[text.anchor] * text_width(text)
     if head:
-        along += text_width(text) - text_width(replace(text, content=tuple(_headless(text.runs))))
+        along += text_width(text) - text_width(text._replace(content=tuple(_headless(text.runs))))
     runs, size, rise = regular(text.runs), text.size, 0j
     levels = {run.level for run in runs}
     if len(levels) == 1 and 0 not in levels:

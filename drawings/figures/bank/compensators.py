@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from drawings.figures.bank.compensator_layout import SHARE, UNDER, Layout, Weight, speed
 from drawings.layout.labels import Labels
@@ -140,7 +140,7 @@ def _mass(shown: Layout, one: Weight, place: Place, hand: Hand) -> Group:
     if not known:
         return Group((arm, Group((circle,), "", {}, one.name)))
     body = point(subject, one.name, one.shaft + one.arm, place, circle)
-    return Group((arm, replace(body, title=lowered(one.name))))
+    return Group((arm, body._replace(title=lowered(one.name))))
 
 
 def _sizes(shown: Layout, place: Place, drafting: Drafting) -> Iterator[Dimension]:

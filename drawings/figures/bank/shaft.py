@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from drawings.figures.bank.bank_view import BankView
 from drawings.figures.bank.star import NEAR
@@ -104,8 +104,8 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Shaf
 def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:
     """Mark the place of a mechanism on the axis of the shaft; it can be measured."""
     spot = complex(float(one.place))
-    return replace(
-        point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK)), title=one.name
+    return point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK))._replace(
+        title=one.name
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from drawings.figures.bank.bank_view import BankView
 from drawings.figures.rotor.along import AXIS, ORIGIN, SYMBOL, UNIT
@@ -127,4 +127,4 @@ def _pin(shown: BankView, one: Member, place: Place, hand: Hand) -> Group:
     circle = Circle(place.on(centre), PIN * hand.symbol, hand.body)
     if not shown.crank:
         return Group((circle,), "", {}, one.name)
-    return replace(point(Subject(NAME, QUANTITY, None), one.name, centre, place, circle), title=one.name)
+    return point(Subject(NAME, QUANTITY, None), one.name, centre, place, circle)._replace(title=one.name)

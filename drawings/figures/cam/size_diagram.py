@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -285,4 +285,4 @@ def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
 
 
 def _titled(group: Group, title: str) -> Group:
-    return replace(group, title=title)
+    return group._replace(title=title)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from drawings.figures.cyclogram import course, row_names
@@ -256,7 +256,7 @@ def _over(start: complex, end: complex, text: str, hand: Hand) -> Text:
     """Write over the middle of a dimension, or where that is too short before it."""
     if _wide(text, hand) + 2 * BESIDE <= abs(end - start):
         own = Text((start + end) / 2, text, hand.number, "middle", True)
-        return replace(own, at=own.at + 1j * (BESIDE - text_reach(own)[0]))  # a comma hangs below its line
+        return own._replace(at=own.at + 1j * (BESIDE - text_reach(own)[0]))  # a comma hangs below its line
     left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - hand.number / 2)
     return Text(left, text, hand.number, "end", True)
 

@@ -130,7 +130,7 @@ def _inner(own: Mapping[int, Link]) -> set[str]:
 def _held(slide: Slide, all_poses: Poses, column: int) -> Slide:
     """Hold a slide's line where the link that was taken away has it."""
     through = complex(all_poses.of(slide.owner, slide.on_owner.through)[column])
-    return replace(slide, owner=FRAME, on_owner=Way(through, complex(all_poses.line(slide)[column])))
+    return slide._replace(owner=FRAME, on_owner=Way(through, complex(all_poses.line(slide)[column])))
 
 
 def _travel(all_poses: Poses, slide: Slide) -> tuple[float, float]:

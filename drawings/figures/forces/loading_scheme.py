@@ -250,7 +250,7 @@ class Layout:
         """Draw what a force, a moment or a distance of the scheme is."""
         said = Statement(kind, self._plan, plain_name(mark.letter), self.shown.column, self.place.scale.mu)
         drawn = mark.draw(self.hand)
-        return stating(said, *(drawn if isinstance(drawn, tuple) else (drawn,)))
+        return stating(said, *((drawn,) if isinstance(drawn, Group) else drawn))
 
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""

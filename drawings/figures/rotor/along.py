@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from drawings.figures.rotor.dimension import FEW, letter, size
 from drawings.figures.rotor.rotor_polygon import RotorView, ShownBody
@@ -121,7 +121,7 @@ def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: 
     if many or not one.known:  # too many masses bear no letters; the table has them
         return Group((circle,), "", {}, one.mark)
     drawn = point(Subject(plan, QUANTITY, None), one.mark, centre, place, circle)
-    return replace(drawn, title=letter(one.mark, len(shown.bodies), drafting))
+    return drawn._replace(title=letter(one.mark, len(shown.bodies), drafting))
 
 
 def origin(plan: str, zero: complex, place: Place, circle: Circle) -> Group:

@@ -6,7 +6,6 @@ import cmath
 import math
 from bisect import bisect
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
@@ -107,7 +106,7 @@ def _upright(text: Text, moved: Affine) -> Text:
     off = math.radians(text.rotation) - cmath.phase(moved.p)
     if math.cos(off) > 0 or not set(text.plain) <= set(EITHER):
         return text
-    return replace(text, content=(Run("".join(EITHER[sign] for sign in reversed(text.plain))),))
+    return text._replace(content=(Run("".join(EITHER[sign] for sign in reversed(text.plain))),))
 
 
 def _ends(one: Stroke) -> tuple[complex, complex] | None:

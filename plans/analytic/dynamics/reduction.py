@@ -41,7 +41,7 @@ class Reduction:
     def __init__(self, road: Analysis, machine: Machine, loads: Loads, start: float) -> None:
         drive = road.mechanism.drive
         self.sense, self.start = (-1.0 if drive.omega < 0.0 else 1.0), start
-        steady = replace(road.mechanism, drive=replace(drive, omega=self.sense, epsilon=0.0))
+        steady = replace(road.mechanism, drive=drive._replace(omega=self.sense, epsilon=0.0))
         self.road = Analysis(steady, road.tolerance, road.first, road.looks)
         self.machine, self.loads = machine, loads
         self._even: dict[int, Motion] = {}
@@ -60,8 +60,8 @@ class Reduction:
         """Solve the motion at angles turned, (N,); position 0 goes before them, for the sketch may show it alone."""
         phi = self.start + self.sense * np.asarray(turned, dtype=np.float64)
         whole = self.road.around(np.concatenate(([self.start], phi)))
-        gaps = tuple(replace(gap, position=gap.position - 1) for gap in whole.gaps if gap.position)
-        return replace(whole.made(phi, lambda row: row[1:]), gaps=gaps)
+        gaps = tuple(gap._replace(position=gap.position - 1) for gap in whole.gaps if gap.position)
+        return whole.made(phi, lambda row: row[1:])._replace(gaps=gaps)
 
     def ordinates(self, motion: Motion) -> Ordinates:
         """Reduce at the positions of a motion; NaN at gaps.

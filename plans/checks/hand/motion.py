@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,8 +20,7 @@ from plans.model.motion import Floats
 from plans.model.order import ORDERS, POSITIONS
 
 
-@dataclass(frozen=True)
-class MotionByHand:
+class MotionByHand(NamedTuple):
     """The velocities, accelerations and rates of a linkage as they are read off plans that a hand draws.
 
     `masses` are the mass centres that no point names, by their letters: link, and place in its own frame.

@@ -32,7 +32,7 @@ class Length:
     """How far two points of a linkage are apart over the crank's angle, by its plans at unit speed."""
 
     def __init__(self, mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float], home: float) -> None:
-        self.mechanism = replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0))
+        self.mechanism = replace(mechanism, drive=mechanism.drive._replace(omega=1.0, epsilon=0.0))
         sweep = Sweep(self.mechanism, groups, sides, home)
         self._sweep = sweep.through() if mechanism.through else sweep
 

@@ -40,7 +40,7 @@ def by_ram(
     drive = Drive(survey.form.drive.link, *ends, 1.0, 0.0, ram=told, law=stroke.law)
     if not _on_crank(survey, points, ends):
         owners = survey.owners((fixed,))[0], survey.owners((point,))[0]
-        return replace(drive, ram=replace(told, links=owners))
+        return drive._replace(ram=told._replace(links=owners))
     if not _reached(survey, points, links, ends):
         return None
     hinge, foot = links[FRAME].points[ends[0]], links[FRAME].points[fixed]
@@ -48,8 +48,8 @@ def by_ram(
         survey.report(BETWEEN, "ram_sketch", name=point)
         return None
     turned = float(cross(np.asarray(hinge - foot), np.asarray(sketch[point] - foot)))
-    found = replace(told, side=1.0 if turned >= 0 else -1.0)
-    whole = Mechanism("", (stroke.to, stroke.to), links, (), replace(drive, ram=found), sketch, None)
+    found = told._replace(side=1.0 if turned >= 0 else -1.0)
+    whole = Mechanism("", (stroke.to, stroke.to), links, (), drive._replace(ram=found), sketch, None)
     return _begun(whole, found)
 
 
@@ -74,8 +74,8 @@ def between_links(survey: Survey, mechanism: Mechanism) -> Mechanism | None:
             least, most = (_millimetres(float(f"{end:.6g}")) for end in told[1])
             survey.report(("drive", "stroke", name), "ram_passage", line=line, least=least, most=most)
             return None
-    found = replace(ram, passage=told[0])
-    whole = replace(mechanism, drive=replace(mechanism.drive, ram=found))
+    found = ram._replace(passage=told[0])
+    whole = replace(mechanism, drive=mechanism.drive._replace(ram=found))
     return replace(whole, drive=_begun(whole, found))
 
 
@@ -84,7 +84,7 @@ def _begun(whole: Mechanism, found: Ram) -> Drive:
     rests = dict(whole.drive.law).get(found.begin) == 0
     first = ram.positions(whole, np.array([(found.begin + found.end) / 2 if rests else found.begin]))
     omega, epsilon = ram.pace(whole)(first.phi).at(0)
-    return replace(whole.drive, omega=omega, epsilon=epsilon)
+    return whole.drive._replace(omega=omega, epsilon=epsilon)
 
 
 def _points(survey: Survey, ends: tuple[str, str]) -> tuple[str, str] | None:
