@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 from drawings.layout.block import TextBlock
@@ -148,10 +149,15 @@ def _unbroken(one: WrittenEquation) -> Iterator[Row]:
     yield one.pieces[-kept:]
 
 
+@lru_cache(maxsize=4096)
+def _wide(text: str, size: float) -> float:
+    return text_width(Text(0j, text, size))
+
+
 def _length(row: Iterable[Piece], size: float) -> float:
     length = 0.0
     for piece in row:
-        length += _sign(piece, size, bool(length)) + text_width(Text(0j, piece.text, size))
+        length += _sign(piece, size, bool(length)) + _wide(piece.text, size)
     return length
 
 
@@ -160,7 +166,7 @@ def _sign(piece: Piece, size: float, within: bool) -> float:
     gap = LAPSE * size
     if not piece.sign:
         return 2 * gap if within else 0.0
-    return text_width(Text(0j, piece.sign, size)) + (2 * gap if within else gap)
+    return _wide(piece.sign, size) + (2 * gap if within else gap)
 
 
 def _written(passage: Passage, row: Row, start: complex, hand: Hand) -> Iterator[Stroke]:
@@ -173,7 +179,7 @@ def _written(passage: Passage, row: Row, start: complex, hand: Hand) -> Iterator
         along += _sign(piece, size, bool(along))
         own.append(telling(passage.figure, Text(start + along, piece.text, size, "start", True)))
         yield from own if piece.states is None else (stating(piece.states, *own),)
-        width = text_width(Text(0j, piece.text, size))
+        width = _wide(piece.text, size)
         for k in range(piece.under):
             low = start + along - 1j * (UNDER * size + APART * k)
             yield Line(low, low + width, hand.other)

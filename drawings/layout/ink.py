@@ -67,8 +67,9 @@ class Ink:
         return self._pieces.crossed_by(strokes)
 
     def _celled(self) -> _Cells:
-        self._cells.draw(self._uncelled)
-        self._uncelled.clear()
+        if self._uncelled:
+            self._cells.draw(self._uncelled)
+            self._uncelled.clear()
         return self._cells
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -112,12 +111,14 @@ def _largest(areas: Sequence[Area]) -> Area:
 
 def _rectangle(taken: Inked, xs: Edges, ys: Edges) -> Area:
     """Find the largest bare rectangle between edges; heights of bare columns grow from one edge to the next."""
-    heights, best = [0] * (len(xs) - 1), Area(0, 0, 0, 0)
+    starts, tops, best = np.array(xs[:-1]), np.array(ys[1:]), Area(0, 0, 0, 0)
+    heights = tops[:, None] - np.maximum.accumulate(np.where(taken, tops[:, None], ys[0]))
     closing = np.append((taken[1:] > taken[:-1]).any(-1), True)  # what is bare below another bare row goes on in it
-    for full, closes, (below, above) in zip(taken.tolist(), closing.tolist(), pairwise(ys), strict=True):
-        heights = [0 if one else high + above - below for one, high in zip(full, heights, strict=True)]
-        if closes:
-            best = max(best, _under(heights, xs, above), key=lambda one: one.size)
+    stepped = np.ones(taken.shape, dtype=bool)  # columns as high as the one before are one with it
+    stepped[:, 1:] = heights[:, 1:] != heights[:, :-1]
+    for k in np.flatnonzero(closing).tolist():
+        own, edges = heights[k, stepped[k]].tolist(), [*starts[stepped[k]].tolist(), xs[-1]]
+        best = max(best, _under(own, edges, ys[k + 1]), key=lambda one: one.size)
     return best
 
 

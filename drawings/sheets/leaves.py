@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -61,14 +62,17 @@ def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> 
 
 def _broken(note: str, width: float, size: float) -> list[str]:
     """Break a note at its spaces where it is wider than its field, but no equation and no range."""
-    lines = [""]
-    for part in TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note).split(" "):
-        trial = f"{lines[-1]} {part}".strip()
-        if lines[-1] and text_width(Text(0j, trial, size)) > width:
-            lines.append(part)
-        else:
-            lines[-1] = trial
+    kept = TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note)
+    words, lines = [word for word in kept.split(" ") if word], list[str]()
+    while words:
+        count = 1 + bisect_right(range(2, len(words) + 1), width, key=partial(_reach, words, size))
+        lines.append(" ".join(words[:count]))
+        words = words[count:]
     return lines
+
+
+def _reach(words: Sequence[str], size: float, count: int) -> float:
+    return text_width(Text(0j, " ".join(words[:count]), size))
 
 
 def _marked(note: str) -> str:
