@@ -13,7 +13,6 @@ from plans.scene import fields as f
 from plans.scene.demand import SHEETS, first_sheet, techniques_of
 from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.readers import Refusal, Refused, many
-from plans.scene.refusal import REFUSALS_LIMIT, doubts_of, lacking, refusals, spare
 from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source
 from plans.scene.tables import REQUIRED, Kinds, Table, key, read_parts, table
@@ -91,6 +90,8 @@ class Scene(Table):
             return found
         missing = [name for name, known in kind.keys.items() if known.default is REQUIRED]
         if missing:
+            from plans.scene.refusal import lacking  # noqa: PLC0415  (only a refused scene pays for it)
+
             raise SceneError([lacking((), missing, self._source, (kind,))])
         return kind()
 
@@ -176,13 +177,21 @@ def _scene(source: Source) -> Scene:
             form.fit(scene)
         return scene
     except Refused as error:
-        faults = refusals(error, source, kinds_of())
-        unlisted = max(0, len(error.refusals) - REFUSALS_LIMIT)
-        meaning = [] if unlisted else _further_faults(source, faults)
-        settled = {path for fault in meaning for path in fault.settles}
-        raise SceneError([*(one for one in faults if one.path not in settled), *meaning], unlisted) from None
+        raise _refused(error, source) from None
     except LimitError as error:
         raise LimitError(placed(source.file, error.args[0])) from None
+
+
+def _refused(error: Refused, source: Source) -> SceneError:
+    """Word all that a file's form refuses, and what is wrong in the meaning of the rest."""
+    from plans.scene.refusal import REFUSALS_LIMIT, doubts_of, refusals, spare  # noqa: PLC0415  (only it pays)
+
+    faults = refusals(error, source, kinds_of())
+    unlisted = max(0, len(error.refusals) - REFUSALS_LIMIT)
+    rest = None if unlisted else spare(source, partial(_read, source), kinds_of())
+    meaning = Meaning(rest, doubts_of(faults)).faults if rest else []
+    settled = {path for fault in meaning for path in fault.settles}
+    return SceneError([*(one for one in faults if one.path not in settled), *meaning], unlisted)
 
 
 def _read(source: Source, data: Mapping[str, Any]) -> Scene:
@@ -198,9 +207,3 @@ def _read(source: Source, data: Mapping[str, Any]) -> Scene:
 
 def _all_tables() -> str:
     return ", ".join(f"[{name}]" for technique in TECHNIQUES.values() for name in technique.tables)
-
-
-def _further_faults(source: Source, faults: list[Fault]) -> list[Fault]:
-    """Examine the meaning of what the form does take, so that one reading tells all."""
-    rest = spare(source, partial(_read, source), kinds_of())
-    return Meaning(rest, doubts_of(faults)).faults if rest else []
