@@ -16,9 +16,8 @@ import numpy.typing as npt
 
 from geometry import meet as loci
 from geometry.board import Arc, Line, Mark
-from geometry.hand_error import EDGE, EVEN, SlippingHand, pricked_givens
+from geometry.hand_error import EDGE, EVEN, Sizes, SlippingHand, Slopes, pricked_givens
 from geometry.meet import cross
-from geometry.scatter import Sizes, Slopes
 from geometry.steps import behind
 
 Complexes = npt.NDArray[np.complex128]

@@ -12,8 +12,7 @@ import numpy as np
 from drawings.grading.asked import Asked, PlanAsked
 from drawings.paper.limits import QUANTUM
 from geometry.board import Mark
-from geometry.hand_error import EVEN, SlippingHand, slopes
-from geometry.scatter import Slopes
+from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
 from plans.checks.hand.quantity import SLIP
 
 # Of ten thousand vectors that a fair hand draws one may be refused: a sheet has some forty.

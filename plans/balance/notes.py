@@ -10,7 +10,7 @@ from plans.balance.reading import guided, masses
 from plans.linkage.reading.survey import Survey
 from plans.model.balance.linkage import NONE, PARTIAL
 from plans.scene.faults import Fault, Path
-from plans.scene.lengths import HUNDREDS, odd_lengths
+from plans.scene.notes import HUNDREDS, odd_lengths
 from plans.scene.scene import Scene
 from plans.scene.units import WORKING
 

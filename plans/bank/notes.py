@@ -8,7 +8,7 @@ from decimal import Decimal
 from plans.bank.form import BankForm, BankTable, UnitTable
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import Fault, Path
-from plans.scene.lengths import odd_lengths
+from plans.scene.notes import odd_lengths
 from plans.scene.scene import Scene
 
 CLOSE = Decimal("1.5")  # rods to a crank: engines have three to five, and presses more

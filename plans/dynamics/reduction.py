@@ -22,11 +22,10 @@ from plans.forces.force import ForcePlan
 from plans.forces.lever import Lever, lever
 from plans.forces.loading import loading
 from plans.forces.statics import Statics
-from plans.linkage.acceleration import accelerations
 from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.study import LinkageStudy
-from plans.linkage.velocity import velocities
 from plans.model.dynamics import CONSTRUCTION, Cycle, Reduced, Speeds, settled
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Floats

@@ -15,16 +15,14 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.meet import UNBORNE, Sizes
-from plans.linkage.acceleration import accelerations
 from plans.linkage.angles import angle, rate
 from plans.linkage.barrier import SAME, Barrier, Edge
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.margin import margins, meeting, of_arcs
+from plans.linkage.motion_plans import accelerations, positions, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import UNIT, PlanTemplate, resting
-from plans.linkage.position import positions
-from plans.linkage.velocity import velocities
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism
 from plans.model.motion import CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES, Floats, LinkMotion, Motion, PointMotion

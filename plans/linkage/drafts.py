@@ -9,14 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.linkage import gaps
-from plans.linkage.acceleration import accelerations
 from plans.linkage.assembly_limits import Drawing, Sweep
 from plans.linkage.barrier import Barrier
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.sketch import Assembly
-from plans.linkage.velocity import velocities
 from plans.model.group import Group
 from plans.model.motion import Motion
 from plans.model.order import ORDERS, VELOCITIES

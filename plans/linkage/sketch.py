@@ -11,8 +11,8 @@ from geometry.errors import DraftError
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.margin import crossing, margins
+from plans.linkage.motion_plans import positions
 from plans.linkage.plan import Plan
-from plans.linkage.position import positions
 from plans.linkage.primary import PRIMARIES
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Slide

@@ -9,7 +9,7 @@ from plans.rotor.balancing import balancing
 from plans.rotor.form import PLANES_LIMIT, PlaneTable, RotorForm, RotorTable, UnbalanceTable
 from plans.rotor.reading import rotor_of
 from plans.scene.faults import Fault, Path
-from plans.scene.lengths import HUNDREDS, odd_lengths
+from plans.scene.notes import HUNDREDS, odd_lengths
 from plans.scene.scene import Scene
 
 

@@ -79,6 +79,17 @@ def test_a_start_at_an_extreme_position_makes_no_plan_of_all_positions_but_the_o
     assert made == {"extremes", "positions"}
 
 
+@pytest.mark.parametrize(("scene", "most"), [("crank-rocker", 288), ("turbine", 192)])
+def test_a_draw_imports_no_more_of_our_modules_than_it_did(scene: str, most: int, tmp_path: Path) -> None:
+    command = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules, sep='\\n')"
+    drawn = ("draw", ROOT / f"drawings/gallery/{scene}.toml", "-o", tmp_path)
+    told = subprocess.run(
+        [sys.executable, "-c", command, *drawn], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120
+    )
+    own = [name for name in told.stdout.splitlines() if name.startswith(("geometry", "plans", "drawings"))]
+    assert 100 < len(own) <= most
+
+
 def test_velocities_need_no_accelerations() -> None:
     _, made = watched("solve", SHAPER, "--only", "velocities")
     assert {"positions", "velocities"} <= made

@@ -7,8 +7,7 @@ import pytest
 
 from geometry import draughtsman, hand_error, precision
 from geometry.board import Board, Mark
-from geometry.hand_error import EDGE, EVEN, SlippingHand, slopes
-from geometry.scatter import POINT, number_error, size_error
+from geometry.hand_error import EDGE, EVEN, POINT, SlippingHand, number_error, size_error, slopes
 
 HAND = SlippingHand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
 SLIP = 0.2 * EVEN

@@ -12,8 +12,7 @@ import pytest
 from geometry import draughtsman, hand_error
 from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
-from geometry.hand_error import SlippingHand
-from geometry.scatter import number_error
+from geometry.hand_error import SlippingHand, number_error
 from geometry.span import Reading, Span
 from plans.checks.compare import compare
 from plans.checks.hand.forces import forces_by_hand

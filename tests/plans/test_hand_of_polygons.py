@@ -10,7 +10,7 @@ import pytest
 
 from geometry import draughtsman
 from geometry.draughtsman import Draughtsman, copies
-from geometry.scatter import POINT
+from geometry.hand_error import POINT
 from plans.checks.hand.bank import bank_by_hand
 from plans.checks.hand.cam import cam_by_hand
 from plans.checks.hand.quantity import SLIP

@@ -17,7 +17,7 @@ from drawings.grading.cells.frames import Box, Ruling
 from drawings.grading.curves.asked_figure import PRICKED
 from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
-from geometry.scatter import POINT
+from geometry.hand_error import POINT
 from geometry.span import Reading
 from plans.checks.hand.quantity import SLIP
 

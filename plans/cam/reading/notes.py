@@ -15,7 +15,7 @@ from plans.cam.reading.phase_form import LawTable
 from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, RISE, TABLE
 from plans.scene import units
 from plans.scene.faults import Fault, Path
-from plans.scene.lengths import odd_lengths
+from plans.scene.notes import odd_lengths
 from plans.scene.scene import Scene
 
 FEW_POINTS = 3  # of a table: what lies between them is the curve's, not the table's

@@ -8,8 +8,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from geometry.board import Board, Mark, between
-from geometry.hand_error import SlippingHand, slopes
-from geometry.scatter import Slopes, number_error, size_error
+from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram
 from plans.cam.centre.rocker_sizes import laid_end as laid_on_arc
 from plans.cam.sizes import laid_end

@@ -8,8 +8,7 @@ from typing import TypeAlias
 import numpy as np
 
 from geometry.board import Mark, between
-from geometry.hand_error import SlippingHand, slopes
-from geometry.scatter import Slopes, number_error, size_error
+from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
 from geometry.span import Reading, Span
 from plans.model.motion import Floats
 

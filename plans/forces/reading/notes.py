@@ -12,7 +12,7 @@ from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.mechanism import Link, Mechanism
 from plans.scene.faults import Fault, Path
-from plans.scene.lengths import HUNDREDS
+from plans.scene.notes import HUNDREDS
 from plans.scene.scene import Scene
 
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.

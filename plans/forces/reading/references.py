@@ -8,7 +8,7 @@ from itertools import combinations
 
 from plans.forces.reading.ends import Ends, EndTable, holders, point_of
 from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, ForceTable, LoadsTable, MomentTable, PairTable
-from plans.linkage.reading.positions import check_numbers
+from plans.linkage.reading.linkage import check_numbers
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
 from plans.scene.faults import Path

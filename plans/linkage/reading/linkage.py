@@ -2,19 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import combinations
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from itertools import combinations, pairwise
 
 from plans.linkage.reading.driving import between_links, datum_of, drive_ends, drive_of
 from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.guides import Guides, Shaper, Spot, as_complex, direction, from_datum, line_name
-from plans.linkage.reading.positions import check_positions
 from plans.linkage.reading.survey import RATIO_LIMIT, Survey, natural, spread
 from plans.model.mechanism import FRAME, SLOWER, Link, Mechanism, Output, Slide, StructureError
 from plans.scene.faults import Path, SceneError, suggestion
 from plans.scene.scene import Meaning, Scene
 from plans.words.words import Message, message
+
+# Whole numbers some of which a comma without a space joins in pairs, while a space follows the others.
+COMMAS = re.compile(r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]")
+
+
+def check_positions(survey: Survey) -> None:
+    """See that the sheet names positions that there are, and that their list has no decimal commas."""
+    sheet = survey.form.sheet
+    check_numbers(survey, {("sheet", "plans", index): number for index, number in enumerate(sheet.plans)})
+    check_numbers(survey, {("sheet", "position"): sheet.position or 0})
+    _check_commas(survey)
+
+
+def check_numbers(survey: Survey, numbers: Mapping[Path, int]) -> None:
+    """See that there are positions of some numbers, each told at a key."""
+    count = survey.form.drive.count
+    if survey.doubtful(("drive", "positions")):
+        return
+    for path, number in numbers.items():
+        if number >= count:
+            survey.report(path, "position_number", most=count - 1, count=count)
+
+
+def _check_commas(survey: Survey) -> None:
+    """See that a list of crank angles is none of numbers with decimal commas: [0,5, 30,2] reads as four numbers."""
+    path: Path = ("drive", "positions")
+    given = survey.form.drive.positions
+    if not isinstance(given, tuple) or _one_way(given):
+        return
+    written = survey.scene.fault(path, "comma_list").value
+    pointed = re.sub(r"(?<=\d),(?=\d)", ".", written)
+    meant = [Decimal(part) for part in pointed.strip("[] ,").split(",")] if COMMAS.fullmatch(written) else []
+    if len(meant) < len(given) and meant and _one_way(meant):
+        survey.report(path, "comma_list", written=pointed)
+
+
+def _one_way(angles: Sequence[Decimal]) -> bool:
+    """Tell whether angles only rise or only fall."""
+    steps = [low < high for low, high in pairwise(angles)]
+    return all(steps) or not any(steps)
 
 
 def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:

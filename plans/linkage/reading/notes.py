@@ -12,7 +12,7 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.stroke import LineTable
 from plans.linkage.reading.survey import spread
 from plans.scene.faults import TWINS, Fault, Path
-from plans.scene.lengths import odd_lengths
+from plans.scene.notes import odd_lengths
 from plans.scene.scene import Scene
 
 # Lengths in one mechanism that differ more (ratio of longest to shortest) are mostly of two units.
