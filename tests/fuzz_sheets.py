@@ -22,9 +22,9 @@ from tempfile import TemporaryDirectory
 
 from drawings.commands import cli
 from drawings.commands.check import lines, plain
-from drawings.files.json_text import json_text
+from drawings.files.file_error import json_text
 from drawings.grading import told
-from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.asked import EXACT, Allowances
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import MARKED, grade
 from drawings.grading.marking import Marking

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,9 +19,32 @@ EITHER = ("geometry", "plans.analytic", "plans.linkage", "plans.scene")
 # Where the board is drawn on: no value of it may be what a sheet is held to.
 CONSTRUCTIONS = (
     *("geometry.board", "geometry.meet", "plans.linkage.drafts", "plans.linkage.motion_plans"),
-    *("plans.forces.force_drawing", "plans.forces.polygon", "plans.forces.lever"),
-    *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.steps", "plans.balance.sums", "plans.bank.polygons"),
+    *("plans.forces.force_template", "plans.forces.polygon", "plans.forces.lever"),
+    *("plans.cam.profile", "plans.cam.centre", "plans.dynamics.loop", "plans.balance.sums", "plans.bank.polygons"),
 )
+# Where a technique is drawn.
+DRAWN = tuple(
+    f"drawings.{name}"
+    for name in ("linkage", "diagrams", "forces", "dynamics", "balance", "bank", "rotor", "cyclogram", "cam")
+)
+# Where both roads of a technique are put beside each other.
+BOTH = tuple(
+    f"plans.{name}"
+    for name in (
+        *(
+            "rotor.quantities",
+            "bank.quantities",
+            "balance.quantities",
+            "balance.centre",
+            "cam.quantities",
+            "cam.verdicts",
+        ),
+        *("cam.numbers", "cyclogram.quantities", "diagrams.quantities", "dynamics.quantities", "dynamics.numbers"),
+        *("forces.quantities", "forces.friction_quantities", "forces.equilibrium", "forces.bill"),
+        *("linkage.quantities", "linkage.parts", "linkage.by_hand"),
+    )
+)
+ROADS = "both roads"
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
@@ -39,43 +63,43 @@ FORBIDDEN = {
         "drawings.page",
         "drawings.pens",
         "drawings.symbols",
-        "drawings.figures",
+        "drawings.kinds",
         "drawings.sheets",
         "plans",
     ),
-    # What must stand on a sheet is told by the analysis alone.
-    "drawings/due/": ("drawings.figures", "drawings.sheets", *CONSTRUCTIONS),
-    "drawings/checks/": ("drawings.figures", "drawings.sheets", "drawings.due", "plans.analytic", *CONSTRUCTIONS),
+    "drawings/checks/": ("drawings.kinds", "drawings.sheets", *DRAWN, "plans.analytic", *CONSTRUCTIONS),
     # Loads are put on either road's motion.
     "plans/forces/loading.py": EITHER,
     "plans/forces/stroke.py": EITHER,
 }
+# What must stand on a sheet is told by the analysis alone.
+DUE, NO_DUE = re.compile(r"drawings/\w+/due\w*\.py"), ("drawings.kinds", "drawings.sheets", *CONSTRUCTIONS)
 # all of plans that the analytic road may know
 SHARED = (
     "plans.words",
     "plans.analytic",
-    "plans.model.group",
+    "plans.model.dyad",
     "plans.model.mechanism",
     "plans.model.motion",
-    "plans.model.order",
-    "plans.model.rates",
+    "plans.model.motion",
+    "plans.model.motion",
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",
-    "plans.model.account",
+    "plans.model.run",
     "plans.model.dynamics",
-    "plans.model.edge_names",
+    "plans.model.dynamics",
     "plans.model.motor",
     "plans.model.run",
     "plans.model.rotor",
     "plans.model.balance",
     "plans.model.cam",
-    "plans.model.cam_faults",
+    "plans.model.cam_motion",
     "plans.model.cam_motion",
     "plans.model.cyclogram",
     "plans.model.diagrams",
-    "plans.model.flywheel_methods",
-    "plans.model.flywheel_rim",
+    "plans.model.dynamics",
+    "plans.model.dynamics",
     "plans.model.working",
 )
 ONLY_IN = {
@@ -100,8 +124,15 @@ def faults(path: str, text: str) -> Iterator[str]:
     for module, line, late in parsed(text).imports:
         where = f"{path}:{line}: {module}"
         for folder, barred in FORBIDDEN.items():
-            if path.startswith(folder) and any(within(module, package) for package in barred):
+            if (
+                path.startswith(folder)
+                and module_of(path) not in BOTH
+                and any(within(module, package) for package in barred)
+            ):
                 yield f"{where} in {folder}"
+        stated = any(re.fullmatch(rf"{room}(\.(due\w*|report)(\..*)?)?", module) for room in DRAWN)
+        if DUE.match(path) and not stated and any(within(module, one) for one in (*NO_DUE, *DRAWN)):
+            yield f"{where} in what must stand on a sheet"
         known = module == "plans" or any(within(module, package) for package in SHARED)
         if path.startswith("plans/analytic/") and within(module, "plans") and not known:
             yield f"{where} on the analytic road"
@@ -142,12 +173,12 @@ def test_all_three_layers_are_examined() -> None:
         ("drawings/eye/letters.py", "from drawings.lettering.lettering import text_width"),
         ("drawings/eye/sheet.py", "def f():\n    from drawings.pens.letters import HUNDREDTH"),
         ("drawings/eye/sheet.py", "from plans.words import words"),
-        ("drawings/due/rotor.py", "from drawings.figures.rotor.along import measure"),
-        ("drawings/due/linkage.py", "def f():\n    from plans.linkage.drafts import Drafts"),
-        ("drawings/checks/hold.py", "from drawings.due import rotor"),
+        ("drawings/rotor/due.py", "from drawings.rotor.along import measure"),
+        ("drawings/linkage/due.py", "def f():\n    from plans.linkage.drafts import Drafts"),
+        ("drawings/checks/hold.py", "from drawings.rotor import due"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),
-        ("plans/checks/compare.py", "def f():\n    import mpmath"),
+        ("plans/linkage/quantities.py", "def f():\n    import mpmath"),
         ("plans/linkage/study.py", "from scipy import integrate"),
         ("drawings/layout/labels.py", "class A:\n    from shapely.geometry import box"),
         ("drawings/report/report.py", "if True:\n    import matplotlib.pyplot"),
@@ -192,26 +223,26 @@ ROOMS = (
     ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
     ("plans.study", "plans.explanation"),
+    ("plans.checks",),
     ("plans.linkage", "plans.rotor", "plans.cam"),
     ("plans.forces",),
     ("plans.dynamics", "plans.cyclogram", "plans.balance", "plans.diagrams"),
     ("plans.bank",),
-    ("plans.checks", "plans.bench"),
+    (ROADS,),
+    ("plans.bench",),
     ("drawings.paper",),
     ("drawings.lettering", "drawings.measure"),
     ("drawings.eye",),
     ("drawings.page", "drawings.files", "drawings.pens", "drawings.collation"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
-    ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
-    ("drawings.figures.forces", "drawings.figures.dynamics", "drawings.figures.cam", "drawings.figures.cyclogram"),
-    ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
-    ("drawings.note", "drawings.figures.workings"),
-    ("drawings.checks",),
-    ("drawings.due",),
-    ("drawings.sheets",),
-    ("drawings.original",),
-    ("drawings.form",),
+    ("drawings.checks", "drawings.kinds"),
+    ("drawings.sheets", "drawings.diagrams"),
+    ("drawings.linkage", "drawings.original"),
+    ("drawings.forces", "drawings.form"),
+    ("drawings.dynamics",),
+    ("drawings.rotor", "drawings.cyclogram"),
+    ("drawings.balance", "drawings.bank", "drawings.cam"),
     ("drawings.grading",),
     ("drawings.bench", "drawings.gallery", "drawings.acceptance"),
     ("drawings.commands",),
@@ -228,6 +259,8 @@ def module_of(path: str) -> str:
 
 
 def room_of(module: str) -> str | None:
+    if any(within(module, one) for one in BOTH):
+        return ROADS
     return next((room for room in ROWS if within(module, room)), None)
 
 
@@ -270,7 +303,7 @@ def test_an_exception_that_is_no_longer_needed_is_taken_off(path: str, module: s
 
 
 def test_every_file_stands_in_a_room() -> None:
-    halls = {"plans/__init__.py", "drawings/__init__.py", "drawings/figures/__init__.py"}
+    halls = {"plans/__init__.py", "drawings/__init__.py"}
     assert {path for path in FILES if room_of(module_of(path)) is None} == halls
 
 
@@ -290,11 +323,12 @@ def test_a_circle_is_found() -> None:
         ("plans/scene/scene.py", "def f():\n    from plans.linkage.crank_positions import CrankPositions"),
         ("plans/scene/scene.py", "from plans.analytic import closure"),
         ("plans/linkage/groups/rrr.py", "if TYPE_CHECKING:\n    from plans.forces.cut import Cut"),
-        ("plans/forces/force.py", "from plans import checks"),
+        ("plans/forces/cut.py", "from plans.forces import quantities"),
         ("drawings/paper/strokes.py", "def f():\n    from drawings.lettering.lettering import text_width"),
         ("drawings/layout/labels.py", "from drawings.symbols import arms"),
-        ("drawings/figures/linkage/guides.py", "from drawings.figures.forces.acting import acting"),
-        ("drawings/sheets/forces.py", "import drawings.commands.draw"),
+        ("drawings/linkage/guides.py", "from drawings.forces.acting import acting"),
+        ("drawings/forces/sheet.py", "import drawings.commands.draw"),
+        ("drawings/rotor/due.py", "from drawings.balance.due import due"),
     ],
 )
 def test_a_planted_import_from_above_is_seen(path: str, text: str) -> None:

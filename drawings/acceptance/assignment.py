@@ -9,14 +9,13 @@ from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
 from drawings.eye.sheet import see
-from drawings.grading.allowance import Allowance, Allowances
-from drawings.grading.asked import Asked, Place, PlanAsked, ends_of
+from drawings.grading.asked import Allowance, Allowances, Asked, Place, PlanAsked, ends_of
 from drawings.grading.drawn_plan import from_marks
+from drawings.grading.feedback import allowance
 from drawings.grading.graded import OURS, PASS, REJECTED, Graded, grade
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import Hints, hints
-from drawings.grading.tolerance_text import allowance
 from drawings.measure.measure import Measured, measure
 from drawings.original.originals import Originals
 from drawings.original.sheet_check import Checked, check

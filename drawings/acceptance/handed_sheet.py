@@ -13,7 +13,7 @@ from typing import NamedTuple
 from drawings.acceptance.assignment import FAIR_HAND, Assignment, FilePath, alone, assignment, by_its_marks
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.graded import Graded, plan_named
-from drawings.grading.seeing.spelling import spelled
+from drawings.grading.seeing.onlooker import spelled
 from drawings.grading.told import plan_told
 from geometry.errors import DraftError
 from plans.words.words import ENGLISH, Message, languages, message, term

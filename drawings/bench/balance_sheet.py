@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from drawings.balance import hodograph
+from drawings.balance.scheme import BEFORE, SCHEME
+from drawings.balance.sheet import leaves
 from drawings.bench.sheet import MEASURED, NOTE, read
-from drawings.figures.balance import shaking_hodograph
-from drawings.figures.balance.scheme import BEFORE, SCHEME
 from drawings.lettering.balance_letters import CENTRE
-from drawings.sheets import balancing
-from drawings.sheets import rotor as rotor_sheets
+from drawings.rotor import sheet as rotor_sheets
 from plans.balance.study import BalanceStudy
 from plans.bench.balance import PLACE, SHAKING, Ground, centres, ground
 from plans.bench.error import Errors
@@ -45,8 +45,8 @@ def balance(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:
 
 def measured(scene: Scene) -> Marks:
     """Draw the sheets of a scene, write them, and read the points of scheme and hodograph back."""
-    points = (point for one in read(balancing.leaves(Study(scene))) for point in one.points)
-    own = (point for point in points if point.plan in (SCHEME + BEFORE, shaking_hodograph.NAME))
+    points = (point for one in read(leaves(Study(scene))) for point in one.points)
+    own = (point for point in points if point.plan in (SCHEME + BEFORE, hodograph.NAME))
     return {(one.plan, one.position, one.name): one.value for one in own}
 
 
@@ -63,7 +63,7 @@ def judge(marks: Marks, on: Ground) -> Errors:
 def _mark(kind: str, position: int) -> Key:
     if kind == PLACE:
         return SCHEME + BEFORE, position, CENTRE
-    return shaking_hodograph.NAME, position, f"{BEFORE} {position}"
+    return hodograph.NAME, position, f"{BEFORE} {position}"
 
 
 def rotor(scene: Scene, order: Order, tell: Callable[[str], None]) -> Found:

@@ -7,20 +7,19 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from drawings.bench.sheet import DrawnSheets, read
+from drawings.forces import sheet as sheets
 from drawings.lettering.words import runs
 from drawings.measure.measure import Measured
-from drawings.sheets import forces as sheets
 from geometry.draughtsman import DRAWINGS, Draughtsman
 from geometry.errors import DraftError
 from plans.bench.error import SLIPS, Errors, Toll, toll
 from plans.bench.roads import statics_of
 from plans.bench.trial import Row
 from plans.bench.truth import Replay, replay
-from plans.checks.force_comparison import compare_forces
+from plans.forces.quantities import compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import Floats
-from plans.model.order import ORDERS
+from plans.model.motion import ORDERS, Floats
 
 BY_HAND = "by hand to {} mm"
 FORCES_BY_HAND = f"forces {BY_HAND}"

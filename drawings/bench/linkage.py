@@ -15,11 +15,11 @@ from plans.bench.chords import STRIPS, integration
 from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, SLIPS, TRUE, sizes
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.trial import BUDGET, DRAWN, Found, Goal, Order, Ratio, Row, terms, timed
-from plans.checks.compare import compare
-from plans.checks.dynamics_comparison import exact_turn
+from plans.dynamics.quantities import exact_turn
 from plans.dynamics.study import DynamicsStudy, reduced_link
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
-from plans.model.order import VELOCITIES
+from plans.model.motion import VELOCITIES
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed

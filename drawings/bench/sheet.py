@@ -12,18 +12,18 @@ import numpy as np
 from drawings.bench import plain_pen
 from drawings.layout import value_table
 from drawings.lettering.lettering import lettered
+from drawings.linkage import kinematics
 from drawings.measure.measure import Measured, measure
 from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
-from drawings.sheets import kinematics
 from plans.bench.error import Errors, errors
 from plans.bench.roads import Ground
 from plans.bench.trial import BUDGET, Road, Times, interleaved
 from plans.bench.truth import Exact, Truth, replay
-from plans.checks.compare import MotionComparison, compare
+from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
-from plans.model.order import ORDERS, POINT_ORDERS
+from plans.model.motion import ORDERS, POINT_ORDERS
 
 MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
 NOTE = "of one run: drawn, written, measured back"

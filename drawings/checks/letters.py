@@ -17,7 +17,7 @@ from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
 from drawings.paper.walk import groups, stated, texts, walk
 from drawings.symbols.symbols import BLOCK
-from plans.model.order import ORDERS, POSITIONS
+from plans.model.motion import ORDERS, POSITIONS
 from plans.words.words import Message
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point

@@ -16,7 +16,7 @@ from drawings.checks.written import marked_scales
 from drawings.checks.wrong import Wrong, on
 from drawings.eye.covering import COVERED, OUTSIDE, small, veiled
 from drawings.eye.sheet import SeenSheet, see
-from drawings.files.enclosure import Enclosure
+from drawings.files.file_error import Enclosure
 from drawings.measure.measure import Measured, check
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.statement import Key

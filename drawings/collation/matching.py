@@ -7,8 +7,7 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
-from drawings.collation.items import Ink, Item
-from drawings.collation.spots import spots
+from drawings.collation.items import Ink, Item, spots
 from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Text
 
 WIDTH = 1e-3  # mm: far under the steps of the widths that a pen has, and over what an editor rounds of them

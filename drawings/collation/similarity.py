@@ -7,9 +7,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from drawings.collation.items import Ink, Item
+from drawings.collation.items import Ink, Item, spots
 from drawings.collation.matching import alike
-from drawings.collation.spots import spots
 from drawings.measure.transform import Affine
 from drawings.paper.strokes import Circle
 

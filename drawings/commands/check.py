@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from drawings.files.file_error import of_system
-from drawings.files.json_text import print_json
+from drawings.files.file_error import of_system, print_json
 from drawings.files.manifest import digest_of, manifest_beside
 from drawings.original.originals import Originals
 from drawings.original.sheet_check import UNREADABLE, Checked, Finding, check

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from drawings.commands.talk import noted
-from drawings.files.json_text import print_json
+from drawings.files.file_error import print_json
 from drawings.lettering.words import decimal
-from drawings.report.markdown import quantity
 from drawings.report.report import left_out, plan_width
+from drawings.report.table import quantity
 from plans.checks.comparison import Comparison, Finding, together
 from plans.scene.scene import read_scene
 from plans.study import Study

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from drawings.checks.expected import Expected
     from drawings.checks.wrong import Wrong
     from drawings.eye.sheet import SeenSheet
-    from drawings.files.enclosure import Enclosure
+    from drawings.files.file_error import Enclosure
     from drawings.paper.statement import Key
     from drawings.paper.strokes import Leaf
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from drawings.commands.talk import noted
-from drawings.files.json_text import print_json
+from drawings.files.file_error import print_json
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
 from plans.explanation import Explanation, NoMark, UnknownMark

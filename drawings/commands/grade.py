@@ -14,18 +14,15 @@ from pathlib import Path
 
 from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
-from drawings.files.json_text import print_json
-from drawings.grading.allowance import Allowances
-from drawings.grading.asked import ungraded
+from drawings.files.file_error import print_json
+from drawings.grading.asked import Allowances, ungraded
 from drawings.grading.curves.figure_records import FIGURES
-from drawings.grading.feedback import feedback, is_plain
+from drawings.grading.feedback import allowance, feedback, idle_keys, is_plain, written
 from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
-from drawings.grading.idle_keys import idle_keys
 from drawings.grading.marking import RECORDS, Marking, MarkingError, read_marking
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import sheet_task
 from drawings.grading.told import HEAD, Hints, curve_hints, hints, lines, plain, plain_name, row
-from drawings.grading.tolerance_text import allowance, written
 from drawings.original.originals import Originals
 from drawings.paper.limits import SHEET_BYTES
 from geometry.regular_file import regular_bytes

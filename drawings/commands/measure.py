@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from drawings.commands.stderr import tell
-from drawings.files.json_text import print_json
+from drawings.files.file_error import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, MeasuredProfile, check, measure_file
 from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector

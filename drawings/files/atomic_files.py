@@ -15,7 +15,7 @@ from itertools import islice
 from pathlib import Path
 
 from drawings.files.file_error import FileError, told
-from drawings.files.lock import locked
+from drawings.files.standing import locked
 from drawings.paper.limits import ORPHAN_AGE, SWEEP_ENTRIES
 from plans.words.words import message
 

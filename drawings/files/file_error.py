@@ -1,14 +1,45 @@
-"""What the system refused of a file, with the file's name and the reason."""
+"""JSON as people read it: letters as they are, wherever the encoding has them."""
 
 from __future__ import annotations
 
 import contextlib
 import errno
-from collections.abc import Iterator
+import json
+import sys
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from geometry.errors import DraftError
 from plans.words.words import ENGLISH, Message, message, placed, words
+
+
+def json_text(value: object, encoding: str = "utf-8", indent: int | None = None) -> str:
+    """Give a value as JSON; letters that the encoding lacks are escaped as JSON does it, all of them together.
+
+    >>> json_text(["ползун"]), json_text(["ползун é"], "latin-1")
+    ('["ползун"]', '["\\\\u043f\\\\u043e\\\\u043b\\\\u0437\\\\u0443\\\\u043d \\\\u00e9"]')
+    """
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, indent=indent)
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return json.dumps(value, allow_nan=False, indent=indent)
+    return text
+
+
+def print_json(value: object) -> None:
+    """Print a value as JSON."""
+    print(json_text(value, getattr(sys.stdout, "encoding", None) or "utf-8"))
+
+
+class Enclosure(NamedTuple):
+    """A file beside a sheet: the end of its name after the scene's, its content, and what is wrong with one written."""
+
+    name: str
+    content: bytes
+    faults: Callable[[bytes], Iterable[Message | str]]
+
 
 # What to do about a refusal that the system words without advice.
 _ADVICE = {errno.ENAMETOOLONG: "file.long_name", errno.EINVAL: "file.irregular_name"}

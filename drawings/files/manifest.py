@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from drawings import VERSION
-from drawings.files.json_text import json_text
+from drawings.files.file_error import json_text
 from drawings.measure.seal import digest, seal_of
 from geometry.regular_file import regular_bytes
 

@@ -16,9 +16,8 @@ from typing import NamedTuple
 from drawings.files.atomic_files import check_replaceable, create, discard, force_folder, make_folder, orphans, rename
 from drawings.files.atomic_files import temporary_name as new_name
 from drawings.files.file_error import told
-from drawings.files.lock import locked
 from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
-from drawings.files.signals import unstopped
+from drawings.files.standing import locked, unstopped
 from plans.words.words import Message, message, placed
 
 

@@ -10,14 +10,12 @@ from itertools import groupby
 from typing import Any, NamedTuple
 
 from drawings import VERSION
-from drawings.figures.graphs.axes import arrow
-from drawings.form.blank_table import blank
-from drawings.form.laid import PARTS, Given, LaidFigure, LaidTable, data, figures, given, tables
+from drawings.form.laid import PARTS, Given, LaidFigure, LaidTable, blank, data, figures, given, tables
 from drawings.form.task import FRAME, GRAPH
+from drawings.kinds.axes import arrow
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Spot
-from drawings.layout.place import Place
+from drawings.layout.picture import Margins, Picture, Place, Spot
 from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.original.edition import leaves_of

@@ -14,8 +14,11 @@ from decimal import Decimal
 from typing import Any, Final, NamedTuple
 
 from drawings.form.task import figure_of, table_of
+from drawings.layout.table import RuledTable, TableRow
+from drawings.layout.table import table as ruled
 from drawings.lettering.extent import bounds
 from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
 from plans.scene.scene import Scene
@@ -296,3 +299,27 @@ def _marked(text: Text) -> str:
         return text.content
     marks = {-1: "_{%s}", 0: "%s", 1: "^{%s}"}
     return "".join(marks[run.level] % run.text for run in text.content)
+
+
+BESIDE = (
+    "by hand",
+    "true error",
+)  # columns of a sheet that tell how far a value may be out: a form asks for no such thing
+
+
+def blank(bands: Iterable[LaidTable], drafting: Drafting) -> tuple[RuledTable, ...]:
+    """Give the tables of a set of sheets, each whole: the bands and parts in which it was set put together."""
+    own: dict[str, list[LaidTable]] = {}
+    for band in bands:
+        own.setdefault(band.name, []).append(band)
+    return tuple(_whole(name, parts, drafting) for name, parts in own.items())
+
+
+def _whole(name: str, parts: list[LaidTable], drafting: Drafting) -> RuledTable:
+    positions = tuple(dict.fromkeys(position for part in parts for position in part.positions))
+    rows = dict.fromkeys(row for part in parts for row in part.rows if row)
+    first, told = parts[0], [drafting.word(key) for key in BESIDE]
+    heads = tuple(head for head in first.heads if head not in told)
+    cells = ("",) * (len(heads) * max(len(positions), 1))
+    lines = [TableRow(row, cells) for row in rows]
+    return ruled(lines, first.first, heads, first.text, positions)._replace(name=name)

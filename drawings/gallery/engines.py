@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from drawings.lettering.words import number
 from plans.bank.engines import ENGINES, Engine
-from plans.bank.shaking import SliderCrank
+from plans.bank.harmonics import SliderCrank
 from plans.bank.study import BankStudy
 from plans.model.balance.bank import BankBalance, BankTask, Harmonic, Member, Unit
 from plans.words.words import word

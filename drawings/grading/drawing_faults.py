@@ -11,14 +11,12 @@ from drawings.checks.letters import Label, distance
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
-from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.polygons.polygon_faults import letters, open_sides
-from drawings.grading.seeing.onlooker import BEGIN, END, scales_of
-from drawings.grading.seeing.spelling import spelled
+from drawings.grading.drawn_plan import DrawnPlan, letters, open_sides
+from drawings.grading.seeing.onlooker import BEGIN, END, scales_of, spelled
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups, texts
-from plans.checks.hand.quantity import SLIP
+from plans.checks.by_hand import SLIP
 
 FORCE = "force"  # the kind of marks that are not to scale
 TIP = 1.0  # mm: how far the tip of an arrowhead may be from the end of its line

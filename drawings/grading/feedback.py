@@ -1,22 +1,86 @@
-"""The feedback sheet: a student's own sheet, what is wrong marked in red, and beside it where to look again (рецензия).
-
-It tells no value of what is asked for. His sheet is a picture in it: nothing of it is written anew, or runs.
-"""
+"""Keys of a table of marks that change nothing: no quantity of the task is called so (лишние обозначения)."""
 
 from __future__ import annotations
 
 import base64
+import re
 import textwrap
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
+from drawings.grading.asked import EXACT, Allowance, PlanAsked
+from drawings.grading.cells.asked_table import TableAsked
+from drawings.grading.curves.figure_records import FigureAsked
 from drawings.grading.graded import Graded
+from drawings.grading.marking import OTHERS, Marking, keys_of
 from drawings.grading.seeing.units import shown
+from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import Hints, gathered, plain_name, without_values
-from drawings.grading.verdict import Verdict
+from drawings.grading.verdict import RIGHT, Verdict
 from plans.words.words import word
+
+
+def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
+    """Give the keys of points and of tolerances that are of no quantity of a task, as their tables have them."""
+    drawn, cells = list(_drawn(task.plans, task.curves)), list(_cells(task.tables))
+    points = {key for one in (*drawn, *cells) for key in keys_of(one)} | {OTHERS}
+    read = {key for table in task.tables for cell in table.cells.values() for key in _names(cell.quantity)}
+    slips = {key for one in drawn for key in _names(one.name)} | read
+    idle = [f"points.{key}" for key in marking.points if key not in points]
+    return (*idle, *(f"tolerance.{key}" for key in marking.tolerance if key not in slips))
+
+
+def _names(name: str) -> tuple[str, str]:
+    return name, name.partition("_")[0]
+
+
+def _drawn(plans: Sequence[PlanAsked], curves: Sequence[FigureAsked]) -> Iterator[Verdict]:
+    """Give a verdict on each quantity that is drawn."""
+    for plan in plans:
+        names = (*(one.name for one in plan.vectors), *plan.senses, *plan.turns)
+        yield from (Verdict(plan.plan, plan.position, name, RIGHT) for name in names)
+    for curve in curves:
+        yield from (Verdict(curve.plan, None, one.called, RIGHT) for one in curve.items)
+
+
+def _cells(tables: Sequence[TableAsked]) -> Iterator[Verdict]:
+    for table in tables:
+        yield from (Verdict(table.name, cell.position, cell.name, RIGHT) for cell in table.cells.values())
+
+
+_WRITTEN = re.compile(r"(\d+(?:[.,]\d+)?)\s*(mm|%)?")
+MOST = 5.0  # mm: a hand that slips by more draws nothing
+
+
+def allowance(text: str) -> Allowance | None:
+    """Read a tolerance; None of what is none.
+
+    >>> allowance("0.5 mm"), allowance("2 %").share, allowance("much")
+    (Allowance(slip=0.5, share=None), 0.02, None)
+    """
+    if text.strip() == "exact":
+        return EXACT
+    match = _WRITTEN.fullmatch(text.strip())
+    if match is None:
+        return None
+    size = float(match[1].replace(",", "."))
+    if match[2] == "%":
+        return Allowance(share=size / 100) if 0 < size <= 100 else None
+    return Allowance(size) if 0 < size <= MOST else None
+
+
+def written(by: Allowance) -> str:
+    """Write a tolerance as it is read.
+
+    >>> written(Allowance(0.2)), written(Allowance(share=0.02)), written(EXACT)
+    ('0.2 mm', '2 %', 'exact')
+    """
+    if by == EXACT:
+        return "exact"
+    return f"{by.slip:g} mm" if by.share is None else f"{100 * by.share:g} %"
+
 
 MARGIN, LETTERS = 6.0, 62  # mm beside the notes, and letters of a line of them
 SIZE, SHARE = 3.2, 110  # mm, the least size of the notes, and how many times as high a sheet is at the least

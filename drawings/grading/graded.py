@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
-from drawings.grading.allowance import Allowances
-from drawings.grading.asked import PlanAsked
+from drawings.grading.asked import Allowances, PlanAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.form.form_figure import empty_axes, every_axes
@@ -20,11 +19,10 @@ from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, 
 from drawings.grading.drawing_faults import drawing_faults, figures, segments, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
 from drawings.grading.form_places import form_places, left_out, own_places, scales_of
+from drawings.grading.free_plan import arc_verdicts, arrow_verdicts, free_plans, once
 from drawings.grading.judgement import Judge
 from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
-from drawings.grading.polygons.free_plan import arc_verdicts, arrow_verdicts, free_plans, once
-from drawings.grading.seeing.onlooker import Onlooker, legible
-from drawings.grading.seeing.spelling import spelled_labels
+from drawings.grading.seeing.onlooker import Onlooker, legible, spelled_labels
 from drawings.grading.seeing.units import in_millimetres
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused

@@ -14,7 +14,7 @@ from drawings.grading.asked import Place, PlanAsked
 from drawings.grading.drawing_faults import JOINED, Segment, scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.form_places import FormPlace, place_of
-from drawings.grading.seeing.spelling import spelled
+from drawings.grading.seeing.onlooker import spelled
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Text
 from plans.linkage.letters import POLES

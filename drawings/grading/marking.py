@@ -61,11 +61,11 @@ class Record(NamedTuple):
 # By technique: of a study and a leaf to the record of that sheet.
 RECORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
-        "linkage": "drawings.grading.techniques.linkage:record_of",
-        "forces": "drawings.grading.techniques.forces:record_of",
-        "balance": "drawings.grading.techniques.balance:record_of",
-        "bank": "drawings.grading.techniques.bank:record_of",
-        "rotor": "drawings.grading.techniques.rotor:record_of",
+        "linkage": "drawings.grading.techniques.forces:record_of_linkage",
+        "forces": "drawings.grading.techniques.forces:record_of_forces",
+        "balance": "drawings.grading.techniques.rotor:record_of_balance",
+        "bank": "drawings.grading.techniques.rotor:record_of_bank",
+        "rotor": "drawings.grading.techniques.rotor:record_of_rotor",
     }
 )
 

@@ -8,8 +8,7 @@ from typing import NamedTuple
 from drawings.grading.asked import PlanAsked, plans_asked
 from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.own_tables import tables_asked
-from drawings.grading.curves.asked_figure import FigureAsked
-from drawings.grading.curves.figure_records import figures_asked
+from drawings.grading.curves.figure_records import FigureAsked, figures_asked
 from drawings.original.originals import Originals
 
 

@@ -8,10 +8,10 @@ from typing import Final, NamedTuple
 
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.frames import frames
-from drawings.grading.curves.asked_figure import FigureAsked
+from drawings.grading.curves.figure_records import FigureAsked
+from drawings.grading.free_plan import COUPLE
 from drawings.grading.graded import MARKED, Graded, plan_named
 from drawings.grading.marking import TABLE, Marking, points_of
-from drawings.grading.polygons.free_plan import COUPLE
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, Verdict
 from geometry.board import Mark
 from plans.words.words import Message, because, message, word

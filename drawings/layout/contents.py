@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import Notes, TextBlock
-from drawings.layout.picture import Picture, Spot
+from drawings.layout.picture import Notes, Picture, Spot, TextBlock
 from drawings.layout.table import RuledTable, Setting
 from drawings.page.page import Field
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import TextBlock
+from drawings.layout.picture import TextBlock
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import joined, telling
 from drawings.page.page import Field

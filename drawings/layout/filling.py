@@ -12,10 +12,9 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.layout.arrangement import Arrangement, sizes_of
-from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.ink import Ink
-from drawings.layout.picture import Picture, Rung, Spot
+from drawings.layout.picture import Notes, Picture, Rung, Spot, TextBlock
 from drawings.layout.room import Shown, Stock, ends_of, room_of
 from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
 from drawings.layout.standing import Occupant, Standing, bareness, natural

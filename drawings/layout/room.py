@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from functools import cache, cached_property
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Contents, Panel
-from drawings.layout.picture import Picture, Rung
+from drawings.layout.picture import Notes, Picture, Rung, TextBlock
 from drawings.layout.slicing import GAP, Cut, Cuts, Piece, Size, Slicing, Tree, pieces
 from drawings.layout.table import RuledTable
 from drawings.page.page import Field, Page

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import TextBlock
+from drawings.layout.picture import TextBlock
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

@@ -15,7 +15,7 @@ from drawings.lettering.words import fixed, letter, word
 from drawings.page.drafting import Drafting
 from drawings.paper.ties import tied
 from plans.checks.comparison import Comparison, Finding
-from plans.model.order import ORDERS
+from plans.model.motion import ORDERS
 
 BY_HAND = ("by plan", "by analysis", "by hand")
 NOTHING, WIDE = "—", "8"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from drawings.lettering.words import word
-from plans.rotor.letters import ALONE
+from plans.rotor.balancing import ALONE
 
 INDEX = re.compile(r"_([^_]+?)(?=[Dh]_|$)")
 

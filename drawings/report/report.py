@@ -1,24 +1,96 @@
-"""The report beside a set of sheets, in Markdown: the chapters of its techniques, and both roads compared (отчёт)."""
+"""What a scene gives of a technique that its sheets do not ask for, without importing that technique (не нужное)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from drawings.lettering.words import decimal
+from drawings.lettering.words import decimal, fixed, runs
+from drawings.page.drafting import Drafting
 from drawings.report.formula import Chapters
-from drawings.report.gap_lines import positions
-from drawings.report.markdown import chapter, header, heading, quantity, row
-from drawings.report.table import REPORTS
+from drawings.report.table import REPORTS, chapter, header, heading, quantity, row
+from plans.checks.by_hand import SLIP
 from plans.checks.comparison import Comparison, Finding, together
+from plans.model.mechanism import Drive
+from plans.model.motion import Gap
+from plans.scene.scene import Scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
 from plans.words.words import Message, message, term, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
+
+
+def of_forces(scene: Scene) -> list[str]:
+    """Say what a scene gives of forces that its sheets do not need."""
+    given = scene.has(("masses",)) or scene.has(("loads",))
+    return [word(scene.sheet.language, "report.idle_loads" if given else "report.no_loads")]
+
+
+def of_dynamics(scene: Scene) -> list[str]:
+    """Say that a scene's motion under its loads is not shown by the sheets that it asks for."""
+    return [word(scene.sheet.language, "report.idle_dynamics")] if scene.has(("dynamics",)) else []
+
+
+def nothing(scene: Scene) -> list[str]:
+    """Say nothing: a scene without it has nothing of it to leave out."""
+    return []
+
+
+NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
+
+
+def agreed(findings: Sequence[Finding], drafting: Drafting, by_hand: bool = True) -> Iterator[str]:
+    """Say how far construction and analysis are apart, and what the column of the hand tells; nothing of nothing."""
+    if findings:
+        yield drafting.word("accord of roads", share=share(findings))
+        if by_hand:
+            yield drafting.word("polygon hand note", slip=drafting.number(SLIP))
+
+
+def share(findings: Sequence[Finding]) -> str:
+    """Write the least power of ten of the largest values that no difference is beyond."""
+    shares = [_apart(one) for one in findings if one.largest > 0]
+    power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
+    return f"10^{{−{-power}}}" if power else "1"
+
+
+def _apart(one: Finding) -> float:
+    """Give the worst difference as a share of the largest value, or of its own where a jam makes that larger."""
+    sizes = np.fmax(np.abs(one.construction), one.largest)
+    return float(np.nanmax(one.difference / sizes, initial=0.0))
+
+
+def gap_lines(gaps: Sequence[Gap]) -> list[Message]:
+    """Say why positions have no result; those of one gap are told with the advice for the first of them."""
+    kinds: dict[tuple[str, str, object], list[Gap]] = {}
+    for gap in gaps:
+        kinds.setdefault((gap.plan, gap.reason, gap.where), []).append(gap)
+    return [_line(together) for together in kinds.values()]
+
+
+def _line(together: Sequence[Gap]) -> Message:
+    first = together[0]
+    parts = {"plan": first.plan, "reason": first.reason, "where": first.where, "advice": first.advice}
+    key = "verdict.gap" if len({gap.advice for gap in together}) == 1 else "verdict.gap_in"
+    return message(key, **positions([gap.position for gap in together]), first=first.position, **parts)
+
+
+def gap_line(key: str, gap: Gap, drive: Drive, language: str) -> str:
+    """Tell one gap in the report, by the key of its line, or of a slider that drives by `key_way`."""
+    parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice, "position": gap.position}
+    if drive.pushed:
+        return word(language, f"{key}_way", way=fixed(1000 * drive.unit * gap.phi, language, 3), **parts)
+    return word(language, key, angle=fixed(math.degrees(gap.phi), language, 3), **parts)
+
+
+def positions(numbers: Sequence[int]) -> dict[str, object]:
+    """Give numbers of positions, runs of them by their ends, as the parts of a message: how many, and which."""
+    return {"count": len(numbers), "positions": runs(numbers, "-")}
 
 
 PLAN_WIDTH = 14  # letters of the longest plan's English word

@@ -1,9 +1,47 @@
-"""The table of reports (отчёты): what each technique tells of a study beside its sheets, and on the screen."""
+"""Chapters and tables of the report in Markdown, in its language (главы и таблицы)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
+
+from plans.checks.comparison import Finding
+from plans.rotor.balancing import written
+from plans.words.words import term, word
+
+
+def chapter(language: str, name: str) -> str:
+    """Give the head of a chapter, with what is said before its tables."""
+    return f"\n{word(language, f'report.{name}')}\n"
+
+
+def row(cells: Sequence[str]) -> str:
+    """Write a row of a table."""
+    return f"| {' | '.join(cells)} |"
+
+
+def header(heads: Sequence[str]) -> list[str]:
+    """Write the heads of a table's columns."""
+    return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
+
+
+def heading(finding: Finding, language: str) -> str:
+    """Name a quantity with its unit."""
+    return f"{quantity(finding.name, language)}, {term(language, 'text_unit', finding.unit)}"
+
+
+def quantity(name: str, language: str) -> str:
+    """Name a quantity: its letter, and in words what tells it from others of that letter.
+
+    >>> quantity("M_bal lever", "en"), quantity("M_bal lever", "ru")
+    ('M_bal lever', 'M_ур по рычагу')
+    >>> quantity("m_cw4", "ru")
+    'm_пр4'
+    """
+    parts = name.split(" ")
+    if len(parts) == 1:
+        return written(term(language, "quantity", name), language)
+    return " ".join(term(language, "quantity", term(language, "quantity_part", part)) for part in parts)
 
 
 class Subject(NamedTuple):
@@ -26,66 +64,66 @@ class Report(NamedTuple):
 
 REPORTS: Final[Mapping[str, Report]] = {
     "linkage": Report(
-        subject="drawings.report.linkage.linkage_subject:subject",
-        chapters="drawings.report.linkage.motion_report:chapters",
-        headline="drawings.report.linkage.motion_report:headline",
-        remarks="drawings.report.linkage.motion_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.linkage.numbers:subject",
+        chapters="drawings.linkage.report:chapters",
+        headline="drawings.linkage.report:headline",
+        remarks="drawings.linkage.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
     "diagrams": Report(
-        subject="drawings.report.linkage.linkage_subject:subject",
-        chapters="drawings.report.diagrams_report:chapters",
-        headline="drawings.report.diagrams_report:headline",
-        remarks="drawings.report.diagrams_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.linkage.numbers:subject",
+        chapters="drawings.diagrams.report:chapters",
+        headline="drawings.diagrams.report:headline",
+        remarks="drawings.diagrams.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
     "forces": Report(
-        subject="drawings.report.linkage.linkage_subject:subject",
-        chapters="drawings.note.force_chapters:chapters",
-        headline="drawings.report.forces.force_report:headline",
-        remarks="drawings.report.forces.force_report:remarks",
-        idle="drawings.report.idle:of_forces",
+        subject="drawings.linkage.numbers:subject",
+        chapters="drawings.forces.note:chapters",
+        headline="drawings.forces.report:headline",
+        remarks="drawings.forces.report:remarks",
+        idle="drawings.report.report:of_forces",
     ),
     "dynamics": Report(
-        subject="drawings.report.linkage.linkage_subject:subject",
-        chapters="drawings.report.dynamics_report:chapters",
-        headline="drawings.report.dynamics_report:headline",
-        remarks="drawings.report.dynamics_report:remarks",
-        idle="drawings.report.idle:of_dynamics",
+        subject="drawings.linkage.numbers:subject",
+        chapters="drawings.dynamics.report:chapters",
+        headline="drawings.dynamics.report:headline",
+        remarks="drawings.dynamics.report:remarks",
+        idle="drawings.report.report:of_dynamics",
     ),
     "balance": Report(
-        subject="drawings.report.linkage.linkage_subject:subject",
-        chapters="drawings.report.balance.balance_report:chapters",
-        headline="drawings.report.balance.balance_report:headline",
-        remarks="drawings.report.balance.balance_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.linkage.numbers:subject",
+        chapters="drawings.balance.report:chapters",
+        headline="drawings.balance.report:headline",
+        remarks="drawings.balance.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
     "bank": Report(
-        subject="drawings.report.balance.bank_report:subject",
-        chapters="drawings.report.balance.bank_report:chapters",
-        headline="drawings.report.balance.bank_report:headline",
-        remarks="drawings.report.balance.bank_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.bank.report:subject",
+        chapters="drawings.bank.report:chapters",
+        headline="drawings.bank.report:headline",
+        remarks="drawings.bank.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
     "rotor": Report(
-        subject="drawings.report.rotor_report:subject",
-        chapters="drawings.report.rotor_report:chapters",
-        headline="drawings.report.rotor_report:headline",
-        remarks="drawings.report.rotor_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.rotor.report:subject",
+        chapters="drawings.rotor.report:chapters",
+        headline="drawings.rotor.report:headline",
+        remarks="drawings.rotor.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
     "cyclogram": Report(
-        subject="drawings.report.cyclogram_report:subject",
-        chapters="drawings.report.cyclogram_report:chapters",
-        headline="drawings.report.cyclogram_report:headline",
-        remarks="drawings.report.cyclogram_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.cyclogram.report:subject",
+        chapters="drawings.cyclogram.report:chapters",
+        headline="drawings.cyclogram.report:headline",
+        remarks="drawings.cyclogram.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
     "cam": Report(
-        subject="drawings.report.cam_report:subject",
-        chapters="drawings.report.cam_report:chapters",
-        headline="drawings.report.cam_report:headline",
-        remarks="drawings.report.cam_report:remarks",
-        idle="drawings.report.idle:nothing",
+        subject="drawings.cam.report:subject",
+        chapters="drawings.cam.report:chapters",
+        headline="drawings.cam.report:headline",
+        remarks="drawings.cam.report:remarks",
+        idle="drawings.report.report:nothing",
     ),
 }

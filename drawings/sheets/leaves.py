@@ -11,14 +11,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.layout.block import NARROW, Notes, TextBlock
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Working
-from drawings.layout.figure import Figure
 from drawings.layout.filling import Loose, fill, most_bare
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import SMALLER, Picture, Spot
+from drawings.layout.picture import NARROW, SMALLER, Figure, Notes, Picture, Spot, TextBlock
 from drawings.layout.room import size_of_room
 from drawings.layout.slicing import Cuts
 from drawings.layout.table import RuledTable

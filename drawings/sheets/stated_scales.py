@@ -7,10 +7,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from itertools import chain
 from typing import Any, NamedTuple
 
-from drawings.figures.workings.working import Working
+from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
-from drawings.layout.figure import Figure
-from drawings.layout.picture import SMALLER, Picture, Spot
+from drawings.layout.picture import SMALLER, Figure, Picture, Spot
 from drawings.layout.room import corner_of, room_of
 from drawings.layout.slicing import GAP, Size
 from drawings.layout.table import Later, RuledTable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from drawings.layout.place import Place
+from drawings.layout.picture import Place
 from drawings.page.scale import Scale
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand

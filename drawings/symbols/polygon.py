@@ -10,8 +10,7 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, offset, parallel_offsets
-from drawings.layout.picture import Margins
-from drawings.layout.place import Place
+from drawings.layout.picture import Margins, Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke

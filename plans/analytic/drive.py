@@ -1,7 +1,4 @@
-"""The drive as an equation: what a unit of its coordinate does to the link that it moves (уравнение привода).
-
-The coordinate is the angle of a crank, rad, or the way of a slide in units of the drive's `unit`.
-"""
+"""Placements: where poses of the links put the joints (расположение кинематических пар)."""
 
 from __future__ import annotations
 
@@ -10,9 +7,19 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.placement import TURN, Placement
 from plans.model.mechanism import Mechanism, Way
 from plans.model.motion import Complexes, Floats
+
+X, Y, TURN = range(3)  # of a pose
+
+
+class Placement(NamedTuple):
+    """Where N poses put the joints, hinges before slides; arms run from a link's origin to the joint."""
+
+    turns: Complexes  # (N, links): unit directions of the links' own +x axes
+    arms: Complexes  # (N, 2, joints): of a slide, to a point of its line
+    apart: Complexes  # (N, joints): from the second link's point to the first's
+    ways: Complexes  # (N, 2, S): directions of slider's and owner's line
 
 
 class TurningDrive(NamedTuple):

@@ -13,11 +13,10 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.closure import EPS, close, transfer
-from plans.analytic.inertia import potential, reduced_inertia
 from plans.analytic.kinematics import Analysis
 from plans.analytic.points import Constraints
 from plans.analytic.positions import blocks
-from plans.analytic.power import reduced_moment, transfers
+from plans.analytic.power import potential, reduced_inertia, reduced_moment, transfers
 from plans.analytic.turn import TRUST
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Machine

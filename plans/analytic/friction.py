@@ -16,7 +16,7 @@ from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.points import TURN, place, speed
 from plans.analytic.power import reduced_moment, transfers
-from plans.model.group import Pair
+from plans.model.dyad import Pair
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Reaction, Twist
 from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction, Jam
 from plans.model.machine import Machine, Rubbing, Transmission

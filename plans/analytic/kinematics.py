@@ -14,8 +14,19 @@ from plans.analytic.points import TURN, Constraints, X, Y
 from plans.analytic.positions import Positions, along, blocks, find, wrapped
 from plans.analytic.turn import March, whole_turn
 from plans.model.mechanism import FRAME, Mechanism, Output
-from plans.model.motion import Complexes, Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
-from plans.model.rates import Pace, Rates, rates_at, steady
+from plans.model.motion import (
+    Complexes,
+    Extremes,
+    Floats,
+    Gap,
+    LinkMotion,
+    Motion,
+    Pace,
+    PointMotion,
+    Rates,
+    rates_at,
+    steady,
+)
 
 DEGREES = np.radians(np.arange(360.0))  # the whole degrees of a turn
 

@@ -13,12 +13,12 @@ import numpy as np
 
 from plans.analytic.assembly import unbalanced
 from plans.analytic.closure import BLUNT, inverses, rank_loss, reciprocal_condition, solutions
-from plans.analytic.inertia import borne
+from plans.analytic.drive import Placement
 from plans.analytic.kinematics import Analysis
-from plans.analytic.placement import Placement
 from plans.analytic.points import TURN, Constraints, X, Y, place
 from plans.analytic.positions import blocks
-from plans.model.group import Pair
+from plans.analytic.power import borne
+from plans.model.dyad import Pair
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction, without_forces
 from plans.model.machine import FORCE, GEAR, Machine, Transmission
 from plans.model.mechanism import FRAME, Drive, Mechanism

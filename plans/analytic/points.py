@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from plans.analytic import placement
-from plans.analytic.drive import DriveEquation, SlidingDrive, drive_equation
-from plans.analytic.placement import Placement
+from plans.analytic import drive as placement
+from plans.analytic.drive import DriveEquation, Placement, SlidingDrive, drive_equation
 from plans.model.mechanism import Mechanism, StructureError, Way
 from plans.model.motion import Complexes, Floats, Motion
 from plans.words.words import message

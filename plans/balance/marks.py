@@ -13,7 +13,7 @@ from plans.balance.mass_centre import MAIN, Chain, Drawing
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING
-from plans.rotor.letters import written
+from plans.rotor.balancing import written
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:

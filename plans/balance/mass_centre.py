@@ -8,8 +8,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.balance.stems import Stem, Tree
 from plans.balance.sums import Sums, Term
+from plans.balance.weights import Stem, Tree
 from plans.linkage.plan import Plan
 from plans.model.machine import Body
 from plans.words.words import because

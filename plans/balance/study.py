@@ -7,13 +7,12 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from plans.balance import states
+from plans.balance import shares as states
 from plans.balance.mass_centre import EMPTY, Drawing, MainPoints
 from plans.balance.shares import Superposition
-from plans.balance.stems import Tree, tree_of
 from plans.balance.substitution import KINDS, Substitution, instead_of_crank
 from plans.balance.sums import Term
-from plans.balance.weights import IDLE, NO_SHARE, Refused, begins
+from plans.balance.weights import IDLE, NO_SHARE, Refused, Tree, begins, tree_of
 from plans.forces.statics import Statics
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
@@ -29,8 +28,7 @@ from plans.model.balance.linkage import (
     State,
     Task,
 )
-from plans.model.dyad import Dyad
-from plans.model.group import Group
+from plans.model.dyad import Dyad, Group
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.words.words import because

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.bank.letters import STATIC, couple_letters, letters
+from plans.bank.harmonics import STATIC, couple_letters, letters
 from plans.bank.polygons import Polygons
 from plans.model.balance.bank import Asked, BankTask, Compensator, Harmonic, plain_angle
 from plans.model.motion import Complexes, Floats

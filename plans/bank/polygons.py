@@ -11,11 +11,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.bank.harmonics import Harmonics
-from plans.bank.letters import FORCE, MOMENT, letters
+from plans.bank.harmonics import FORCE, MOMENT, Harmonics, letters
 from plans.model.balance.bank import Harmonic, Member
-from plans.rotor.heading import heading
-from plans.rotor.polygon import Polygon, polygon
+from plans.rotor.balancing import Polygon, heading, polygon
 from plans.words.words import because
 
 MOMENTS = "bank_moments"  # the board: sums of force times place, N*m

@@ -13,22 +13,20 @@ from geometry.board import Board
 from geometry.errors import ConstructionError
 from geometry.precision import errors
 from plans.balance.mass_centre import Drawing, MainPoints
-from plans.balance.states import drawing, turns
-from plans.balance.stems import tree_of
+from plans.balance.shares import drawing, turns
 from plans.balance.study import BalanceStudy
+from plans.balance.weights import tree_of
 from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_over
-from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, harmonics
+from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, Shaking, SliderCrank, Source, harmonics
 from plans.bank.polygons import Polygons, polygons
-from plans.bank.shaking import Shaking, SliderCrank, Source
 from plans.forces.statics import Statics
 from plans.linkage.crank_positions import even
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy, obstruction
 from plans.model.balance.bank import CONSTRUCTION, EPS, ROUNDING, STEPS, BankBalance, BankTask, Member
 from plans.model.balance.linkage import NONE
-from plans.model.motion import Complexes, Floats
-from plans.model.rates import Rates
-from plans.rotor.heading import heading
+from plans.model.motion import Complexes, Floats, Rates
+from plans.rotor.balancing import heading
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:

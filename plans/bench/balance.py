@@ -25,8 +25,7 @@ from plans.bench.truth import Exact, crank_direction, sample, split
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import Choice, MassCentre
-from plans.model.motion import Complexes
-from plans.model.order import ACCELERATIONS
+from plans.model.motion import ACCELERATIONS, Complexes
 
 MAIN_POINTS, LINKS, SUMS = "construction: main points", "construction: links' polygons", "analysis: direct sums"
 SUPERPOSED = "construction: best share"

@@ -16,8 +16,7 @@ from plans.forces.reading.form import FORCES
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import Floats
-from plans.model.order import ORDERS, POSITIONS
+from plans.model.motion import ORDERS, POSITIONS, Floats
 
 SLIPS = (0.1, 0.2)  # mm: a good hand's and a fair one's
 RATES = {told.key for order in ORDERS[1:] for told in (order.point, order.link)}

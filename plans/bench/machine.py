@@ -11,8 +11,7 @@ from functools import partial
 import numpy as np
 
 from plans.analytic.dynamics import run as solver
-from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
-from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
 from plans.bench.error import Errors
 from plans.bench.trial import Found, Road, Row, order, orders, timed
 from plans.dynamics import run as table

@@ -15,7 +15,7 @@ from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import digits as fifty_digits
 from geometry.replay import exact
-from plans.forces.force import ForcePlan
+from plans.forces.cut import ForcePlan
 from plans.forces.statics import ForceDrafts, Statics
 from plans.forces.stroke import Stroke
 from plans.linkage.drafts import Drafts
@@ -24,8 +24,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Force, Machine, Spring, Track
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import Complexes, Floats, Motion
-from plans.model.order import LINK_ORDERS, ORDERS, POINT_ORDERS
+from plans.model.motion import LINK_ORDERS, ORDERS, POINT_ORDERS, Complexes, Floats, Motion
 
 Key: TypeAlias = tuple[str, str]  # kind of quantity and its point or link: ("v", "B"), ("omega", "3")
 Values: TypeAlias = Mapping[Key, Complexes | Floats]

@@ -13,19 +13,16 @@ from geometry.replay import DIGITS
 from plans.analytic.balance.bank import SliderCrank as Series
 from plans.analytic.balance.bank import bank_balance
 from plans.analytic.rotor import balance
-from plans.bank.harmonics import harmonics, of_ordinates
-from plans.bank.letters import FORCE, MOMENT, SINGLE, letters
+from plans.bank.harmonics import FORCE, MOMENT, SINGLE, SliderCrank, harmonics, letters, of_ordinates
 from plans.bank.polygons import polygons
-from plans.bank.shaking import SliderCrank
 from plans.bank.study import BankStudy
 from plans.bench.error import Errors
 from plans.bench.trial import Found, Order, Road, terms, timed
 from plans.bench.truth import REACTION, Exact, digits, split, turned
 from plans.model.balance.bank import BankTask, Harmonic, Member, Unit
 from plans.model.rotor import Balance, Rotor
-from plans.rotor.bearings import BEARINGS
-from plans.rotor.letters import unbalance_letters
-from plans.rotor.study import RotorStudy
+from plans.rotor.balancing import unbalance_letters
+from plans.rotor.study import BEARINGS, RotorStudy
 from plans.scene.scene import Scene
 
 POLYGONS, SUMS, SERIES = "construction: polygons", "analysis: sums", "analysis: closed series"

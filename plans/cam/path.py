@@ -18,7 +18,7 @@ import numpy as np
 
 from geometry.curve import CubicPiece, Piece, RoundPiece, straight
 from plans.cam.course import Course
-from plans.cam.profile.outline import Outline, Spot
+from plans.cam.profile.profile import Outline, Spot
 from plans.model.cam import DWELL, Cam
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats

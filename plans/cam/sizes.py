@@ -27,8 +27,7 @@ from plans.cam.centre.rocker_sizes import (
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam, limits_of
-from plans.model.cam_faults import still, too_far
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import Sizes, still, too_far
 from plans.model.motion import Floats
 from plans.words.words import because
 

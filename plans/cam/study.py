@@ -18,8 +18,7 @@ from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
-from plans.model.cam_faults import CamError, large_roller, pivot_passed
-from plans.model.cam_motion import CamFound, Contour, Sizes
+from plans.model.cam_motion import CamError, CamFound, Contour, Sizes, large_roller, pivot_passed
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
 from plans.scene.scene import Scene

@@ -1,7 +1,8 @@
-"""What both roads found, beside each other: findings, and the gaps that one road alone names (сравнение двух путей)."""
+"""Numbers as plain data: null at gaps, no -0 (числа)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol
@@ -10,6 +11,22 @@ import numpy as np
 
 from plans.model.motion import Complexes, Floats, Gap
 from plans.words.words import Message, message
+
+
+def plain(values: Any) -> list[float | None]:
+    """Give numbers, null for NaN and for what is infinite, and no -0."""
+    return [value if math.isfinite(value) else None for value in (values + 0.0).tolist()]
+
+
+def pairs(values: Any) -> list[list[float] | None]:
+    """Give vectors as [x, y], null for NaN."""
+    both = zip((values.real + 0.0).tolist(), (values.imag + 0.0).tolist(), strict=True)
+    return [None if math.isnan(x) or math.isnan(y) else [x, y] for x, y in both]
+
+
+def gap_numbers(gap: Gap) -> dict[str, Any]:
+    """Give a gap as plain data."""
+    return {**gap._asdict(), "where": str(gap.where), "advice": str(gap.advice)}
 
 
 class Finding(NamedTuple):

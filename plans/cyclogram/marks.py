@@ -11,7 +11,7 @@ from geometry.steps import behind
 from plans.cyclogram.stations import alone, crank
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.cyclogram import BEGIN, END
-from plans.model.order import POSITIONS
+from plans.model.motion import POSITIONS
 from plans.words.words import message
 
 if TYPE_CHECKING:

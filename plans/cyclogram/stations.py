@@ -11,9 +11,9 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.precision import errors
-from plans.cyclogram import tool, watch
-from plans.cyclogram.tool import Notch, Path, go_back, way_back
-from plans.cyclogram.watch import Watch, watch_of
+from plans.cyclogram import tool
+from plans.cyclogram import tool as watch
+from plans.cyclogram.tool import Notch, Path, Watch, go_back, watch_of, way_back
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.plan import Plan
@@ -21,7 +21,7 @@ from plans.linkage.pressure import pressure
 from plans.linkage.travel import Travel
 from plans.model import cyclogram as c
 from plans.model.cyclogram import BESIDE, TURN, Cyclogram, CyclogramTask, Position, Stop
-from plans.model.group import Group
+from plans.model.dyad import Group
 from plans.model.mechanism import Output
 from plans.model.motion import Extremes, Floats
 

@@ -19,8 +19,7 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import Travel
 from plans.model.diagrams import MOST, TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
-from plans.model.motion import Floats
-from plans.model.order import ORDERS
+from plans.model.motion import ORDERS, Floats
 from plans.words.calculus import REASONS
 from plans.words.words import Message, message
 

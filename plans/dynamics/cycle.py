@@ -1,7 +1,8 @@
-"""The works of a steady turn by graphical integration of the reduced moment (графики работ, M4.7, figure 6.6)."""
+"""The flywheel by other classical methods from the points of the drawn loop (методы Мерцалова и Гутьяра; M4.10)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,11 +19,54 @@ from plans.dynamics.reduction import Reducing, Reduction
 from plans.forces.loading import working_of
 from plans.forces.stroke import ROUNDING, Stroke, asks
 from plans.linkage.assembly_limits import NODES, at_angles, changes_of_sign
-from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, settled
+from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, Methods, Rim, Task, Touch, Wheel, settled
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 from plans.words.calculus import REASONS
 from plans.words.words import because
+
+
+def rim_of(inertia: float, rim: Rim) -> Wheel | None:
+    """Size the rim of a flywheel of kg*m2 at the crank's shaft; None without a diameter, or without a flywheel.
+
+    The ring is thin: J = rho pi D s (D/2)^2 of a section s, on a shaft that turns u times as fast J/u^2.
+    """
+    if rim.diameter is None or not inertia > 0:
+        return None
+    own = inertia / rim.ratio**2
+    around = rim.density * math.pi * rim.diameter  # kg for a square metre of the section
+    section = own / (around * (rim.diameter / 2) ** 2)
+    breadth = math.sqrt(section * rim.breadth)
+    return Wheel(own, rim.diameter, around * section, section / breadth, breadth)
+
+
+def methods(cycle: Cycle, task: Task) -> Methods | None:
+    """Find J0 by each method; None where no fluctuation is asked for.
+
+    Mertsalov's curve is the energy of all that turns evenly, were the links to move at the mean speed. Gutyar's has
+    the greatest speed in it where it is highest and the least where it is lowest. The book leaves delta^2 out.
+    """
+    if not task.delta:
+        return None
+    square, delta = task.speed**2, task.delta
+    level, (top, low) = _rest(cycle, square), ((1 + s * delta / 2) ** 2 * square for s in (1, -1))
+    gutyar = _rest(cycle, top).max() - _rest(cycle, low).min()
+    even = (1 + delta) * square, (1 - delta) * square
+    book = _rest(cycle, even[0]).max() - _rest(cycle, even[1]).min()
+    touches = _touch(cycle, int(level.argmin())), _touch(cycle, int(level.argmax()))
+    whole = float(np.ptp(level))
+    over = square * delta
+    return Methods(float(book) / over, whole / over, float(gutyar) / over, whole, touches)
+
+
+def _rest(cycle: Cycle, square: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Give the change of energy of what turns evenly, J, the links at a speed whose square is given."""
+    return np.asarray(cycle.surplus - cycle.varying * square / 2)
+
+
+def _touch(cycle: Cycle, k: int) -> Touch:
+    return Touch(float(cycle.turned[k]), float(cycle.varying[k]), float(cycle.surplus[k]))
+
 
 # Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.
 SAME = 1e-7

@@ -1,13 +1,13 @@
-"""The form of machine dynamics: what is asked of the motion, motor, shafts and flywheel (исходные данные динамики)."""
+"""Fields of machine dynamics: a coefficient of fluctuation as 0.0125 or "1/80", ratios (величины динамики)."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from decimal import Decimal
 from itertools import pairwise
 from typing import Any
 
-from plans.dynamics import fields as d
 from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
 from plans.model.run import RunTask
 from plans.scene import fields as f
@@ -17,6 +17,76 @@ from plans.scene.forms import Form
 from plans.scene.readers import Check, many, one
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
+from plans.scene.units import WORKING
+
+FRACTION = re.compile(r"\s*1\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*")
+PLAIN = re.compile(r"\s*[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?\s*")
+WRITTEN = r"^\s*1\s*/\s*(?!0+(?:\.0+)?\s*$)[0-9]+(?:\.[0-9]+)?\s*$"  # for editors
+DIVISIONS_LEAST, DIVISIONS_MOST = 12, 4096
+RATIO_LIMIT = Decimal("1e4")
+TIME = units.Kind(
+    "time",
+    "s",
+    {"s": Decimal(1), "ms": Decimal("0.001"), "с": Decimal(1), "мс": Decimal("0.001")},
+    Decimal("1e-9"),
+    Decimal("1e6"),
+)
+
+
+def fluctuation(value: object) -> Decimal:
+    """Read a coefficient of fluctuation of speed, above 0 and at most 1 (коэффициент неравномерности).
+
+    >>> fluctuation("1/80"), fluctuation(Decimal("0.04"))
+    (Decimal('0.0125'), Decimal('0.04'))
+    """
+    found = units.quantity(_unbroken(value) if isinstance(value, str) else value, units.NUMBER)
+    if found == 0:
+        raise wrong("no_fluctuation")
+    if not 0 < found <= 1:
+        raise wrong("fluctuation")
+    return found
+
+
+def _unbroken(text: str) -> Decimal | str:
+    """Give "1/80" as a number; a decimal comma and a number in quotes have advice of their own."""
+    told = FRACTION.fullmatch(text)
+    if told and Decimal(told[1]):
+        return WORKING.divide(Decimal(1), Decimal(told[1]))
+    if told or not PLAIN.fullmatch(text):
+        raise wrong("fluctuation_written")
+    return text
+
+
+def divisions(value: object) -> int:
+    """Read the number of strips of a turn."""
+    found = f.whole(value, DIVISIONS_LEAST)
+    if found > DIVISIONS_MOST:
+        raise wrong("too_many_strips", most=DIVISIONS_MOST)
+    return found
+
+
+def ratio(value: object) -> Decimal:
+    """Read how many turns a shaft makes for one of the crank; negative where it turns against it."""
+    found = units.quantity(value, units.NUMBER)
+    if found == 0 or abs(found) > RATIO_LIMIT:
+        raise wrong("shaft_ratio", most=f"{RATIO_LIMIT:f}")
+    return found
+
+
+FLUCTUATION = one(
+    fluctuation,
+    lambda: {
+        "anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": WRITTEN}]
+    },
+    'share, or "1/80"',
+)
+DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
+RATIO = one(ratio, lambda: forms.quantity(units.NUMBER) | {"not": {"const": 0}}, "number")
+INERTIA = f.positive(units.INERTIA)
+MATERIAL = f.positive(units.DENSITY)
+SHARE = f.positive(units.NUMBER)
+STEP = f.positive(TIME)
+
 
 SPEED, MOMENT = f.positive(units.SPEED), f.positive(units.MOMENT)
 TURNS_MOST = 100  # of steady motion that are shown: more are one black band
@@ -51,8 +121,8 @@ def _check_points(speeds: tuple[Decimal, ...]) -> None:
 class MotorTable(Table):
     """The motor: its rotor, its turns for one turn of the crank, and by one of four laws its moment over its speed."""
 
-    rotor: Decimal | None = key(d.INERTIA, None, meaning="Moment of inertia of the rotor.")
-    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Turns of the motor for one turn of the crank.")
+    rotor: Decimal | None = key(INERTIA, None, meaning="Moment of inertia of the rotor.")
+    ratio: Decimal = key(RATIO, Decimal(1), meaning="Turns of the motor for one turn of the crank.")
     starting: Decimal | None = key(
         MOMENT,
         None,
@@ -72,7 +142,7 @@ class MotorTable(Table):
         missing=Missing("breakdown moment", 'breakdown = "60 N*m"'),
     )
     slip: Decimal | None = key(
-        d.SHARE, None, meaning="Critical slip, at which that moment is.", missing=Missing("critical slip", "slip = 0.2")
+        SHARE, None, meaning="Critical slip, at which that moment is.", missing=Missing("critical slip", "slip = 0.2")
     )
     speeds: tuple[Decimal, ...] = key(
         many(f.not_negative(units.SPEED), Check(_check_points, least=2), first=f.FEW),
@@ -140,7 +210,7 @@ class RunTable(Table):
     """The run of the machine from rest: step of the table, turns of steady motion, resistance, brake."""
 
     step: Decimal | None = key(
-        d.STEP,
+        STEP,
         None,
         meaning="Step of the table; default: a strip of the turn at full speed, or less where the motor is stiff.",
     )
@@ -185,28 +255,28 @@ class ShaftTable(Table):
     """A rotating mass beside the linkage: moment of inertia kg*m2, and its turns for one turn of the crank."""
 
     inertia: Decimal = key(
-        d.INERTIA,
+        INERTIA,
         meaning="Moment of inertia about its own axis.",
         missing=Missing("moment of inertia", "inertia = 0.4"),
     )
-    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Its turns for one turn of the crank (передаточное отношение).")
+    ratio: Decimal = key(RATIO, Decimal(1), meaning="Its turns for one turn of the crank (передаточное отношение).")
     name: str = key(f.TEXT, "", meaning="What it is: gear, pulley, carrier.")
 
 
 class FlywheelTable(Table):
     """What is known of the flywheel: the shaft that it is to sit on, mean diameter of its rim m, material."""
 
-    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Turns of its shaft for one turn of the crank: 1 is the crank's.")
+    ratio: Decimal = key(RATIO, Decimal(1), meaning="Turns of its shaft for one turn of the crank: 1 is the crank's.")
     diameter: Decimal | None = key(f.LENGTH, None, meaning="Mean diameter of the rim; its mass is found.")
-    density: Decimal = key(d.MATERIAL, Decimal(7200), meaning="Density of the rim; default: grey iron.")
-    breadth: Decimal = key(d.SHARE, Decimal("1.5"), meaning="Axial breadth of the rim's section over its thickness.")
+    density: Decimal = key(MATERIAL, Decimal(7200), meaning="Density of the rim; default: grey iron.")
+    breadth: Decimal = key(SHARE, Decimal("1.5"), meaning="Axial breadth of the rim's section over its thickness.")
 
 
 class DynamicsTable(Table):
     """The steady motion that is asked for: mean speed, fluctuation, and the machine beside the linkage."""
 
     fluctuation: Decimal | None = key(
-        d.FLUCTUATION,
+        FLUCTUATION,
         None,
         meaning='Coefficient of fluctuation of speed δ (неравномерность хода), 0.0125 or "1/80"; asks for a flywheel.',
     )
@@ -216,7 +286,7 @@ class DynamicsTable(Table):
     speed: Decimal | None = key(
         f.ANGULAR_SPEED, None, meaning="Mean angular speed of the crank; default: that of the drive."
     )
-    divisions: int = key(d.DIVISIONS, 24, meaning="Strips of a turn in which the graphs are drawn.")
+    divisions: int = key(DIVISIONS, 24, meaning="Strips of a turn in which the graphs are drawn.")
     motor: MotorTable | None = key(table(MotorTable), None, meaning="The motor.")
     run: RunTable = key(
         table(RunTable),

@@ -1,17 +1,155 @@
-"""Wittenbauer's loop: energy over inertia, with the tangents of the least and the greatest speed (M4.9, figure 6.5)."""
+"""The steps of the table method (табличный метод): from row to row by acceleration (6.8), or by energy (6.9)."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Task, Touch
-from plans.model.edge_names import edge_names
+from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Task, Touch, edge_names
 from plans.model.motion import Floats
+from plans.model.motor import Motor
+from plans.model.run import ReducedLink, Works, beyond
 from plans.words.words import because
+
+ANGLE, SPEED, STOP, ROWS = "angle", "speed", "stop", "rows"  # what a part of the table ends with
+ROWS_MOST = 20_000  # of a table: beyond, its step is too short to be of use
+
+
+class Row(NamedTuple):
+    """A row of table 6.1: time s, angle turned rad, speed rad/s, acceleration rad/s2."""
+
+    t: float
+    turned: float
+    omega: float
+    epsilon: float
+
+
+class Part(NamedTuple):
+    """Some rows of the table, the works over them, and what it ended with."""
+
+    rows: tuple[Row, ...]
+    works: Works
+    reason: str
+
+
+class Ends(NamedTuple):
+    """With what a part ends, whichever comes first: an angle rad, a speed rad/s above, a number of rows."""
+
+    angle: float
+    rows: int
+    speed: float = math.inf
+
+
+@dataclass(frozen=True)
+class Acting:
+    """What acts in a stage: the drive or none, the resistance or none, a brake N*m."""
+
+    link: ReducedLink
+    motor: Motor | None
+    loaded: bool = False
+    brake: float = 0.0
+
+    def row(self, t: float, turned: float, omega: float) -> Row:
+        """Make a row: its acceleration is that of the forces beyond it (6.8)."""
+        here = beyond(turned)
+        moment = self._drive(omega) - self.brake + self.link.weight(here)
+        moment += self.link.resistance(here) if self.loaded else 0.0
+        epsilon = (moment - omega**2 / 2 * self.link.slope(here)) / self.link.inertia(here)
+        return Row(t, turned, omega, epsilon)
+
+    def works(self, row: Row, turned: float) -> Works:
+        """Give the works from a row to an angle: moments are those of the row's speed and of the middles of strips."""
+        strips = list(self._strips(row.turned, turned))
+        useful = sum(self.link.resistance((low + high) / 2) * (low - high) for low, high in strips)
+        weights = sum(self.link.weight((low + high) / 2) * (high - low) for low, high in strips)
+        path = turned - row.turned
+        return Works(self._drive(row.omega) * path, useful if self.loaded else 0.0, self.brake * path, weights)
+
+    def energy(self, row: Row) -> float:
+        """Give the kinetic energy J of the machine in a row."""
+        return self.link.inertia(row.turned) * row.omega**2 / 2
+
+    def _drive(self, omega: float) -> float:
+        return self.motor.moment(omega) if self.motor else 0.0
+
+    def _strips(self, low: float, high: float) -> Iterator[tuple[float, float]]:
+        """Part a path at the breaks within it: a resistance is taken on either side of them."""
+        while (edge := self.link.following(low)) is not None and edge < high:
+            yield low, edge
+            low = edge
+        yield low, high
+
+
+def by_acceleration(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
+    """Go on from row to row by the acceleration at the beginning of each step (6.8); the last step is shortened."""
+    rows, works, reason = [row], Works(), ""
+    while not reason:
+        row, reason = _accelerated(acting, row, step, ends)
+        works = works.joined(acting.works(rows[-1], row.turned))
+        rows.append(row)
+        reason = reason or (ROWS if len(rows) >= ends.rows else "")
+    return Part(tuple(rows), works, reason)
+
+
+def _accelerated(acting: Acting, row: Row, step: float, ends: Ends) -> tuple[Row, str]:
+    """Give the next row, or that at which the part ends before it."""
+    limits = {"": step, **_within(row, ends)}
+    reason = min(limits, key=lambda name: limits[name])
+    dt = limits[reason]
+    turned = row.turned + row.omega * dt + row.epsilon * dt**2 / 2
+    omega = {SPEED: ends.speed, STOP: 0.0}.get(reason, row.omega + row.epsilon * dt)
+    return acting.row(row.t + dt, ends.angle if reason == ANGLE else turned, omega), reason
+
+
+def _within(row: Row, ends: Ends) -> dict[str, float]:
+    """Give after what time each end is reached, if the acceleration stays as it is."""
+    found = {ANGLE: _time(row, ends.angle - row.turned)}
+    if row.epsilon > 0:
+        found[SPEED] = (ends.speed - row.omega) / row.epsilon
+    if row.epsilon < 0:
+        found[STOP] = row.omega / -row.epsilon
+    return found
+
+
+def _time(row: Row, path: float) -> float:
+    """Give the time for a path at a constant acceleration, infinite where the path is too long for it."""
+    square = row.omega**2 + 2 * row.epsilon * path
+    below = row.omega + math.sqrt(square) if square >= 0 else 0.0
+    return 2 * path / below if below > 0 else math.inf
+
+
+def by_energy(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
+    """Go on from row to row by the works over each step (6.9); the last step is shortened."""
+    rows, works, reason = [row], Works(), ""
+    kept = acting.energy(row)
+    while not reason:
+        row, reason, work = _carried(acting, row, step, ends.angle, kept)
+        works, kept = works.joined(work), kept + work.gained
+        rows.append(row)
+        reason = reason or (ROWS if len(rows) >= ends.rows else "")
+    return Part(tuple(rows), works, reason)
+
+
+def _carried(acting: Acting, row: Row, step: float, end: float, kept: float) -> tuple[Row, str, Works]:
+    """Give the next row and the works to it; where the machine stops before, the row in which it does."""
+    limits = {"": step, **_within(row, Ends(end, 0))}
+    reason = min(limits, key=lambda name: limits[name])
+    dt = limits[reason]
+    turned = end if reason == ANGLE else row.turned + row.omega * dt + row.epsilon * dt**2 / 2
+    work = acting.works(row, turned)
+    if reason != STOP and kept + work.gained <= 0:
+        reason, path = STOP, kept / -work.gained * (turned - row.turned)
+        turned, dt = row.turned + path, 2 * path / row.omega  # it slows down evenly
+        work = acting.works(row, turned)
+    left = 0.0 if reason == STOP else kept + work.gained
+    omega = math.sqrt(2 * left / acting.link.inertia(turned))
+    return acting.row(row.t + dt, turned, omega), reason, work
+
 
 LOOP = "loop"
 SAME = 1e-12  # of the height of the loop: points whose heights differ by less are on one line

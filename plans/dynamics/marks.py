@@ -12,7 +12,7 @@ from plans.dynamics.loop import LOOP, Loop
 from plans.dynamics.reduction import SPEEDS, Reducing
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
-from plans.model.edge_names import edge_names
+from plans.model.dynamics import edge_names
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:

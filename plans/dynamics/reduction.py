@@ -17,8 +17,7 @@ import numpy as np
 from geometry.board import Board, Mark
 from geometry.calculus import Derivative, derivative_by_tangents
 from geometry.precision import errors
-from plans.forces.cut import INERTIA, LOAD, WEIGHT, Couple, Load
-from plans.forces.force import ForcePlan
+from plans.forces.cut import INERTIA, LOAD, WEIGHT, Couple, ForcePlan, Load
 from plans.forces.lever import Lever, lever
 from plans.forces.loading import loading
 from plans.forces.statics import Statics
@@ -28,8 +27,7 @@ from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.study import LinkageStudy
 from plans.model.dynamics import CONSTRUCTION, Cycle, Reduced, Speeds, settled
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Floats
-from plans.model.order import VELOCITIES
+from plans.model.motion import VELOCITIES, Floats
 from plans.words.calculus import REASONS
 from plans.words.words import because
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from plans.dynamics.steps import ANGLE, ROWS, ROWS_MOST, STOP, Acting, Ends, Part, Row, by_acceleration, by_energy
+from plans.dynamics.loop import ANGLE, ROWS, ROWS_MOST, STOP, Acting, Ends, Part, Row, by_acceleration, by_energy
 from plans.model.dynamics import CONSTRUCTION, TURN
 from plans.model.motor import Motor
 from plans.model.run import (

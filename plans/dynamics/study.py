@@ -11,22 +11,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.errors import ConstructionError
-from plans.dynamics.cycle import Turn, Works
+from plans.dynamics.cycle import Turn, Works, methods, rim_of
 from plans.dynamics.form import DRIVE, DynamicsForm, DynamicsTable, motor_of, run_task
 from plans.dynamics.loop import Loop, loop
-from plans.dynamics.methods import methods, rim_of
 from plans.dynamics.reading import task_of
 from plans.dynamics.reduction import Reduction, SpeedCurve, natural, speed_curve
 from plans.dynamics.run import run
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy, obstruction
-from plans.model.account import Account
-from plans.model.dynamics import CONSTRUCTION, ROUNDED, TURN, Cycle, Flywheel, Reduced, Speeds, Task
-from plans.model.flywheel_methods import Methods
-from plans.model.flywheel_rim import Wheel
+from plans.model.dynamics import CONSTRUCTION, ROUNDED, TURN, Cycle, Flywheel, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.motor import Motor
-from plans.model.run import ReducedLink, Run, RunTask
+from plans.model.run import Account, ReducedLink, Run, RunTask
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:

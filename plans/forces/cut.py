@@ -1,12 +1,139 @@
-"""A group cut out of the mechanism, with all forces on it and its force polygon (схема нагружения, план сил группы)."""
+"""The force plan: the forces on all links in one position, and what each group takes and hands over (силовой расчёт).
+
+Every reaction is constructed: parts by moments with measured arms, the rest by closing force polygons (book 6.4.5).
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
 from typing import NamedTuple
 
-from geometry.board import Mark
-from plans.model.group import Group
-from plans.model.mechanism import Slide
+import numpy as np
+
+from geometry.board import Board, Mark
+from plans.linkage.plan import Plan
+from plans.linkage.redrawing import remade
+from plans.model.dyad import Group
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Body, Machine
+from plans.model.mechanism import FRAME, Slide
+from plans.words.words import because
+
+
+class ForcePlan:
+    """The forces on the links of one plan of accelerations, on a board of their own; every polygon starts at 0."""
+
+    def __init__(self, accelerations: Plan, machine: Machine, loading: Loading) -> None:
+        self.board = Board("forces")
+        self.accelerations, self.machine = accelerations, machine
+        self.positions, self.velocities = accelerations.below
+        self.mechanism = accelerations.mechanism
+        self.pole = self.board.given("0", 0j, because("polygon_start"))
+        self.loads: dict[int, list[Load]] = {link: [] for link in self.mechanism.links}
+        self.couples: dict[int, list[Couple]] = {link: [] for link in self.mechanism.links}
+        self.given: list[Mark] = []  # the loads, in the order of the loading: they change with the position
+        self.cuts: list[Cut] = []
+        self.drive: Mark | None = None  # force by which the crank is driven; None: a moment drives it
+        self.driven: Mark | None = None  # where it acts
+        self.balancing = self.pole  # moment about the shaft, once it is found
+        self.shaft = self.pole  # of a slide that is pushed along the centre of a wheel that would roll on it
+        self._places: dict[tuple[str, int], Mark] = {}
+        for _, body in sorted(machine.bodies.items()):
+            self.loads[body.link] += self._body(body)
+            self.couples[body.link] += self._turning(body)
+        self._load(loading)
+
+    def _body(self, body: Body) -> Iterator[Load]:
+        """Give a link its inertia force, against the acceleration of its mass centre, and its weight (M5.1)."""
+        link, acceleration = body.link, self.centre(self.accelerations, body)
+        if body.mass == 0:
+            return
+        at = self.centre(self.positions, body)
+        if acceleration is not self.accelerations.pole:
+            name = f"Φ_{link}"
+            force = self.board.turn(name, acceleration, -body.mass, because("inertia_force"))
+            yield Load(name, link, at, force, INERTIA)
+        if self.machine.gravity:
+            name = f"G_{link}"
+            force = self.board.given(name, body.mass * self.machine.gravity, because("weight"))
+            yield Load(name, link, at, force, WEIGHT)
+
+    def _turning(self, body: Body) -> Iterator[Couple]:
+        """Give a link its inertia couple, against its angular acceleration (M5.1)."""
+        reading = self.accelerations.readings.get(body.link)
+        turning = None if reading is None else reading.turning.step.size  # of the crank: i epsilon, or a row of them
+        still = body.link == self.mechanism.drive.link and not np.any(turning)
+        if body.inertia and reading is not None and not still:
+            name, why = f"M^Φ_{body.link}", because("inertia_moment")
+            yield Couple(name, body.link, self.board.couple(name, *reading, -body.inertia, why), INERTIA)
+
+    def centre(self, plan: Plan, body: Body) -> Mark:
+        """Give the image of a link's mass centre on a plan: a named point of the link where it lies there."""
+        key = plan.board.subject, body.link
+        if key not in self._places:
+            points = self.mechanism.links[body.link].points
+            named = next((name for name, place in points.items() if place == body.centre), None)
+            letter = f"S{body.link}"
+            drawn = plan.point(named) if named else plan.place(body.link, body.centre, plan.letter(letter))
+            self._places[key] = drawn
+        return self._places[key]
+
+    def image(self, load: Load) -> Mark:
+        """Give the image of the point of a weight, an inertia force or a load on the velocity plan."""
+        if load.kind == LOAD:
+            return self.velocities.point(load.point)
+        return self.centre(self.velocities, self.machine.bodies[load.link])
+
+    def _load(self, loading: Loading) -> None:
+        for load in loading.forces:
+            mark = self.board.given(load.name, load.force, because("load"))
+            self.given.append(mark)
+            if load.link != FRAME:
+                at = self.positions.point(load.point)
+                self.loads[load.link].append(Load(load.name, load.link, at, mark, LOAD, load.point))
+        for twist in loading.moments:
+            mark = self.board.given(twist.name, twist.moment, because("load"))
+            self.given.append(mark)
+            self.couples[twist.link].append(Couple(twist.name, twist.link, mark, LOAD))
+
+    def redraw(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
+        """Give this plan as it is on other boards, whose marks are named by those of this one."""
+        other = copy(self)
+        other.positions, other.velocities, other.accelerations = below
+        for name in (
+            "board",
+            "pole",
+            "loads",
+            "couples",
+            "given",
+            "cuts",
+            "drive",
+            "driven",
+            "balancing",
+            "shaft",
+            "_places",
+        ):
+            vars(other)[name] = remade(vars(self)[name], made, boards)
+        return other
+
+    def acting(self, *links: int) -> tuple[list[Load], list[Couple]]:
+        """List the known forces and couples on some links."""
+        loads = [load for link in links for load in self.loads[link]]
+        return loads, [couple for link in links for couple in self.couples[link]]
+
+    def hand_over(self, support: Support) -> None:
+        """Load the link that gives a reaction with its opposite."""
+        if support.giver == FRAME:
+            return
+        index, board = indices(support.taker, support.giver), self.board
+        name, why = f"R_{index}", because("opposite_of", force=f"R_{indices(support.giver, support.taker)}")
+        force = board.turn(name, support.force, -1.0, why)
+        self.loads[support.giver].append(Load(name, support.giver, support.at, force, REACTION))
+        if support.moment is not None:
+            moment = board.turn(f"M_{index}", support.moment, -1.0, why)
+            self.couples[support.giver].append(Couple(f"M_{index}", support.giver, moment, REACTION))
+
 
 WEIGHT, INERTIA, LOAD, REACTION = "weight", "inertia", "load", "reaction"
 KNOWN, PART, CLOSING = "known", "part", "closing"

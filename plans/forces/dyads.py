@@ -6,10 +6,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from plans.forces import polygon
-from plans.forces.cut import Cut
-from plans.forces.force import ForcePlan
-from plans.model.dyad import Dyad
-from plans.model.group import Pair
+from plans.forces.cut import Cut, ForcePlan
+from plans.model.dyad import Dyad, Pair
 from plans.words.words import because
 
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads

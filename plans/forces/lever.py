@@ -17,7 +17,7 @@ from plans.words.words import because
 
 if TYPE_CHECKING:
     from geometry.span import Reading
-    from plans.forces.force import ForcePlan
+    from plans.forces.cut import ForcePlan
 
 
 class Pairing(NamedTuple):

@@ -6,8 +6,20 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from geometry.board import Mark
-from plans.forces.cut import CLOSING, KNOWN, PART, REACTION, Couple, Cut, Equation, Load, Side, Support, indices
-from plans.forces.force import ForcePlan
+from plans.forces.cut import (
+    CLOSING,
+    KNOWN,
+    PART,
+    REACTION,
+    Couple,
+    Cut,
+    Equation,
+    ForcePlan,
+    Load,
+    Side,
+    Support,
+    indices,
+)
 from plans.linkage.groups import guide
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Slide

@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 from geometry.board import Mark
 from plans.forces import polygon as statics
-from plans.forces.cut import CLOSING, PART, Cut, Equation, Load, Side, indices
-from plans.forces.force import ForcePlan
+from plans.forces.cut import CLOSING, PART, Cut, Equation, ForcePlan, Load, Side, indices
 from plans.linkage.groups import guide
 from plans.model.machine import FORCE, GEAR, Transmission
 from plans.model.mechanism import FRAME, Drive, Slide

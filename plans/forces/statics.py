@@ -11,8 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.forces.cylinder import driven, joined, push, without
-from plans.forces.force_drawing import ForceDrawing
-from plans.forces.force_template import ForcePattern, ForcePlans
+from plans.forces.force_template import ForceDrawing, ForcePattern, ForcePlans
 from plans.forces.loading import loading
 from plans.forces.primary import balancing_quantity
 from plans.forces.reading.form import ForceForm
@@ -24,7 +23,7 @@ from plans.linkage.extreme import ExtremePositions, extremes
 from plans.linkage.gaps import near_edge
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy, obstruction
-from plans.model.group import Pair, pairs
+from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
 from plans.model.machine import Force, Machine, Track
 from plans.model.mechanism import Output, StructureError
@@ -33,13 +32,13 @@ from plans.model.motion import (
     DEAD_CENTRE,
     FORCES,
     INDETERMINATE,
+    VELOCITIES,
     Complexes,
     Extremes,
     Floats,
     Gap,
     Motion,
 )
-from plans.model.order import VELOCITIES
 from plans.model.working import NoWorkingStroke
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import Scene

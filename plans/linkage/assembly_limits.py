@@ -23,7 +23,7 @@ from plans.linkage.margin import margins, meeting, of_arcs
 from plans.linkage.motion_plans import accelerations, positions, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import UNIT, PlanTemplate, resting
-from plans.model.group import Group
+from plans.model.dyad import Group
 from plans.model.mechanism import Mechanism
 from plans.model.motion import CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES, Floats, LinkMotion, Motion, PointMotion
 

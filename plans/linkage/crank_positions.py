@@ -11,8 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.linkage.angles import heading
-from plans.model.motion import Complexes, Floats
-from plans.model.rates import Pace, Rates, rates_at
+from plans.model.motion import Complexes, Floats, Pace, Rates, rates_at
 from plans.scene.units import within
 
 _INT64 = 2**62  # numerators of whole turns stay exact below this

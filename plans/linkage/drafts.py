@@ -16,9 +16,8 @@ from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.sketch import Assembly
-from plans.model.group import Group
-from plans.model.motion import Motion
-from plans.model.order import ORDERS, VELOCITIES
+from plans.model.dyad import Group
+from plans.model.motion import ORDERS, VELOCITIES, Motion
 
 
 class Drawable(Protocol):

@@ -19,7 +19,7 @@ from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.travel import Travel, frame_slide
-from plans.model.group import Group
+from plans.model.dyad import Group
 from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output
 from plans.model.motion import Extremes, Floats
 from plans.model.working import by_time, works

@@ -21,11 +21,12 @@ from plans.model.motion import (
     NOT_REACHABLE,
     OUT_OF_REACH,
     PARALLEL_GUIDES,
+    POSITIONS,
+    VELOCITIES,
     Floats,
     Gap,
     Motion,
 )
-from plans.model.order import POSITIONS, VELOCITIES
 from plans.words.words import Message, message
 
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half

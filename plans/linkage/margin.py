@@ -15,7 +15,7 @@ from geometry.board import Arc, Line, Mark, between
 from geometry.meet import UNBORNE, cross
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
-from plans.model.group import Group
+from plans.model.dyad import Group
 from plans.model.motion import Floats
 
 # Two points so much nearer to each other than their figure is large give a direction without a true digit.

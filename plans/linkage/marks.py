@@ -15,7 +15,7 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive
-from plans.model.order import ORDERS, POSITIONS
+from plans.model.motion import ORDERS, POSITIONS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
-from plans.model.group import Group
+from plans.model.dyad import Group
 from plans.model.mechanism import Mechanism
-from plans.model.rates import Rates, steady
+from plans.model.motion import Rates, steady
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside

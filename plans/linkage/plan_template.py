@@ -14,8 +14,7 @@ from plans.linkage.angles import heading
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
-from plans.model.motion import LinkMotion, Motion, PointMotion
-from plans.model.rates import Rates
+from plans.model.motion import LinkMotion, Motion, PointMotion, Rates
 
 UNIT = Rates(np.ones(1), np.ones(1))  # by which a pattern is drawn whose rates vary
 

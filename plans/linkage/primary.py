@@ -10,8 +10,7 @@ from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
 from plans.linkage.primaries import crank, slider
 from plans.model.mechanism import CRANK, SLIDER, Mechanism
-from plans.model.motion import Complexes
-from plans.model.rates import Rates
+from plans.model.motion import Complexes, Rates
 
 
 class Primary(NamedTuple):

@@ -14,7 +14,7 @@ from plans.linkage.margin import crossing, margins
 from plans.linkage.motion_plans import positions
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
-from plans.model.group import Group
+from plans.model.dyad import Group
 from plans.model.mechanism import Mechanism, Slide
 from plans.model.motion import Complexes, Floats
 from plans.words.words import message

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, TypeAlias
 
 from geometry.meet import EPS, TANGENCY
-from plans.model.group import Joint, Pair
 from plans.model.mechanism import FRAME, Mechanism, Slide, StructureError
-from plans.words.words import message
+from plans.words.words import Message, message
 
 # The five kinds of two-lead groups, numbered as the textbook does (figure 6.12): outer, inner, outer pair.
 NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
@@ -122,3 +121,104 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
                 links,
             )
     return dyad
+
+
+Joint: TypeAlias = str | Slide  # a hinge by its point, or a sliding pair
+
+
+class Pair(NamedTuple):
+    """A lower pair as forces see it: the link that gives its reaction, the one that takes it, and their joint.
+
+    `point` is the hinge, or the slider's point that the scene names: there the reaction is told.
+    """
+
+    giver: int
+    taker: int
+    joint: Joint
+
+    @property
+    def key(self) -> str:
+        """The pair as it is named: "3-4"."""
+        return f"{self.giver}-{self.taker}"
+
+    @property
+    def point(self) -> str:
+        """The letter of the point at which the reaction is told."""
+        return self.joint if isinstance(self.joint, str) else self.joint.point
+
+
+class Group(Protocol):
+    """A structural group: links that have one place, or one of a few, as soon as their hosts have theirs."""
+
+    @property
+    def kind(self) -> str:
+        """Its kind, by which its constructions are found: "RRP"."""
+
+    @property
+    def order(self) -> str:
+        """Its class by Assur and Artobolevsky: "II" (класс группы)."""
+
+    @property
+    def label(self) -> str:
+        """The group as the formula of structure writes it: class, kind, links."""
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """Its links."""
+
+    @property
+    def outer_pairs(self) -> tuple[Pair, ...]:
+        """The pairs by which it hangs on its hosts: each is of a host with a link of the group."""
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs of its links with each other."""
+
+
+def pair(one: int, other: int, joint: Joint) -> Pair:
+    """Name a pair: the reaction of its lower-numbered link on the other."""
+    return Pair(min(one, other), max(one, other), joint)
+
+
+def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
+    """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
+    found = [pair(FRAME, mechanism.drive.link, mechanism.drive.guide or mechanism.drive.pivot)]
+    for group in groups:
+        found += [pair(*told) for told in (*group.outer_pairs, *group.inner_pairs)]
+    return tuple(found)
+
+
+CLASSES = ("I", "II", "III", "IV")  # of groups and mechanisms, the simplest first
+SEARCHES = (dyads,)  # for groups that hang on solved links, those of the fewest links first
+
+
+def decompose(mechanism: Mechanism) -> tuple[Group, ...]:
+    """Break a mechanism into groups in the order of their attachment, whatever the order of the scene's tables.
+
+    Raises StructureError where links are left that form no group.
+    """
+    solved = {FRAME, mechanism.drive.link}
+    groups: list[Group] = []
+    while left := sorted(set(mechanism.links) - solved):
+        group = next((group for search in SEARCHES for group in search(mechanism, solved, left)), None)
+        if group is None:
+            raise StructureError(_no_group(mechanism, left), tuple(left))
+        groups.append(group)
+        solved.update(group.links)
+    return tuple(groups)
+
+
+def formula(mechanism: Mechanism, groups: Sequence[Group]) -> str:
+    """Write the formula of structure (формула строения), such as I(0,1) -> II3(2,3) -> II2(4,5)."""
+    return " -> ".join([f"I(0,{mechanism.drive.link})", *(group.label for group in groups)])
+
+
+def mechanism_class(groups: Sequence[Group]) -> str:
+    """Give the class of the mechanism: the highest class of its groups (класс механизма)."""
+    return max([CLASSES[0], *(group.order for group in groups)], key=CLASSES.index)
+
+
+def _no_group(mechanism: Mechanism, left: list[int]) -> Message:
+    names = ", ".join(str(link) for link in left)
+    pairs = sum(len([o for o in owners if o in left]) for owners in mechanism.hinges.values())
+    return message("structure.triad" if len(left) >= 4 and pairs else "structure.leads", links=names)

@@ -1,9 +1,4 @@
-"""The motion of a machine under its forces: the task, the account of a steady turn, the flywheel (динамика машины).
-
-Angles `turned` run from 0 at position 0 to 2 pi in the sense in which the crank turns, rad; moments and rates are
-positive in that sense. Both roads give these values: by construction on strips, by analysis on the same strips or
-exactly.
-"""
+"""What the edges of a turn's strips are called: positions by their numbers, 1' between two of them (номера границ)."""
 
 from __future__ import annotations
 
@@ -13,6 +8,82 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.model.motion import Floats, Gap
+
+SAME = 1e-9  # of a strip: an edge so near a position is that position
+
+
+def edge_names(turned: Floats, divisions: int) -> tuple[str, ...]:
+    """Name edges at angles turned, rad, of a turn of so many divisions.
+
+    >>> import numpy as np
+    >>> edge_names(TURN / 8 * np.array([0.0, 1.0, 1.3, 1.7, 2.0]), 8)
+    ('0', '1', "1'", "1''", '2')
+    """
+    names: list[str] = []
+    for place in turned * divisions / TURN:
+        near = round(float(place))
+        if abs(place - near) <= SAME:
+            names.append(str(near))
+        else:
+            whole = str(int(place))
+            names.append(whole + "'" * (1 + sum(name.startswith(f"{whole}'") for name in names)))
+    return tuple(names)
+
+
+class Methods(NamedTuple):
+    """The inertia J0 kg*m2 at position 0 by each method, and the range of energy J that Mertsalov's evens out.
+
+    `book` is by tangents at slopes 1 -+ delta; `touches` are the least and the greatest of Mertsalov's curve.
+    """
+
+    book: float
+    mertsalov: float
+    gutyar: float
+    height: float
+    touches: tuple[Touch, Touch]
+
+
+THICKEST = 0.5  # of the mean diameter: a thicker rim leaves no room for shaft, hub and spokes
+
+
+class Wheel(NamedTuple):
+    """A flywheel's rim on its own shaft: inertia kg*m2, mean diameter m, mass kg, section's thickness and breadth m."""
+
+    inertia: float
+    diameter: float
+    mass: float
+    thickness: float  # along the radius
+    breadth: float  # along the shaft
+
+    @property
+    def outer(self) -> float:
+        """Its outer diameter, m."""
+        return self.diameter + self.thickness
+
+    @property
+    def inner(self) -> float:
+        """Its inner diameter, m; not above zero where no rim of this mean diameter is heavy enough."""
+        return self.diameter - self.thickness
+
+    @property
+    def added(self) -> float:
+        """The share of the inertia that the thickness adds: a ring of thickness t has m (D^2 + t^2)/4."""
+        return (self.thickness / self.diameter) ** 2
+
+    @property
+    def fits(self) -> bool:
+        """Whether a wheel can have it: a ring so thick that no shaft goes through it is none."""
+        return self.thickness <= THICKEST * self.diameter
+
+    @property
+    def least_diameter(self) -> float:
+        """The least mean diameter m of a rim of this inertia, material and shape that fits: t/D falls as D^(-5/2)."""
+        return float(self.diameter * (self.thickness / (THICKEST * self.diameter)) ** 0.4)
+
+    def at_speed(self, omega: float) -> float:
+        """Give the speed of the mean circle, m/s, of a shaft that turns at rad/s."""
+        return abs(omega) * self.diameter / 2
+
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 TURN = 2 * np.pi

@@ -13,8 +13,17 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, FORCES, INDETERMINATE, NOTHING, Complexes, Floats, Gap
-from plans.model.order import VELOCITIES
+from plans.model.motion import (
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    FORCES,
+    INDETERMINATE,
+    NOTHING,
+    VELOCITIES,
+    Complexes,
+    Floats,
+    Gap,
+)
 
 
 class Applied(NamedTuple):

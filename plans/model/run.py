@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from plans.model.dynamics import TURN
+from plans.model.dynamics import TURN, Cycle, Flywheel, Reduced, Speeds
 from plans.model.motion import Floats, Gap
 from plans.model.motor import Motor
 from plans.words.words import Message, message
@@ -251,3 +251,26 @@ def stiffness_of(link: ReducedLink, motor: Motor, speed: float) -> float:
 
 
 PLACES = 24  # of a turn, at which the least inertia is looked for: for an estimate alone
+
+
+@dataclass(frozen=True)
+class Account:
+    """All that one road finds of a machine's motion; None: not asked for, or told elsewhere why there is none."""
+
+    by: str
+    reduced: Reduced
+    cycle: Cycle | None = None
+    flywheel: Flywheel | None = None
+    speeds: Speeds | None = None
+    before: Speeds | None = None
+    run: Run | None = None
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """No gaps of its own: those of the reduction are the positions', which are compared with them."""
+        return ()
+
+    @property
+    def gaps(self) -> tuple[Gap, ...]:
+        """The gaps of the reduction."""
+        return self.reduced.gaps

@@ -1,18 +1,132 @@
-"""Balancing by polygons: that of moments gives the correction in plane I, that of forces the other (8.5)."""
+"""The unit vector at an angle in degrees, quarter turns exact (направление)."""
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.model.rotor import Plane, Rotor, Unbalance
-from plans.rotor.heading import heading
-from plans.rotor.letters import moment_letters, unbalance_letters
-from plans.rotor.polygon import Polygon, close, polygon, rounding
-from plans.words.words import Message, because, message
+from plans.model.rotor import EPS, ROUNDING, Plane, Resultant, Rotor, Unbalance
+from plans.words.words import Message, because, message, word
+
+QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
+
+
+def heading(angle: Fraction) -> complex:
+    """Give the direction at an angle; taken from the nearest quarter turn it loses no digit.
+
+    >>> heading(Fraction(90)), heading(Fraction(540))
+    (1j, (-1+0j))
+    """
+    quarter = round(angle / 90)
+    rest = float(angle - 90 * quarter)
+    return QUARTERS[quarter % 4] * cmath.rect(1.0, math.radians(rest)) if rest else QUARTERS[quarter % 4]
+
+
+ALONE = "cw"  # the index of the only counterweight, which each language writes in its own letters
+
+
+def unbalance_letters(name: str) -> str:
+    """Letter a static moment.
+
+    >>> unbalance_letters("II")
+    'm_IID_II'
+    """
+    return f"m_{name}D_{name}"
+
+
+def moment_letters(name: str) -> str:
+    """Letter the moment of a static moment about the last plane of correction.
+
+    >>> moment_letters("2")
+    'm_2D_2h_2'
+    """
+    return f"{unbalance_letters(name)}h_{name}"
+
+
+def written(name: str, language: str) -> str:
+    """Write the letters of a vector as a language does.
+
+    >>> written("m_cwD_cwh_cw", "ru"), written("m_IID_II", "ru")
+    ('m_прD_прh_пр', 'm_IID_II')
+    """
+    return name.replace(f"_{ALONE}", f"_{word(language, 'sheet.counterweight index')}")
+
+
+CLOSES = because("closes_polygon")
+RUN = 8  # vectors laid off in one row: a row of a thousand like ones would lose digits with each
+
+
+class Side(NamedTuple):
+    """A side of a polygon: its vector, and the corners between which it lies."""
+
+    vector: Mark
+    start: Mark
+    end: Mark
+
+
+class Polygon(NamedTuple):
+    """A polygon of vectors: its sides in order, what closes it, and how far rounding can have moved that."""
+
+    board: Board
+    sides: tuple[Side, ...]
+    closing: Mark
+    slack: float
+
+    @property
+    def resultant(self) -> Resultant:
+        """What closes the polygon."""
+        return Resultant(complex(self.closing.point), self.slack)
+
+    @property
+    def closed(self) -> bool:
+        """Whether the vectors close by themselves."""
+        return self.resultant.vanishes
+
+
+def polygon(
+    board: Board, pole: Mark, name: str, vectors: Sequence[Mark], carried: float = 0.0, why: Message = CLOSES
+) -> Polygon:
+    """Lay vectors off one after another from a pole and close them; a vector of no length has no side.
+
+    `carried` is how far rounding can have moved the vectors themselves.
+    """
+    laid = [one for one in vectors if one.point]
+    sides = _row(board, pole, name, laid)
+    closing = close(board, pole, name, laid, why) if len(laid) > RUN else board.join(name, _end(pole, sides), pole, why)
+    return Polygon(board, sides, closing, rounding(laid) + carried)
+
+
+def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: Message) -> Mark:
+    """Close any number of vectors: laid off in runs, and the ends of the runs likewise."""
+    level = 0
+    while len(vectors) > RUN:
+        runs = [vectors[k : k + RUN] for k in range(0, len(vectors), RUN)]
+        level += 1
+        vectors = [_end(pole, _row(board, pole, f"{name}/{level}.{k}", run)) for k, run in enumerate(runs, 1)]
+    return board.close(name, *vectors, why=why)
+
+
+def rounding(vectors: Sequence[Mark]) -> float:
+    """Give how far rounding can have moved the sum of some vectors."""
+    return ROUNDING * EPS * sum(abs(complex(one.point)) for one in vectors)
+
+
+def _row(board: Board, pole: Mark, name: str, vectors: Sequence[Mark]) -> tuple[Side, ...]:
+    sides: list[Side] = []
+    for number, vector in enumerate(vectors, 1):
+        start = _end(pole, sides)
+        sides.append(Side(vector, start, board.lay_off(f"{name}:{number}", start, vector, because("end_to_end"))))
+    return tuple(sides)
+
+
+def _end(pole: Mark, sides: Sequence[Side]) -> Mark:
+    return sides[-1].end if sides else pole
+
 
 COUPLES, UNBALANCES = "couples", "unbalances"  # the boards: vectors m*D*h kg*m2, and m*D kg*m
 

@@ -8,7 +8,7 @@ from decimal import Decimal
 from functools import partial
 from typing import Any
 
-from plans.model.balance_quality import GRADES, letters, nearest_grade
+from plans.model.rotor import GRADES, letters, nearest_grade
 from plans.scene import fields as f
 from plans.scene import units
 from plans.scene.faults import Wrong, wrong

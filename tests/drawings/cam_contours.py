@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
-from drawings.figures.cam.profile_view import ProfileView, profile_view
+from drawings.cam.profile_view import ProfileView, profile_view
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
 from plans.model.cam import (

@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.grading.curves.arm_figures import arm_at
-from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Values
-from drawings.grading.curves.figure_records import figures_asked
+from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Values, figures_asked
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg

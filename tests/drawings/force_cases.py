@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from drawings.figures.forces import force_polygon, lever_plan
+from drawings.forces import lever_plan, polygon
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -17,7 +17,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Leaf
-from plans.forces.force import ForcePlan
+from plans.forces.cut import ForcePlan
 from plans.forces.force_template import forces
 from plans.forces.lever import Lever, lever
 from plans.linkage.study import LinkageStudy
@@ -26,7 +26,7 @@ from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.scene.scene import parse_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
-Figure: TypeAlias = force_polygon.PolygonFigure | lever_plan.LeverFigure
+Figure: TypeAlias = polygon.PolygonFigure | lever_plan.LeverFigure
 GEARED = Transmission(GEAR, 0.18, radians(210), radians(20))
 RAM = {1: Body(1, 6, 0.25, 0j), 3: Body(3, 15, 0.6, 0.35 + 0j), 4: Body(4, 3, 0.01, 0.1 + 0j), 5: Body(5, 25, 0, 0j)}
 
@@ -104,15 +104,15 @@ def spot(measure: Picture, cell: Field) -> Spot:
 
 def polygons(
     case: Forced, k: int, hand: Hand, language: str = "en", reactions: str = "R"
-) -> list[force_polygon.PolygonFigure]:
+) -> list[polygon.PolygonFigure]:
     """Draw the force plans of all cuts in cells beside one another."""
     figures = []
     drafting = Drafting(hand, language, reactions=reactions)
     for number, cut in enumerate(case.plan.cuts):
-        shown = force_polygon.polygon(case.plan, cut, k)
-        measure = force_polygon.measure(shown, f"{shown.plan}-{k}", drafting)
+        shown = polygon.polygon(case.plan, cut, k)
+        measure = polygon.measure(shown, f"{shown.plan}-{k}", drafting)
         placed = spot(measure, Field(10 + 300 * number, 230, 300 + 300 * number, 450))
-        figures.append(force_polygon.draw(shown, measure, placed, drafting))
+        figures.append(polygon.draw(shown, measure, placed, drafting))
     return figures
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from drawings.checks import hold
 from drawings.checks.expected import Expected
-from drawings.collation.spots import brought
+from drawings.collation.items import brought
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure
 from drawings.measure.transform import Affine

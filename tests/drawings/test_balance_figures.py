@@ -7,14 +7,13 @@ from collections.abc import Sequence
 
 import pytest
 
-from drawings.figures.balance.balance_table import change
+from drawings.balance.sheet import change, leaves
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Arc, Group, Leaf, Stroke
 from drawings.paper.walk import groups, texts, walk
 from drawings.pens.svg import svg
-from drawings.sheets.balancing import leaves
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.banks import ENGINE, FOUR_BAR, counterweight

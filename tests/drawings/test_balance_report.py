@@ -7,12 +7,12 @@ from functools import cache
 
 import pytest
 
+from drawings.balance.notes import BalanceNotes
+from drawings.balance.report import chapters, headline
+from drawings.balance.sheet import leaves
 from drawings.lettering.words import decimal
 from drawings.page.drafting import drafting_of
-from drawings.report.balance.balance_notes import BalanceNotes
-from drawings.report.balance.balance_report import chapters, headline
 from drawings.report.report import report
-from drawings.sheets.balancing import leaves
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Place
 from plans.scene.scene import parse_scene

@@ -8,9 +8,9 @@ from itertools import pairwise
 
 import pytest
 
-from drawings.figures.bank.bank_view import SIDE
-from drawings.report.balance.bank_report import chapters, headline, subject
-from drawings.sheets.bank import leaves, view_of
+from drawings.bank.report import chapters, headline, subject
+from drawings.bank.sheet import leaves, view_of
+from drawings.bank.star import SIDE
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.bank_scenes import bank, compensator, scene

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from drawings.due.turn import INERTIA, SURPLUS
+from drawings.dynamics.due_graphs import INERTIA, SURPLUS
 from drawings.grading.curves.run_figures import Bare
 from plans.model.dynamics import ANALYSIS, Speeds
 from plans.model.motion import Floats

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.cam.coordinates import enclosures, faults, turns
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
-from drawings.due.coordinates import enclosures, faults, turns
 from drawings.files.coordinate_table import read, written
-from drawings.files.enclosure import Enclosure
+from drawings.files.file_error import Enclosure
 from drawings.paper.strokes import SheetError
 from drawings.sheets.table import SHEETS
 from geometry.errors import LimitError

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from drawings.figures.cam import profile_figure
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.cam import profile as profile_figure
+from drawings.cam.profile_view import ProfileView
 from drawings.measure.measure import Measured
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Curve, Leaf, Polyline

@@ -7,11 +7,11 @@ from functools import cache
 
 import pytest
 
-from drawings.figures.cam import sizes_table
-from drawings.figures.cam.manufacturing_figure import Manufacture, manufacture
+from drawings.cam import size_view
+from drawings.cam.manufacturing import Manufacture, manufacture
+from drawings.cam.profile_sheet import sheets
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.sheets.cam_profile import sheets
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import view_of
 from tests.drawings.exhibits import SHEET, read_back
@@ -103,8 +103,8 @@ def test_several_cams_have_a_sheet_each() -> None:
 def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) -> None:
     """Numbers of M2.7, M2.9 and M2.13."""
     found = view_of(name).found
-    own = sizes_table.quantities(found)
-    block = sizes_table.sizes(own, own, True, drafting_of(scene()))
+    own = size_view.quantities(found)
+    block = size_view.sizes(own, own, True, drafting_of(scene()))
     told = {line.name.replace("_", "").replace("{", "").replace("}", ""): line.cells for line in block.lines}
     assert {name: told[name][0] for name in rows} == rows
     assert told["Ψ, °" if name == "rocker" else "H, mm"][1] == "given"
@@ -113,7 +113,7 @@ def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) ->
 def test_shocks_are_told_with_their_places() -> None:
     """M2.5: under constant acceleration the jump in the middle is twice that at the ends."""
     found = view_of("radial").found
-    own = {one.letter + one.where: one.value for one in sizes_table.quantities(found)}
+    own = {one.letter + one.where: one.value for one in size_view.quantities(found)}
     omega, angle = 10.0, math.radians(120)
     end = 4 * 0.03 / angle**2 * omega**2
     assert own["Δa_{1}"] == pytest.approx(end)

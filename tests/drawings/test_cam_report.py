@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.cam.notes import CamNotes
+from drawings.cam.report import chapters, without_rounding
 from drawings.page.drafting import drafting_of
-from drawings.report.cam_notes import CamNotes
-from drawings.report.cam_report import chapters, without_rounding
 from plans.model.cam_motion import Extreme, Flaw
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from drawings.figures.cam.outlines import profile_curve
-from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING
-from drawings.layout.place import Place
+from drawings.cam.profile_view import OUTER, PITCH, WORKING, profile_curve
+from drawings.layout.picture import Place
 from drawings.measure.measure import Measured, MeasuredProfile, check, measure
 from drawings.page.scale import Scale
 from drawings.paper.limits import SheetRefused

@@ -9,8 +9,7 @@ from typing import Any
 import pytest
 
 from drawings.collation.collate import Collation, Hidden, collate
-from drawings.collation.items import items
-from drawings.collation.spots import brought
+from drawings.collation.items import brought, items
 from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text

@@ -24,7 +24,7 @@ from drawings.commands import draw as draw_command
 from drawings.commands import solve as solve_command
 from drawings.files import atomic_files
 from drawings.paper.limits import QUANTUM
-from plans.checks import compare as comparing
+from plans.linkage import quantities as comparing
 from plans.model.motion import Motion, PointMotion
 from tests.drawings.conftest import Run
 from tests.gallery import LINKAGES

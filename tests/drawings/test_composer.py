@@ -14,10 +14,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as some
 
-from drawings.layout.block import Notes, TextBlock
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
-from drawings.layout.picture import Margins, Picture, picture
+from drawings.layout.picture import Margins, Notes, Picture, TextBlock, picture
 from drawings.layout.standing import bareness
 from drawings.layout.table import RuledTable, Setting, TableRow
 from drawings.page.page import Field, Page
@@ -29,7 +28,8 @@ from tests.parts import some as rows
 ROOT = Path(__file__).parent.parent.parent
 FIGURES = [
     path.relative_to(ROOT).with_suffix("").as_posix().replace("/", ".")
-    for path in sorted((ROOT / "drawings/figures").rglob("*.py"))
+    for path in sorted((ROOT / "drawings").rglob("*.py"))
+    if "MARGINS" in path.read_text("utf-8")
 ]
 LEAST = 40.0
 MARGINS = Margins(12.0, 10.0, 26.0)

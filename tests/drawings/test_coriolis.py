@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.figures.linkage.coriolis import QuarterTurn, quarter_turn, rule
+from drawings.linkage.coriolis import QuarterTurn, quarter_turn, rule
+from drawings.linkage.kinematics import sheets
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Text
 from drawings.paper.walk import flat
-from drawings.sheets.kinematics import sheets
 from plans.analytic.kinematics import solve
-from plans.checks.compare import compare
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 

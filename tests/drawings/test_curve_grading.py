@@ -11,14 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.due.loads import Branch, branches
 from drawings.eye.sheet import see
+from drawings.forces.due_loads import Branch, branches
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
-from drawings.grading.allowance import EXACT, Allowance, Allowances
-from drawings.grading.curves.asked_figure import Values
+from drawings.grading.asked import EXACT, Allowance, Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.figure_records import figures_asked
+from drawings.grading.curves.figure_records import Values, figures_asked
 from drawings.grading.curves.form.form_figure import axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
 from drawings.grading.drawn_plan import Arrow

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from drawings.figures.graphs import curve_graph, hodograph
-from drawings.figures.graphs.curve_graph import GraphCurve
-from drawings.figures.graphs.hodograph import Hodograph
+from drawings.kinds import curve_graph, hodograph
+from drawings.kinds.curve_graph import GraphCurve
+from drawings.kinds.hodograph import Hodograph
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot

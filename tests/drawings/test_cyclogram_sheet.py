@@ -6,9 +6,9 @@ import re
 
 import pytest
 
+from drawings.cyclogram import report
+from drawings.cyclogram.sheet import leaves
 from drawings.paper.strokes import Leaf
-from drawings.report import cyclogram_report
-from drawings.sheets.cyclogram import leaves
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.held import faults_on, measured
@@ -45,10 +45,10 @@ def test_every_angle_is_measured_back(shaper: tuple[Study, Leaf]) -> None:
 
 def test_a_report_tells_the_positions_by_both_roads(shaper: tuple[Study, Leaf]) -> None:
     study, leaf = shaper
-    told = "\n".join(cyclogram_report.chapters(study, {"cyclogram": (leaf,)}).values)
+    told = "\n".join(report.chapters(study, {"cyclogram": (leaf,)}).values)
     assert "## Cyclogram" in told
     assert (
         "position 8, overrun begins, at 0.1 of the stroke: φ = 306.8819915° by plan, 306.8819915° by analysis" in told
     )
-    assert "φ_rise = 360° − (φ_2 − φ_1) = 74.57704742°" in cyclogram_report.headline(study)
-    assert cyclogram_report.remarks(study) == []
+    assert "φ_rise = 360° − (φ_2 − φ_1) = 74.57704742°" in report.headline(study)
+    assert report.remarks(study) == []

@@ -9,11 +9,10 @@ from functools import cache
 
 import pytest
 
-from drawings.figures.dynamics import dynamics_table
-from drawings.figures.dynamics.curves import dense
-from drawings.figures.dynamics.loop import Loop, Tangent
-from drawings.figures.dynamics.rays import strips
-from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.dynamics.graphs import dense, strips
+from drawings.dynamics.loop import Loop, Tangent
+from drawings.dynamics.sheet import Machine, results, sheets
+from drawings.kinds.axes import BEYOND, Axes
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, check, measure
 from drawings.measure.measured import MeasuredVector
@@ -22,7 +21,6 @@ from drawings.page.scale import Scale
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
-from drawings.sheets.dynamics import Machine, sheets
 from plans.model.dynamics import TURN
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -124,7 +122,7 @@ def test_the_difference_of_a_segment_is_told_of_both() -> None:
     account = study().comparison("dynamics").exact
     drawn = replace(account, flywheel=replace(account.flywheel, cuts=(-2e-9, 20.1)))
     exact = replace(account, flywheel=replace(account.flywheel, cuts=(-1e-9, 20.0)))
-    lines = dynamics_table.results(drawn, exact, None, drafting_of(study().scene)).lines
+    lines = results(drawn, exact, None, drafting_of(study().scene)).lines
     found = {line.name: line.cells[-1] for line in lines}
     assert (found["o_1k·μ_T, J"], found["o_1l·μ_T, J"]) == ("0.500", "0.000")
 

@@ -6,10 +6,10 @@ import math
 
 import pytest
 
-from drawings.report.dynamics_report import chapters, headline, remarks
-from drawings.report.idle import of_dynamics
+from drawings.dynamics.report import chapters, headline, remarks
+from drawings.report.report import of_dynamics
+from plans.dynamics.cycle import methods
 from plans.dynamics.loop import loop
-from plans.dynamics.methods import methods
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import several

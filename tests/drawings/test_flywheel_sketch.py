@@ -7,13 +7,12 @@ import math
 
 import pytest
 
-from drawings.figures.dynamics import flywheel_sketch
-from drawings.figures.dynamics.flywheel_sketch import Outlines
+from drawings.dynamics import flywheel_sketch
+from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.paper.hand import hand_of
 from drawings.paper.walk import texts
 from drawings.symbols.hatching import hatching
-from plans.model.dynamics import Rim
-from plans.model.flywheel_rim import Wheel
+from plans.model.dynamics import Rim, Wheel
 from tests.drawings.exhibits import exhibited
 from tests.plans.test_flywheel_rim import sized
 

@@ -145,14 +145,14 @@ def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> 
 
 
 def test_a_failed_balance_withholds_the_sheet(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from plans.checks import force_comparison
+    from plans.forces import quantities
 
-    found = force_comparison.balancing_moment
+    found = quantities.balancing_moment
 
     def wrong(*given: Any) -> Any:
         return found(*given) * 1.00001
 
-    monkeypatch.setattr(force_comparison, "balancing_moment", wrong)
+    monkeypatch.setattr(quantities, "balancing_moment", wrong)
     code, _, err = run("draw", LOADED, "-o", tmp_path / "out")
     assert code == 5
     assert "M_bal power" in err

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
-from drawings.figures.forces.force_polygon import measure as room_of
+from drawings.forces.polygon import ForcePolygon, draw, polygon
+from drawings.forces.polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.measure.measure import measure
 from drawings.measure.measured import MeasuredVector

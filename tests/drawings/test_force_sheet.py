@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.forces import sheet
+from drawings.linkage import kinematics
+from drawings.linkage.positions import force_positions
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.paper.walk import texts
-from drawings.sheets import forces, kinematics
-from drawings.sheets.positions import force_positions
-from plans.checks.compare import compare
-from plans.checks.force_comparison import ForceComparison, compare_forces
+from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
@@ -31,7 +32,7 @@ Checked = tuple[LinkageStudy, ForceComparison, Statics, Leaf]
 def sheets_of(study: LinkageStudy) -> tuple[ForceComparison, Statics, tuple[Leaf, ...]]:
     statics = Statics(study)
     comparison = compare_forces(statics, compare(study))
-    return comparison, statics, forces.sheets(study, comparison, statics)
+    return comparison, statics, sheet.sheets(study, comparison, statics)
 
 
 @pytest.fixture(scope="module")

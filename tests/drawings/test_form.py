@@ -13,12 +13,12 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.eye.sheet import see
-from drawings.files.json_text import json_text
+from drawings.files.file_error import json_text
 from drawings.form import laid, task
 from drawings.form.blank_file import blank_file, see_blank
 from drawings.form.form import form_of
 from drawings.form.laid import given
-from drawings.layout.place import Place
+from drawings.layout.picture import Place
 from drawings.original.edition import leaves_of
 from drawings.page.page import BLOCK
 from drawings.page.scale import Scale

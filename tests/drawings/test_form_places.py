@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.form_places import FormPlace, form_places, place_of
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from drawings.report.forces.force_report import friction_lines
-from plans.checks.compare import compare
-from plans.checks.force_comparison import compare_forces
+from drawings.forces.report import friction_lines
+from plans.forces.quantities import compare_forces
 from plans.forces.statics import Statics
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 

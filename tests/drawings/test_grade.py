@@ -19,12 +19,10 @@ from drawings.commands import cli
 from drawings.commands import grade as commanded
 from drawings.commands.grade import write_feedback
 from drawings.grading import roll
-from drawings.grading.allowance import Allowances
-from drawings.grading.asked import ungraded
+from drawings.grading.asked import Allowances, ungraded
 from drawings.grading.curves.figure_records import FIGURES
-from drawings.grading.feedback import feedback
+from drawings.grading.feedback import feedback, idle_keys
 from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
-from drawings.grading.idle_keys import idle_keys
 from drawings.grading.marking import RECORDS, Marking, MarkingError, points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import gathered, row

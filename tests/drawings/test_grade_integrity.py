@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.graded import PASS, REJECTED, grade
 from drawings.grading.sheet_task import SheetTask
 from tests.drawings.form_students import form_leaf, on_form

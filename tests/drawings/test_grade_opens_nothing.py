@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.graded import PASS, REJECTED, Graded, grade
 from drawings.grading.roll import answered, grade_all
 from drawings.grading.sheet_task import SheetTask

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.grading.allowance import EXACT, Allowance, Allowances
-from drawings.grading.asked import PlanAsked
+from drawings.grading.asked import EXACT, Allowance, Allowances, PlanAsked
 from drawings.grading.graded import FAIL, PASS, REJECTED, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask

@@ -16,7 +16,7 @@ from drawings.eye.sheet import see
 from drawings.form.form import form_of
 from drawings.form.task import table_of
 from drawings.grading import verdict
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.curves.form.form_figure import empty_axes
 from drawings.grading.graded import FAIL, PART, PASS, REJECTED, Graded, grade
 from drawings.grading.marking import Marking, points_of

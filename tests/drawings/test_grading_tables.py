@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from drawings.form.form import form_of
-from drawings.grading.allowance import EXACT, Allowances
+from drawings.grading.asked import EXACT, Allowances
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, PART, PASS, REJECTED, grade

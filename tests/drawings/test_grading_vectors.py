@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.grading.allowance import EXACT, Allowances
-from drawings.grading.asked import PlanAsked
+from drawings.grading.asked import EXACT, Allowances, PlanAsked
 from drawings.grading.graded import PASS, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import UNGROUPED

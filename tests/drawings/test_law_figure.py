@@ -9,9 +9,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from drawings.figures.cam import law_diagrams
-from drawings.figures.cam.law_diagrams import graph_part, pole_part
-from drawings.figures.cam.law_frame import LawFrame, LawPlate, rows
+from drawings.cam import law_diagrams
+from drawings.cam.law_diagrams import graph_part, pole_part
+from drawings.cam.law_frame import LawFrame, LawPlate, rows
+from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, CamNotes
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
@@ -19,8 +20,6 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, texts
-from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY
-from drawings.report.cam_notes import CamNotes
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of
 from plans.cam.tables import smoothing

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import pytest
 
-from drawings.report.cam_report import chapters
+from drawings.cam.report import chapters
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.gallery import GALLERY
@@ -18,7 +18,7 @@ from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
-CAMS = ("plans.cam", "plans.analytic.cam", "plans.checks.cam", "plans.cyclogram", "drawings.figures.cam")
+CAMS = ("plans.cam", "plans.analytic.cam", "plans.checks.cam", "plans.cyclogram", "drawings.cam")
 HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
 
 # Runs the command, then tells which modules it has imported and which plans each study has made.
@@ -203,7 +203,7 @@ def test_a_rotor_is_drawn_without_any_linkage(tmp_path: Path) -> None:
     modules = imported("draw", GALLERY / "flywheel.toml", "-o", tmp_path)
     assert "plans.rotor.balancing" in modules
     assert not modules & set(HEAVY)
-    others = ("plans.linkage", "plans.forces", "drawings.figures.linkage", "drawings.figures.forces", *CAMS)
+    others = ("plans.linkage", "plans.forces", "drawings.linkage", "drawings.forces", *CAMS)
     assert [name for name in modules if name.startswith(others)] == []
 
 
@@ -217,7 +217,7 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
     first(
         [
             ("cam", (), "nothing"),
-            ("profile", ("drawings.figures.cam.law", "drawings.figures.cam.size", "drawings.figures.graphs"), "laws"),
+            ("profile", ("drawings.cam.law", "drawings.cam.size", "drawings.kinds"), "laws"),
         ]
     ),
 )
@@ -229,7 +229,7 @@ def test_a_cam_is_drawn_without_any_linkage(case: tuple[str, tuple[str, ...], st
     modules, trace = run("draw", scene, "-o", tmp_path, "--trace")
     assert "plans.cam.profile.profile" in modules
     assert not modules & set(HEAVY)
-    others = ("plans.linkage", "plans.forces", "plans.dynamics", "plans.cyclogram.study", "drawings.figures.linkage")
+    others = ("plans.linkage", "plans.forces", "plans.dynamics", "plans.cyclogram.study", "drawings.linkage")
     assert [name for name in modules if name.startswith((*others, *left_out))] == []
     assert f"not made: {unmade}" in trace.splitlines()
 

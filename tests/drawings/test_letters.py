@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 from drawings.commands.draw import draw
-from drawings.figures.forces.lever_plan import hanging
-from drawings.figures.linkage.vector_plan import diagram
+from drawings.forces.lever_plan import hanging
+from drawings.linkage.kinematics import leaves
+from drawings.linkage.vector_plan import diagram
 from drawings.measure.measure import measure_file
-from drawings.sheets.kinematics import leaves
-from plans.checks.compare import compare
-from plans.checks.expected import Expected
-from plans.checks.force_comparison import compare_forces
+from plans.forces.quantities import compare_forces
 from plans.linkage.letters import Letters
 from plans.linkage.marks import find
+from plans.linkage.parts import Expected
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
 from plans.model.mechanism import Mechanism

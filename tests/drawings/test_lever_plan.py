@@ -7,8 +7,8 @@ from math import radians
 
 import pytest
 
-from drawings.figures.forces.force_kinds import BALANCE, LOAD, PAIR
-from drawings.figures.forces.lever_plan import Hanging, hanging
+from drawings.forces.letters import BALANCE, LOAD, PAIR
+from drawings.forces.lever_plan import Hanging, hanging
 from drawings.paper.hand import hand_of
 from drawings.symbols.force_arrow import ForceArrow
 from geometry.board import at

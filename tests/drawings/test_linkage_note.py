@@ -10,9 +10,9 @@ from typing import cast
 import pytest
 
 import drawings
+from drawings.linkage.equations import equations
+from drawings.linkage.report import data, structure
 from drawings.page.scale import Scale
-from drawings.report.linkage.equations_chapter import equations
-from drawings.report.linkage.motion_report import data, structure
 from geometry.board import at
 from plans.linkage.groups.vector_sums import VectorSums
 from plans.model.dyad import Dyad

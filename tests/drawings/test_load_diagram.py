@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.figures.dynamics import load_diagram
-from drawings.figures.dynamics.load_course import course, courses
+from drawings.forces import load_diagram
+from drawings.forces.load_diagram import course_of, courses
 from drawings.paper.walk import texts
 from plans.forces.stroke import Stroke
 from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Transmission
@@ -22,7 +22,7 @@ SAW = Moment("M_us", 3, 50.0, True, IDLE, (0.0, 0.2))
 
 def test_a_resistance_rests_in_the_overruns_and_on_the_way_back() -> None:
     """The planer of M4.7: 2000 N between 0.05H and 0.95H of the way out, H = 0.2 m; its area is the cycle's work."""
-    found = course(PLANER, SLIDES)
+    found = course_of(PLANER, SLIDES)
     assert [complex(round(one.real, 12), one.imag) for one in found.out] == [
         0, 0.01, 0.01 + 2000j, 0.19 + 2000j, 0.19, 0.2
     ]  # fmt: skip
@@ -32,14 +32,14 @@ def test_a_resistance_rests_in_the_overruns_and_on_the_way_back() -> None:
 
 
 def test_a_force_along_a_line_keeps_its_sign_and_one_against_the_motion_turns_over() -> None:
-    gas, rubs = course(GAS, SLIDES), course(RUBS, SLIDES)
+    gas, rubs = course_of(GAS, SLIDES), course_of(RUBS, SLIDES)
     assert gas.back == pytest.approx((0.2 + 700j, 0.04 + 1100j, 7500j))
     assert rubs.out[:3] == pytest.approx((0j, 0.02, 0.02 + 600j))
     assert rubs.back == pytest.approx((0.2 - 300j, 0.04 - 200j, 0.02 - 150j, 0.02, 0j))
 
 
 def test_a_link_that_swings_is_told_in_degrees() -> None:
-    found = course(SAW, SWINGS)
+    found = course_of(SAW, SWINGS)
     assert found.length == pytest.approx(57.29577951) and found.turning and found.couple
     assert found.out == () and found.span == (-50.0, 0.0)
     leaf = exhibited([(load_diagram, found)])

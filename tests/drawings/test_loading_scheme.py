@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from drawings.figures.forces.force_fan import LONG, SHORT, lengths
-from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
+from drawings.forces.fan import LONG, SHORT, lengths
+from drawings.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
@@ -22,8 +22,7 @@ from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Group, Text
 from drawings.paper.walk import flat
 from geometry.board import at
-from plans.forces.cut import PART, Cut
-from plans.forces.force import ForcePlan
+from plans.forces.cut import PART, Cut, ForcePlan
 from plans.forces.force_template import forces
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Applied, Loading, Twist

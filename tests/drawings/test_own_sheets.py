@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from drawings.commands import cli
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.graded import FAIL, PASS
 from drawings.grading.roll import grade_own
 from drawings.grading.sheet_task import SheetTask

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import PASS, grade
 from drawings.grading.seeing.units import stated

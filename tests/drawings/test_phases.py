@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.position_plan import layers
-from drawings.figures.linkage.skeleton import skeletons
-from drawings.figures.linkage.trajectories import phases
 from drawings.layout.picture import Margins, picture
+from drawings.linkage.pairs import Pairs
+from drawings.linkage.position_plan import layers
+from drawings.linkage.skeleton import skeletons
+from drawings.linkage.trajectories import phases
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Fill, Group

@@ -12,19 +12,18 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.position_letters import LINKS, NUMBERS, letters
-from drawings.figures.linkage.position_plan import layers
-from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, picture
-from drawings.layout.place import Place
+from drawings.layout.picture import Margins, Place, picture
+from drawings.linkage.kinematics import position
+from drawings.linkage.pairs import Pairs
+from drawings.linkage.position_letters import LINKS, NUMBERS, letters
+from drawings.linkage.position_plan import layers
+from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
-from drawings.sheets.kinematics import position
-from plans.checks.compare import Comparison, compare
+from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from drawings.report.rotor_report import chapters
-from drawings.sheets.rotor import leaves
-from plans.rotor.notes import notes_of
+from drawings.rotor.report import chapters
+from drawings.rotor.sheet import leaves
+from plans.rotor.reading import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.conftest import Run

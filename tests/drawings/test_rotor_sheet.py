@@ -9,8 +9,8 @@ import pytest
 
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
-from drawings.report.rotor_report import residuals
-from drawings.sheets.rotor import leaves
+from drawings.rotor.report import residuals
+from drawings.rotor.sheet import leaves
 from plans.model.rotor import Plane, Rotor
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import parse_scene, read_scene

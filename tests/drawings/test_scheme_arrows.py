@@ -8,11 +8,10 @@ from types import MappingProxyType
 import pytest
 
 from drawings.eye.sheet import see
-from drawings.grading.allowance import Allowance, Allowances
-from drawings.grading.asked import PlanAsked
+from drawings.grading.asked import Allowance, Allowances, PlanAsked
 from drawings.grading.drawing_faults import segments
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.polygons.free_plan import arrow_verdicts
+from drawings.grading.free_plan import arrow_verdicts
 from drawings.paper.strokes import Group, Leaf, Line
 from drawings.pens.svg import svg
 

@@ -12,12 +12,12 @@ import pytest
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import UnknownLetter, lettered
 from drawings.lettering.specimen import specimen
+from drawings.linkage.kinematics import sheet, sheets
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
-from drawings.sheets.kinematics import sheet, sheets
-from plans.checks.compare import compare
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.drawings.collisions import collisions

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from drawings import VERSION
-from drawings.files import atomic_files, lock, sheet_set
+from drawings.files import atomic_files, sheet_set, standing
 from drawings.files.file_error import FileError
 from drawings.files.manifest import manifest_beside, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
@@ -231,18 +231,18 @@ def test_finishing_that_fails_is_gone_on_with_by_the_run_after(tmp_path: Path, m
 
 
 def test_a_second_run_in_a_folder_ends_at_once_with_7(run: Run, tmp_path: Path) -> None:
-    with lock.locked(tmp_path):
+    with standing.locked(tmp_path):
         code, out, err = run("draw", PLAIN, "-o", tmp_path)
     assert (code, out) == (7, "")
-    assert err == f"{tmp_path}: {lock.BUSY}\n"
+    assert err == f"{tmp_path}: {standing.BUSY}\n"
     assert list(tmp_path.iterdir()) == []
 
 
 def test_the_lock_of_a_killed_run_is_no_lock(tmp_path: Path) -> None:
-    lines = "import os, sys; from pathlib import Path; from drawings.files import lock; "
-    lines += "held = lock.locked(Path(sys.argv[1])); held.__enter__(); os.kill(os.getpid(), 9)"
+    lines = "import os, sys; from pathlib import Path; from drawings.files import standing; "
+    lines += "held = standing.locked(Path(sys.argv[1])); held.__enter__(); os.kill(os.getpid(), 9)"
     assert subprocess.run([sys.executable, "-c", lines, str(tmp_path)], cwd=ROOT, check=False).returncode == -9
-    with lock.locked(tmp_path) as alone:
+    with standing.locked(tmp_path) as alone:
         assert alone
 
 

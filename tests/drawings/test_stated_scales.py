@@ -13,13 +13,14 @@ from pathlib import Path
 import pytest
 
 from drawings.checks.documents import Sheets, scale_faults
+from drawings.forces.sheet import leaves
+from drawings.linkage import kinematics
 from drawings.measure.measure import Measured, measure_file
 from drawings.measure.measured import MeasuredVector
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import SheetError
 from drawings.paper.walk import stated
 from drawings.pens.svg import svg
-from drawings.sheets import forces, kinematics
 from drawings.sheets.documents import of_scales
 from drawings.sheets.stated_scales import Exhibit
 from drawings.sheets.table import SHEETS
@@ -121,15 +122,15 @@ def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> No
 @pytest.mark.rest
 def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_are_refused(tmp_path: Path) -> None:
     study = Study(parse_scene(f"{LOADED}\n[sheet.scale]\nmoment = 6\n"))
-    (sheet,) = forces.leaves(study)
+    (sheet,) = leaves(study)
     (path := tmp_path / "sheet.svg").write_bytes(svg(sheet))
     assert scales([measure_file(path)], "balancing") == {6.0}
     vars(study.scene.sheet.scale)["moment"] = Decimal(1000)
     with pytest.raises(SheetError, match=r"sheet.scale.moment = 1000: the ordinates would be 0 mm, .* \d+ or less$"):
-        forces.leaves(study)
+        leaves(study)
     vars(study.scene.sheet.scale)["moment"] = Decimal("0.5")
     with pytest.raises(SheetError, match=r"sheet.scale.moment = 0.5: the ordinates would be \d+ mm, and the graph has"):
-        forces.leaves(study)
+        leaves(study)
 
 
 @pytest.mark.rest

@@ -11,8 +11,8 @@ from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
 from drawings.lettering.lettering import text_width
 from drawings.paper.strokes import Text
-from plans.checks.compare import compare
-from plans.checks.parts import alike
+from plans.linkage.parts import alike
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene, read_scene
 from tests.catalogue.scenes import TEXTS

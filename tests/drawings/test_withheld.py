@@ -15,12 +15,12 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
-from drawings.due import rotor as due_rotor
 from drawings.files.manifest import read_manifest
 from drawings.original import edition
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Fill, Group, Leaf, LineStyle, Text
-from plans.checks import rotor_comparison
+from drawings.rotor import due as due_rotor
+from plans.rotor import quantities
 from tests.drawings.bank_scenes import scene
 from tests.drawings.conftest import Run
 from tests.gallery import GALLERY
@@ -77,13 +77,13 @@ def test_where_no_sheet_is_right_nothing_is_written(tmp_path: Path, monkeypatch:
 def test_where_the_roads_of_one_technique_differ_the_sheets_of_the_others_are_written(
     both: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    balance = rotor_comparison.balance
+    balance = quantities.balance
 
     def wrong(rotor: Any) -> Any:
         found = balance(rotor)
         return replace(found, unbalance=found.unbalance._replace(value=found.unbalance.value * (1 + 1e-6)))
 
-    monkeypatch.setattr(rotor_comparison, "balance", wrong)
+    monkeypatch.setattr(quantities, "balance", wrong)
     out = both.parent / "out"
     code, _, err = run("draw", both, "-o", out)
     assert code == 5

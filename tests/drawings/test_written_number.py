@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.cells.asked_table import TableAsked, number
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask

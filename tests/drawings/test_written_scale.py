@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.graded import grade
 from drawings.grading.seeing.onlooker import stated_scales
 from drawings.grading.sheet_task import SheetTask

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from drawings.collation.edit import Figures
-from drawings.collation.items import Item
-from drawings.collation.spots import middle
+from drawings.collation.items import Item, middle
 from drawings.paper.strokes import Text
 
 NEAR = 0.5  # mm: how exactly the place of an edit is told

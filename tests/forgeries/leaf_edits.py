@@ -7,8 +7,7 @@ from random import Random
 from typing import Any
 
 from drawings.collation.edit import Figures
-from drawings.collation.items import Item, items
-from drawings.collation.spots import brought, middle
+from drawings.collation.items import Item, brought, items, middle
 from drawings.measure.transform import Affine
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 from tests.forgeries.forgery import Told, of

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Hashable, Iterator
 
-from drawings.collation.items import Item, items
-from drawings.collation.spots import spots
+from drawings.collation.items import Item, items, spots
 from drawings.paper.hand import Hand
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Arc, Circle, Leaf, Line, Text

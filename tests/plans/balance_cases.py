@@ -11,11 +11,10 @@ from plans.analytic.balance.balance import balance
 from plans.analytic.balance.counterweights import Course
 from plans.analytic.kinematics import Analysis
 from plans.model.balance.linkage import STEPS, Balance, Task
-from plans.model.group import Group, pairs
+from plans.model.dyad import Group, decompose, pairs
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import Mechanism
-from plans.model.structure import decompose
 from tests.plans import linkages
 from tests.plans.machines import machine
 

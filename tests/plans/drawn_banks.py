@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from plans.analytic.balance.bank import SliderCrank as Series
 from plans.analytic.balance.bank import bank_balance
-from plans.bank.shaking import SliderCrank
+from plans.bank.harmonics import SliderCrank
 from plans.bank.study import BankStudy
 from plans.model.balance.bank import Asked, BankBalance, BankTask, Member, Unit
 

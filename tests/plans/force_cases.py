@@ -8,10 +8,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from plans.checks.compare import compare
 from plans.checks.comparison import Finding
-from plans.checks.force_comparison import ForceComparison, compare_forces
+from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.scene.scene import parse_scene

@@ -17,8 +17,8 @@ from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.kinematics import conditions
-from plans.checks.compare import MOST_ALLOWED
 from plans.forces.statics import Statics
+from plans.linkage.quantities import MOST_ALLOWED
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, MOMENT, Body, Force, Machine, Moment, Spring, Transmission

@@ -10,12 +10,11 @@ import numpy as np
 
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.model.group import Pair, pairs
+from plans.model.dyad import Pair, decompose, pairs
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist
 from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.model.mechanism import Mechanism, Slide
 from plans.model.motion import Floats, Motion
-from plans.model.structure import decompose
 
 DOWN = -9.81j
 MASSES = {1: Body(1, 6, 0.25, 0j), 3: Body(3, 15, 0.6, 0.35 + 0j), 4: Body(4, 3, 0.01, 0.1 + 0j), 5: Body(5, 25, 0, 0j)}

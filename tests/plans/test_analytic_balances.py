@@ -11,9 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.energy import energy_balance
-from plans.analytic.inertia import borne
-from plans.analytic.power import balancing_moment
-from plans.model.group import Pair
+from plans.analytic.power import balancing_moment, borne
+from plans.model.dyad import Pair
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.model.mechanism import FRAME, Mechanism, Slide, Way

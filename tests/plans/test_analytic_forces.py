@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 
 from plans.analytic.energy import energy_balance
-from plans.analytic.inertia import reduced_inertia
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.analytic.power import balancing_moment, reduced_moment, transfers
+from plans.analytic.power import balancing_moment, reduced_inertia, reduced_moment, transfers
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Body
 from plans.model.mechanism import Way

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plans.analytic.balance.bank_linkage import harmonics
+from plans.analytic.balance.bank import harmonics
 from plans.analytic.balance.mass_centre import bodies as solids
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis

@@ -11,8 +11,8 @@ from plans.balance.study import counterweights, substituted
 from plans.balance.weights import Refused
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.linkage import FULL, PARTIAL, Place, Task
+from plans.model.dyad import decompose
 from plans.model.machine import Body
-from plans.model.structure import decompose
 from plans.scene.scene import parse_scene, read_scene
 from tests.gallery import GALLERY
 from tests.plans.banks import ENGINE, FOUR_BAR

@@ -9,9 +9,9 @@ import pytest
 
 from plans.balance.study import BalanceStudy, substituted
 from plans.model.balance.linkage import EPS, FORCE, FULL, PARTIAL, REACTION, ROUNDING, SHARE, SHARES, Place, Task
+from plans.model.dyad import decompose
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body, Transmission
-from plans.model.structure import decompose
 from plans.scene.faults import SceneError
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, YOKE, asked, study
 from tests.plans.linkages import tangent_mechanism

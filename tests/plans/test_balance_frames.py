@@ -10,12 +10,12 @@ from functools import cache
 import numpy as np
 import pytest
 
+from plans.balance.quantities import compare_balance
 from plans.balance.shares import Superposition, largest
 from plans.balance.study import BalanceStudy, counterweights, substituted
 from plans.balance.weights import Refused
-from plans.checks.balance.comparison import compare_balance
-from plans.checks.compare import compare
 from plans.forces.statics import Statics
+from plans.linkage.quantities import compare
 from plans.model.balance.linkage import (
     DISC,
     FULL,
@@ -28,10 +28,10 @@ from plans.model.balance.linkage import (
     Place,
     Task,
 )
+from plans.model.dyad import decompose
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Way
-from plans.model.order import ACCELERATIONS
-from plans.model.structure import decompose
+from plans.model.motion import ACCELERATIONS
 from tests.plans import linkages
 from tests.plans.machines import GEARED, machine, pointed
 from tests.plans.studies import study_of

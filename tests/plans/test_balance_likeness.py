@@ -19,17 +19,15 @@ from hypothesis import strategies as st
 from plans.analytic.balance.counterweights import Found, sought
 from plans.analytic.balance.counterweights import counterweights as by_vectors
 from plans.balance.mass_centre import MainPoints
-from plans.balance.states import mass_centre
-from plans.balance.stems import tree_of
+from plans.balance.shares import mass_centre
 from plans.balance.study import BalanceStudy, counterweights, substituted
 from plans.balance.study import loaded as with_weights
 from plans.balance.substitution import Substitution
-from plans.balance.weights import Refused
+from plans.balance.weights import Refused, tree_of
 from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Counterweight, MassCentre, Place, Task
-from plans.model.group import Group
+from plans.model.dyad import Group, decompose
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.structure import decompose
 from tests.parts import examples
 from tests.plans import linkages
 from tests.plans import machine_alterations as altered

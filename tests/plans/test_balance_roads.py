@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.balance import counterweights as by_vectors
+from plans.balance.quantities import BalanceComparison, compare_balance
 from plans.balance.study import BalanceStudy
 from plans.balance.weights import Refused, begins
-from plans.checks.balance.comparison import BalanceComparison, compare_balance
-from plans.checks.compare import compare
 from plans.forces.statics import Statics
+from plans.linkage.quantities import compare
 from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
 from tests.parts import examples, some
 from tests.plans import linkages

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from plans.balance.notes import notes_of
+from plans.balance.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
 from plans.scene.faults import Fault, SceneError

@@ -13,10 +13,8 @@ from hypothesis import given
 from geometry.replay import exact
 from plans.analytic.balance.bank import slider_harmonic
 from plans.bank.engines import ENGINES
-from plans.bank.harmonics import NotSettled
-from plans.bank.letters import roman
-from plans.bank.shaking import SliderCrank
-from plans.checks.balance.bank_comparison import compare_bank
+from plans.bank.harmonics import NotSettled, SliderCrank, roman
+from plans.bank.quantities import compare_bank
 from plans.model.balance.bank import EPS, ORDERS, Asked, BankTask, Harmonic, Member, Unit
 from plans.scene.scene import parse_scene
 from plans.study import Study

@@ -7,13 +7,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from plans.analytic.balance import bank_linkage
+from plans.analytic.balance import bank as bank_linkage
 from plans.analytic.balance.bank import bank_balance
 from plans.analytic.balance.mass_centre import bodies
 from plans.analytic.kinematics import Analysis
 from plans.balance.study import BalanceStudy
+from plans.bank.quantities import compare_bank
 from plans.bank.study import BankStudy, Linkage, NoTurn
-from plans.checks.balance.bank_comparison import compare_bank
 from plans.model.balance.bank import Asked, BankTask, Member
 from plans.model.balance.linkage import FULL, PARTIAL, Place
 from plans.scene.scene import parse_scene

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from plans.bank.marks import marks
-from plans.checks.balance.bank_numbers import numbers
+from plans.bank.quantities import numbers
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.scene.scene import parse_scene
 from plans.study import Study

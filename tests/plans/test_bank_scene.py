@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 
-from plans.bank.notes import notes_of
+from plans.bank.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.bank import Asked, BankTask, Member, Unit
 from plans.scene import notes

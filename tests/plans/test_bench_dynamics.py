@@ -6,8 +6,8 @@ import pytest
 
 from plans.bench import machine as bench
 from plans.bench.trial import order
-from plans.checks.compare import compare
-from plans.checks.dynamics_comparison import exact_turn
+from plans.dynamics.quantities import exact_turn
+from plans.linkage.quantities import compare
 from tests.plans.dynamics_scenes import study
 
 COUNTS = (24, 96, 384)

@@ -29,8 +29,8 @@ from plans.bench.roads import (
     roads,
 )
 from plans.bench.truth import FORCE_KINDS, Truth, replay
-from plans.checks.compare import notches
 from plans.forces.force_template import ForcePattern
+from plans.linkage.quantities import notches
 from plans.model.machine import OUTPUT
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.parts import some

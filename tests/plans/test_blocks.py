@@ -15,8 +15,8 @@ from plans.analytic.points import Constraints
 from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.margin import meeting
 from plans.linkage.sketch import assembly
+from plans.model.dyad import decompose
 from plans.model.mechanism import Mechanism
-from plans.model.structure import decompose
 from tests.plans import linkages
 
 FOUR_BAR = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})

@@ -9,10 +9,8 @@ import pytest
 
 from plans.cam.course import Course
 from plans.cam.profile.contact import Contact, pressure, pressure_slope
-from plans.cam.profile.outline import curvature, curvature_slope
-from plans.cam.profile.profile import slip, slip_slope
-from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Touch, Value
+from plans.cam.profile.profile import curvature, curvature_slope, slip, slip_slope
+from plans.cam.profile.touch import Tip, Touch, Value
 from plans.model.cam import Cam, Load
 from plans.model.cam_motion import Sizes
 from tests.plans.textbook_cams import FLAT_BASE, cam, offset_sizes, pivot, rocker

@@ -7,10 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from plans.analytic.cam import shocks as seams
+from plans.analytic.cam import laws as seams
 from plans.analytic.cam.laws import departure, limits, travel
-from plans.cam.course import Course
-from plans.cam.laws import law_of
+from plans.cam.course import Course, law_of
 from plans.cam.tables import smoothing
 from plans.model.cam import CUBICS, DWELL, LAWS, RETURN, RISE, TABLE, TURN, Cam, Law
 from plans.model.cam_motion import Shock

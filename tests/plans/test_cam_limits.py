@@ -29,8 +29,7 @@ from plans.model.cam import (
     Limits,
     interval_of,
 )
-from plans.model.cam_faults import CamError
-from plans.model.cam_motion import CamFound, Sizes
+from plans.model.cam_motion import CamError, CamFound, Sizes
 from tests.parts import some
 from tests.plans.cam_cases import LIFT, SWING, cam, phases
 

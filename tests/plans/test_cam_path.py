@@ -11,7 +11,7 @@ from geometry.curve import CubicPiece, RoundPiece, gaps
 from plans.analytic.cam.laws import travel
 from plans.cam.course import Course
 from plans.cam.path import PIECES, ProfilePath, path
-from plans.cam.profile.outline import Outline
+from plans.cam.profile.profile import Outline
 from plans.model.cam import DWELL, RETURN, RISE, ROLLER, TRANSLATING, Cam
 from plans.model.cam_motion import Sizes
 from tests.parts import some

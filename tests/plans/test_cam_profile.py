@@ -10,10 +10,8 @@ import pytest
 from geometry.meet import EPS
 from plans.cam.course import Course
 from plans.cam.profile.contact import Extremes
-from plans.cam.profile.outline import three_points
-from plans.cam.profile.profile import profile, roller_of
-from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Stretches
+from plans.cam.profile.profile import profile, roller_of, three_points
+from plans.cam.profile.touch import Stretches, Tip
 from plans.model.cam_motion import Sizes
 from tests.plans.digits import printed
 from tests.plans.textbook_cams import FLAT_BASE, cam, offset_sizes, pivot, rocker

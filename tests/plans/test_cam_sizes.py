@@ -18,8 +18,7 @@ from plans.cam.course import Course
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import DWELL, FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSizes, Law, Limits
-from plans.model.cam_faults import CamError
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import CamError, Sizes
 from tests.parts import examples
 from tests.plans.sized_cams import ARM, LIFT, degrees, flat, flat_rocker, phases, rocking, translating
 from tests.rows import over

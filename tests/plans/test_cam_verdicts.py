@@ -10,9 +10,8 @@ import pytest
 
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.sizes import sizes
+from plans.cam.quantities import Compared, settled
 from plans.cam.study import LAWS, PROFILE
-from plans.checks.cam.comparison import Compared
-from plans.checks.cam.settled import settled
 from plans.model.cam_motion import CamFound
 from plans.scene.scene import parse_scene
 from plans.study import Study

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from drawings.commands.draw import draw
-from plans.checks.compare import MotionComparison, compare, compare_extremes
-from plans.checks.force_comparison import compare_forces
+from plans.forces.quantities import compare_forces
 from plans.forces.statics import Statics
+from plans.linkage.quantities import MotionComparison, compare, compare_extremes
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import SceneError, parse_scene
 from tests.parts import some

@@ -7,11 +7,11 @@ from decimal import Decimal
 import numpy as np
 from hypothesis import given
 
-from plans.checks.compare import compare
 from plans.linkage.plan import Plan
+from plans.linkage.quantities import compare
+from plans.model.dyad import decompose
 from plans.model.mechanism import FRAME, Way
 from plans.model.motion import Complexes, Floats, Motion
-from plans.model.structure import decompose
 from tests.parts import examples
 from tests.plans.chains import Chain, allowed, chains, studied
 from tests.plans.derivatives import REACH, derivative

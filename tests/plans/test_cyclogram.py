@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from plans.bench import cyclogram as bench
-from plans.checks.cyclogram_comparison import compare_cyclogram
 from plans.cyclogram import rows as r
 from plans.cyclogram.marks import marks
+from plans.cyclogram.quantities import compare_cyclogram
 from plans.cyclogram.rows import row_of_feed, rows_of_cams, rows_of_machine
 from plans.cyclogram.study import NoCyclogram
 from plans.explanation import Explanation, NoMark, UnknownMark

@@ -18,8 +18,7 @@ from geometry.calculus import Derivative
 from plans.diagrams.study import Chords, DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import Axis, Diagrams, axis_of, chord_error
-from plans.model.motion import Floats
-from plans.model.rates import Rates
+from plans.model.motion import Floats, Rates
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import examples

@@ -9,11 +9,17 @@ from math import atan, degrees, pi, radians
 import numpy as np
 import pytest
 
-from plans.analytic.dynamics.cycle import exact_cycle
-from plans.analytic.dynamics.flywheel import Exact, book_slopes, exact, flywheel, speed_slopes
-from plans.analytic.dynamics.methods import methods
+from plans.analytic.dynamics.flywheel import (
+    Exact,
+    book_slopes,
+    exact,
+    exact_cycle,
+    flywheel,
+    methods,
+    speed_slopes,
+    wheel,
+)
 from plans.analytic.dynamics.reduction import Reduction, reduced
-from plans.analytic.dynamics.rim import wheel
 from plans.analytic.dynamics.speeds import Swing, steady, with_flywheel
 from plans.analytic.kinematics import Analysis
 from plans.model.dynamics import Flywheel, Rim, Shaft, Task

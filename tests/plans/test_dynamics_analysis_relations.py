@@ -11,8 +11,7 @@ import pytest
 from hypothesis import given
 
 from plans.analytic.dynamics.breaks import wave
-from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
-from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
 from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel
 from plans.analytic.power import balancing_moment
 from plans.model.dynamics import Task

@@ -6,10 +6,9 @@ import math
 
 import pytest
 
-from plans.analytic.dynamics.rim import wheel
-from plans.dynamics.methods import rim_of
-from plans.model.dynamics import Rim
-from plans.model.flywheel_rim import THICKEST, Wheel
+from plans.analytic.dynamics.flywheel import wheel
+from plans.dynamics.cycle import rim_of
+from plans.model.dynamics import THICKEST, Rim, Wheel
 
 
 def sized(inertia: float, rim: Rim) -> Wheel:

@@ -11,12 +11,12 @@ import numpy as np
 from hypothesis import given
 
 from geometry.board import at
-from plans.checks.compare import Finding, compare
-from plans.checks.equilibrium import EQUILIBRIUM
-from plans.checks.force_comparison import compare_forces
-from plans.forces.rubbing import rate
+from plans.forces.equilibrium import EQUILIBRIUM
+from plans.forces.friction import rate
+from plans.forces.quantities import compare_forces
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.drafts import Drafts
+from plans.linkage.quantities import Finding, compare
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion

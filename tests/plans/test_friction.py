@@ -13,9 +13,8 @@ from plans.analytic.friction import friction as by_analysis
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.force_template import ForcePattern
-from plans.forces.friction import friction, whole
-from plans.forces.rubbing import edges, lost, pressing
-from plans.model.group import pairs
+from plans.forces.friction import edges, friction, lost_power, pressing, whole
+from plans.model.dyad import pairs
 from plans.model.kinetostatics import Applied, Loading, Reaction, Twist
 from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction
 from plans.model.machine import GEAR, Body, Machine, Rubbing, Transmission
@@ -136,8 +135,8 @@ def test_a_reaction_beyond_the_contact_bears_on_two_edges() -> None:
     near, far = edges(across, moment, 0.12)
     assert (near[0], -far[0], pressing(across, moment, 0.12)[0]) == pytest.approx((1000.0, 200.0, 1200.0))
     guide = Reaction(0, 3, "D", np.zeros(1, complex), 800j + np.zeros(1), moment, np.ones(1, complex))
-    assert lost(Rubbing(0.1, 0, 0.12), guide, np.array([-1.7]))[0] == pytest.approx(204.0)
-    assert lost(Rubbing(0.1), guide, np.array([-1.7]))[0] == pytest.approx(136.0)  # any length: 800 N on one side
+    assert lost_power(Rubbing(0.1, 0, 0.12), guide, np.array([-1.7]))[0] == pytest.approx(204.0)
+    assert lost_power(Rubbing(0.1), guide, np.array([-1.7]))[0] == pytest.approx(136.0)  # any length: 800 N on one side
 
 
 @pytest.mark.parametrize(("x", "total"), [(0.0, 800), (0.06, 800), (-0.06, 800), (-0.09, 1200), (0.12, 1600)])

@@ -10,12 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.checks.compare import MotionComparison, compare
 from plans.checks.comparison import Finding
-from plans.checks.force_comparison import compare_forces
-from plans.checks.friction_comparison import FRICTION
 from plans.forces import friction
+from plans.forces.friction_quantities import FRICTION
+from plans.forces.quantities import compare_forces
 from plans.forces.statics import Statics
+from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.losses import Friction
 from plans.model.machine import Rubbing

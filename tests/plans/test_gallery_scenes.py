@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.checks.compare import compare, compare_extremes, notches
 from plans.forces.reading.form import ForceForm
+from plans.linkage.quantities import compare, compare_extremes, notches
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion

@@ -8,9 +8,8 @@ from itertools import product
 import pytest
 from hypothesis import given, settings
 
-from plans.model.dyad import NUMBERS, Dyad
+from plans.model.dyad import NUMBERS, Dyad, decompose
 from plans.model.mechanism import FRAME, Slide
-from plans.model.structure import decompose
 from tests.plans.chains import Chain, chains
 
 EXAMPLES = 200

@@ -14,20 +14,18 @@ import pytest
 
 from geometry.board import Mark
 from geometry.meet import Sizes
-from plans.checks.equilibrium import LinkForce, balances
-from plans.checks.expected import Expected
+from plans.forces.equilibrium import LinkForce, balances
 from plans.linkage.groups import lead, rrr
 from plans.linkage.groups.kinds import KINDS, Kind
 from plans.linkage.groups.vectors import Vector
 from plans.linkage.letters import Letters
+from plans.linkage.parts import Expected
 from plans.linkage.plan import Plan
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import Dyad
-from plans.model.group import Pair, pairs
+from plans.model.dyad import Dyad, Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Link, Output, Slide
 from plans.model.motion import Floats
-from plans.model.structure import formula, mechanism_class
 from tests.plans.linkages import ALONG_X, four_bar
 from tests.plans.studies import study_of
 

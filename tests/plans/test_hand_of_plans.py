@@ -14,11 +14,11 @@ from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
 from geometry.hand_error import SlippingHand, number_error
 from geometry.span import Reading, Span
-from plans.checks.compare import compare
-from plans.checks.hand.forces import forces_by_hand
-from plans.checks.hand.motion import MotionByHand
-from plans.checks.hand.quantity import SLIP, Told, errors_by_hand
+from plans.checks.by_hand import SLIP, Told, errors_by_hand
+from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.statics import Statics
+from plans.linkage.by_hand import MotionByHand
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats
 from plans.scene.scene import read_scene

@@ -11,11 +11,11 @@ import pytest
 from geometry import draughtsman
 from geometry.draughtsman import Draughtsman, copies
 from geometry.hand_error import POINT
-from plans.checks.hand.bank import bank_by_hand
-from plans.checks.hand.cam import cam_by_hand
-from plans.checks.hand.quantity import SLIP
-from plans.checks.hand.rotor import rotor_by_hand
+from plans.bank.quantities import bank_by_hand
+from plans.cam.numbers import cam_by_hand
+from plans.checks.by_hand import SLIP
 from plans.model.rotor import Rotor
+from plans.rotor.quantities import rotor_by_hand
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import read_scene
 from plans.study import Study

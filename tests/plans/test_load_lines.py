@@ -11,7 +11,7 @@ import pytest
 from geometry.meet import EPS
 from plans.bench.error import sizes
 from plans.bench.roads import ForceGround, ground, prepared
-from plans.checks.compare import notches
+from plans.linkage.quantities import notches
 from plans.model.machine import Force
 from plans.scene.faults import SceneError, dotted
 from plans.scene.notes import notes_of

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from plans.analytic.dynamics.speeds import Stall, Swing
-from plans.checks.dynamics_comparison import DynamicsComparison
-from plans.checks.dynamics_numbers import numbers
-from plans.checks.pace import NoPace
+from plans.dynamics.numbers import NoPace, numbers
+from plans.dynamics.quantities import DynamicsComparison
 from plans.dynamics.study import NoCycle, NoInertia
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene

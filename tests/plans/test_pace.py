@@ -8,17 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.sheets.force_notes import notes as force_notes
-from drawings.sheets.notes import notes as motion_notes
+from drawings.forces.notes import notes as force_notes
+from drawings.linkage.notes import notes as motion_notes
 from geometry.replay import exact
-from plans.checks.compare import compare
-from plans.checks.force_comparison import ForceComparison, compare_forces
+from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.linkage import study as studies
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
-from plans.model.motion import Floats, Motion
-from plans.model.rates import Pace, Rates
+from plans.model.motion import Floats, Motion, Pace, Rates
 from plans.scene.scene import parse_scene, read_scene
 from tests import parts
 from tests.gallery import GALLERY, TURNING

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.checks.compare import compare
-from plans.checks.parts import findings
+from plans.linkage.parts import findings
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
 from tests.parts import some

@@ -10,9 +10,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from plans.model.dyad import decompose, formula
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
-from plans.model.structure import decompose, formula
 from tests.parts import examples
 from tests.plans import alterations
 from tests.plans.alterations import Map, renamed

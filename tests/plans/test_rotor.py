@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.rotor import balance as solve
-from plans.checks.rotor_comparison import compare_rotor
 from plans.model.rotor import EPS, Balance, Plane, Rotor, Unbalance
+from plans.rotor.quantities import compare_rotor
 from plans.rotor.study import RotorStudy
 from tests.parts import examples, some
 from tests.plans.rotors import DYNAMIC, STATIC, angles, dynamic, mass, masses, rotors, sizes, static

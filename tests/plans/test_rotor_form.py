@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from plans.rotor.notes import notes_of
+from plans.rotor.reading import notes_of
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import parse_scene
 

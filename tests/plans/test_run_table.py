@@ -9,8 +9,8 @@ import pytest
 
 from plans.analytic.dynamics.run import run as solved
 from plans.bench.machine import by_steps, step_errors
+from plans.dynamics.loop import ANGLE, ROWS_MOST, SPEED, STOP, Acting, Ends, by_acceleration, by_energy
 from plans.dynamics.run import mean_resistance, run, step_of
-from plans.dynamics.steps import ANGLE, ROWS_MOST, SPEED, STOP, Acting, Ends, by_acceleration, by_energy
 from plans.dynamics.study import curve
 from plans.model.dynamics import TURN
 from plans.model.motor import Constant, Kloss, Linear, Motor

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plans.checks.force_comparison import ForceComparison
+from plans.forces.quantities import ForceComparison
 from plans.model.motion import Motion
 from tests.parts import some
 from tests.plans.force_cases import ROADS, compared, of_road

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plans.checks import force_comparison
+from plans.forces import quantities
 from plans.forces.statics import Statics, without
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
@@ -106,14 +106,14 @@ def test_what_both_roads_give_up_is_counted_and_what_one_gives_up_alone_is_a_dis
 
 
 def test_a_machine_whose_forces_one_road_gives_up_alone_disagrees(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = force_comparison.kinetostatics
+    whole = quantities.kinetostatics
 
     def faint(*given: Any) -> Kinetostatics:
         gap = Gap(0, 0.0, "forces", "dead centre", "", 0.0, "")
         found = whole(*given)
         return replace(without(found, np.arange(len(found.phi)) == 0), gaps=(gap,))
 
-    monkeypatch.setattr(force_comparison, "kinetostatics", faint)
+    monkeypatch.setattr(quantities, "kinetostatics", faint)
     comparison = compared(DEAD.replace("[60, 90]", "[60, 70]"))
     assert [(lone.by, lone.gap.position, lone.gap.plan) for lone in comparison.alone] == [("analysis", 0, "forces")]
     assert comparison.worst == np.inf and not comparison.agrees

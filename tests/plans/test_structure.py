@@ -9,9 +9,8 @@ import pytest
 
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import NUMBERS
+from plans.model.dyad import NUMBERS, decompose, formula, mechanism_class
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
-from plans.model.structure import decompose, formula, mechanism_class
 from plans.scene.scene import parse_scene
 from tests.plans import linkages
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.checks.compare import compare
 from plans.linkage.crank_positions import even, listed
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from plans.scene.units import within

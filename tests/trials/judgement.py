@@ -11,10 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.errors import DraftError
-from plans.checks.compare import MotionComparison, compare
+from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import Motion
-from plans.model.order import LINK_ORDERS, POINT_ORDERS
+from plans.model.motion import LINK_ORDERS, POINT_ORDERS, Motion
 from plans.scene.scene import parse_scene
 from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
 from tests.trials.rests import off

@@ -16,9 +16,9 @@ from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
+from plans.model.dyad import decompose
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
-from plans.model.structure import decompose
 from plans.scene.scene import Scene, parse_scene
 from tests import parts
 from tests.gallery import LINKAGES

@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.linkage.motion_report import shallow
+from drawings.linkage.report import shallow
 from geometry.errors import DraftError
-from plans.checks.compare import MotionComparison, compare, compare_extremes
 from plans.checks.comparison import Comparison
+from plans.linkage.quantities import MotionComparison, compare, compare_extremes
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import FORCES, Motion
 from plans.scene.scene import Scene, parse_scene
@@ -86,7 +86,7 @@ def _compared(study: LinkageStudy) -> list[Comparison]:
     comparison = compare_extremes(study, compare(study))
     if "forces" not in study.scene.sheets:
         return [comparison]
-    from plans.checks.force_comparison import compare_forces
+    from plans.forces.quantities import compare_forces
     from plans.forces.statics import Statics
 
     return [comparison, compare_forces(Statics(study), comparison)]

@@ -12,14 +12,14 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.eye.alike import folded
 from drawings.eye.letters import UNREAD
-from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
+from drawings.grading.asked import DEVIATIONS, Allowance, Allowances
 from drawings.grading.cells.frames import Box, Ruling
-from drawings.grading.curves.asked_figure import PRICKED
+from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
 from geometry.hand_error import POINT
 from geometry.span import Reading
-from plans.checks.hand.quantity import SLIP
+from plans.checks.by_hand import SLIP
 
 SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"

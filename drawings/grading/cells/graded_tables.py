@@ -13,7 +13,7 @@ import numpy as np
 from drawings.eye.alike import folded
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
-from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.cells.asked_table import (
     CellAsked,
     Key,
@@ -26,8 +26,8 @@ from drawings.grading.cells.asked_table import (
     tables_seen,
 )
 from drawings.grading.cells.frames import ruling
-from drawings.grading.curves.asked_figure import ORDINATES
 from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.curves.figure_records import ORDINATES
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.form_places import own_places
 from drawings.grading.verdict import Verdict

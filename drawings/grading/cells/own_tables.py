@@ -6,26 +6,26 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.due.acting import named as force_rows
-from drawings.due.diagrams import columns, headings
-from drawings.due.linkage import VALUES as TABLE
-from drawings.due.linkage import mass_centres, named
+from drawings.diagrams.due import columns, headings
+from drawings.diagrams.report import NAME
 from drawings.eye.alike import folded
-from drawings.figures.diagrams.output_table import NAME
-from drawings.form.blank_table import BESIDE
+from drawings.forces.due_acting import named as force_rows
+from drawings.form.laid import BESIDE
 from drawings.form.task import table_of
 from drawings.grading.cells.asked_table import CellAsked, Key, SeenTable, Sought, TableAsked, number, tables_seen
 from drawings.grading.cells.frames import ruling
 from drawings.lettering.words import word
+from drawings.linkage.due import VALUES as TABLE
+from drawings.linkage.due import mass_centres, named
 from drawings.original.originals import Original, Originals
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, texts
 from geometry.span import Reading
 from plans.checks.comparison import Finding
-from plans.checks.diagrams_comparison import DiagramsComparison
-from plans.checks.hand.motion import MotionByHand
-from plans.model.order import ORDERS
+from plans.diagrams.quantities import DiagramsComparison
+from plans.linkage.by_hand import MotionByHand
+from plans.model.motion import ORDERS
 from plans.study import Study
 from plans.words.words import term
 

@@ -7,20 +7,27 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from drawings.bank.compensators import COMPENSATOR
+from drawings.bank.due import Bank, Body
 from drawings.checks.letters import NEAREST, labels_of, off
-from drawings.due.shaken_bank import Bank, Body
 from drawings.eye.sheet import SeenSheet
-from drawings.figures.bank.compensator_layout import COMPENSATOR
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import BEARINGS, POINTS, PRICKED, FigureAsked, Item, Mistake, Values
-from drawings.grading.curves.drawn_curve import PLACED
-from drawings.grading.curves.drawn_figure import DrawnFigure, scales_on
-from drawings.grading.curves.figure_records import OwnSheet
+from drawings.grading.curves.drawn_figure import PLACED, DrawnFigure, scales_on
+from drawings.grading.curves.figure_records import (
+    BEARINGS,
+    POINTS,
+    PRICKED,
+    FigureAsked,
+    Item,
+    Mistake,
+    OwnSheet,
+    Values,
+)
 from drawings.grading.drawn_plan import Arrow
 from drawings.lettering.bank_letters import lowered
 from drawings.paper.strokes import Circle, Leaf, Line, Text
 from drawings.paper.walk import flat, group_named
-from plans.bank.letters import FORCE, letters
+from plans.bank.harmonics import FORCE, letters
 from plans.model.balance.bank import Compensator
 from plans.study import Study
 from plans.words.words import because

@@ -9,8 +9,8 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.due.cam_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
-from drawings.grading.curves.asked_figure import Sizes, Values
+from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
+from drawings.grading.curves.figure_records import Sizes, Values
 from drawings.grading.curves.run_figures import moved_means
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel

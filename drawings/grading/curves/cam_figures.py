@@ -9,21 +9,31 @@ from typing import Any
 
 import numpy as np
 
-from drawings.due.cam_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
-from drawings.due.machine_rows import cam_rows
-from drawings.due.profile import PLAN as RADII
-from drawings.due.profile import tabled
-from drawings.figures.cam.pressure_graph import NAME as ANGLES
-from drawings.figures.cam.profile_view import NAME as PROFILE
-from drawings.figures.cam.size_view import NAME as SIZES
+from drawings.cam.due_notes import PLAN as RADII
+from drawings.cam.due_notes import tabled
+from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
+from drawings.cam.pressure_graph import NAME as ANGLES
+from drawings.cam.profile_view import NAME as PROFILE
+from drawings.cam.size_view import NAME as SIZES
+from drawings.cyclogram.due import cam_rows
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
-from drawings.grading.curves.asked_figure import POINTS as PLACES
 from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
-from drawings.grading.curves.cyclogram_figures import bars, rings
 from drawings.grading.curves.dynamics_figures import chords_by_hand
 from drawings.grading.curves.figure_judge import SHORT
-from drawings.grading.curves.figure_records import OwnSheet, items
+from drawings.grading.curves.figure_records import (
+    LENGTHS,
+    ORDINATES,
+    PRICKED,
+    FigureAsked,
+    Item,
+    Mistake,
+    OwnSheet,
+    Sizes,
+    Values,
+    items,
+)
+from drawings.grading.curves.figure_records import POINTS as PLACES
+from drawings.grading.curves.load_figures import bars, rings
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from plans.cyclogram.rows import EVERY
 from plans.study import Study

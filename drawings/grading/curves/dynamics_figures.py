@@ -10,10 +10,10 @@ from typing import Final
 
 import numpy as np
 
-from drawings.due.dynamics import LOOP, SEGMENTS, TANGENTS
-from drawings.due.turn import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Turn
+from drawings.dynamics.due import LOOP, SEGMENTS, TANGENTS
+from drawings.dynamics.due_graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Turn
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import (
+from drawings.grading.curves.figure_records import (
     BEARINGS,
     ORDINATES,
     PRICKED,
@@ -21,10 +21,11 @@ from drawings.grading.curves.asked_figure import (
     FigureAsked,
     Item,
     Mistake,
+    OwnSheet,
     Sizes,
     Values,
+    items,
 )
-from drawings.grading.curves.figure_records import OwnSheet, items
 from drawings.grading.curves.load_figures import load_diagrams
 from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
 from geometry.board import Board

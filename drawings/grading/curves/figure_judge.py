@@ -9,8 +9,8 @@ from types import MappingProxyType
 import numpy as np
 
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import BEARINGS, ORDINATES, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.curves.figure_records import BEARINGS, ORDINATES, FigureAsked, Item, Mistake, Sizes, Values
 from drawings.grading.verdict import Verdict
 
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point

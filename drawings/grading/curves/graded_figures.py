@@ -10,12 +10,11 @@ import numpy as np
 
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
-from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
+from drawings.grading.asked import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.arm_figures import from_arms
-from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, THROUGH
-from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
+from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, from_marks
 from drawings.grading.curves.figure_judge import FigureJudge
+from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.curves.form.form_figure import from_form, line_on_form
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.verdict import Verdict

@@ -5,18 +5,37 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.due.loads import branches
-from drawings.figures.dynamics.load_diagram import NAME as LOAD
+from drawings.cyclogram.due import BARS, machine_rows, true_bars
+from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
+from drawings.forces.due_loads import branches
+from drawings.forces.load_diagram import NAME as LOAD
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import LENGTHS, ORDINATES, PRICKED, FigureAsked, Item, Mistake, Values
-from drawings.grading.curves.figure_records import OwnSheet
+from drawings.grading.curves.figure_records import (
+    BEARINGS,
+    CHAIN,
+    LENGTHS,
+    ORDINATES,
+    PRICKED,
+    FigureAsked,
+    Item,
+    Mistake,
+    OwnSheet,
+    Sizes,
+    Values,
+)
 from drawings.measure.measured import MeasuredVector
+from drawings.paper.strokes import Circle
+from drawings.paper.walk import flat, group_named
+from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
+from plans.model.cyclogram import Row
+from plans.model.diagrams import TURN
 from plans.model.machine import Force, Moment
 from plans.model.mechanism import Output
 from plans.model.motion import Extremes
@@ -28,7 +47,7 @@ SWING = "ψ"
 WHOLE = ("H", SWING)  # the stroke of what slides, of what swings
 
 
-def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of_loads(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the load diagrams of a sheet of forces (row of the table of records)."""
     statics: Statics = study["forces"]
     yield from load_diagrams(own, statics, study.comparison("forces").motion.road.extremes)
@@ -120,3 +139,139 @@ def _law(load: Force | Moment) -> Iterator[Corner]:
     for _, shares, sizes in branches(load):
         mirrored = np.interp(1 - shares, shares, sizes, 0.0, 0.0)
         yield from (Corner(*map(float, one)) for one in zip(shares, sizes, mirrored, strict=True))
+
+
+VELOCITY = KEYS[1]
+
+
+def figures_of_diagrams(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+    """Give the kinematic diagrams of a sheet of kinematics (row of the table of records)."""
+    shown = [key for key in KEYS if own.vectors(named(key))]
+    comparison = study.comparison("diagrams") if shown else None
+    if isinstance(comparison, DiagramsComparison):
+        rows = {row.key: row for row in expected_rows(comparison)}
+        speed = abs(study["linkage"].mechanism.drive.omega)
+        yield from (_figure(own, rows, key, speed) for key in shown)
+
+
+def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> FigureAsked:
+    row, plan = rows[key], named(key)
+    marks, places = own.vectors(plan), {number: k for k, number in reversed(list(enumerate(row.axis.numbers)))}
+    mu, above = next(iter(marks.values())).scale, _above(key)
+    whole = bool(np.isclose(row.axis.turned[-1] - row.axis.turned[0], TURN))
+    paper = own.paper(plan, row.axis.turned, places)
+    course = None if above is None else Slope(above, rows[above].at, row.at, row.axis.turned / speed, whole)
+    seen = [] if above is None else list(own.vectors(named(above)).values())
+    error = np.full(len(row.at), PRICKED)
+    if paper is not None and seen:
+        # Both ends of a chord over two positions are out; what their rise says of the derivative is out by so much.
+        time = float(np.median(np.diff(row.axis.turned))) / speed
+        error = np.full(len(row.at), float(np.hypot(PRICKED, PRICKED * seen[0].scale / (np.sqrt(2) * time * mu))))
+    return FigureAsked(
+        key=key, plan=plan, sheet=own.name, unit=next(iter(marks.values())).unit, scales={own.letter(plan, mu): mu},
+        items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
+        true=np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES, paper=paper,
+        behind=() if above is None else (above,), course=course, linear=above is not None,
+        why=None if above is None else because("derivative_point"),
+        loose=frozenset(np.flatnonzero(np.isnan(rows[VELOCITY].at)).tolist()),
+    )  # fmt: skip
+
+
+def _above(key: str) -> str | None:
+    """Give the diagram that another is the derivative of."""
+    k = KEYS.index(key)
+    return KEYS[k - 1] if k else None
+
+
+def _slack(row: ExpectedRow) -> Sizes:
+    """Give by how much a value at a position is out that is read off the curve by chords."""
+    if row.key == KEYS[0]:  # which alone is not drawn by chords
+        return np.zeros(len(row.at))
+    return np.nan_to_num(np.abs(row.result(row.axis.turned) - row.at))
+
+
+@dataclass(frozen=True)
+class Slope:
+    """A diagram as the slope of the one above it, which a student may have drawn otherwise."""
+
+    above: str
+    risen: Sizes  # the true one above
+    true: Sizes
+    times: Sizes  # s
+    whole: bool  # whether the last position is the first again
+
+    def __call__(self, own: Mapping[str, Values]) -> Values:
+        """Give the derivative."""
+        moved, times = own[self.above].imag - self.risen, self.times
+        if self.whole:
+            moved = np.concatenate((moved[-2:-1], moved, moved[1:2]))
+            times = np.concatenate(([times[0] - times[-1] + times[-2]], times, [times[-1] + times[1] - times[0]]))
+            return np.asarray(1j * (self.true + np.gradient(moved, times)[1:-1]))
+        return np.asarray(1j * (self.true + np.gradient(moved, times)))
+
+
+CIRCLE = "circle"  # the name of the chart
+
+
+def rings(own: OwnSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAsked]:
+    """Give the bearings at which the spans of some rows begin, mm: to the outer circle of each ring."""
+    group = group_named(own.leaf.groups, CIRCLE)
+    radii = [] if group is None else sorted(one.radius for one in flat((group,)) if isinstance(one, Circle))
+    if len(radii) != len(rows) + 1:
+        return
+    due = [
+        (f"{k}.{number}", k, span.start) for k, row in enumerate(rows, 1) for number, span in enumerate(row.spans, 1)
+    ]
+    names, places, turned = zip(*due, strict=True)
+    reach = np.array([radii[len(rows) + 1 - k] for k in places])
+    true = np.asarray(reach * np.exp(1j * sense * np.array(turned)))
+    yield FigureAsked(
+        key=CIRCLE, plan=CIRCLE, sheet=own.name, unit="mm", scales={"": 1.0},
+        items=tuple(Item(name, None, k, name) for k, name in enumerate(names)), true=true, slack=np.zeros(len(true)),
+        error=np.full(len(true), PRICKED), kind=BEARINGS, on_paper=True, rings=places, why=because("ring_turn"),
+        mistakes=(Mistake(verdict.MIRRORED, true.conj()), *_unset(rows, np.array(places), true, sense)),
+    )  # fmt: skip
+
+
+def _unset(
+    rows: Sequence[Row], places: np.ndarray[tuple[int, ...], np.dtype[np.intp]], true: Values, sense: int
+) -> Iterator[Mistake]:
+    """Give the rings with a row that is not turned by its setting angle, and with all that are not."""
+    turns = np.array([np.exp(-1j * sense * (row.setting or 0.0)) for row in rows])[places - 1]
+    for k in (0, *(k for k, row in enumerate(rows, 1) if row.setting)):
+        yield Mistake(verdict.UNSET, np.asarray(np.where((places == k) | (k == 0), true * turns, true)))
+
+
+def figures_of_cyclogram(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+    """Give the bars of a machine's cyclogram (row of the table of records)."""
+    found = study.comparison("cyclogram").analysis
+    rows = machine_rows(found, study["cyclogram"].cams)
+    yield from bars(own, rows, found.positions[0].turned)
+    yield from rings(own, rows, found.sense)
+
+
+def bars(own: OwnSheet, rows: Sequence[Row], begin: float) -> Iterator[FigureAsked]:
+    """Give the bars of some rows, over an abscissa that begins at a turn."""
+    marks = {one.name: one for one in own.measured.vectors if one.plan == BARS}
+    true = {name: value for name, value in true_bars(rows, begin) if name in marks}
+    if not true:
+        return
+    first = next(iter(marks.values()))
+    feet = np.array([marks[name].start for name in true])
+    yield FigureAsked(
+        key=BARS, plan=BARS, sheet=own.name, unit=first.unit, scales={own.letter(BARS, first.scale): first.scale},
+        items=tuple(Item(name, None, k, name) for k, name in enumerate(true)), true=np.array(list(true.values())),
+        slack=np.zeros(len(true)), error=np.full(len(true), PRICKED), kind=CHAIN,
+        paper=own.ruled(BARS, feet), mistakes=tuple(_exchanged(true)),
+    )  # fmt: skip
+
+
+def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:
+    """Give the bars with two that follow one another in a row each as long as the other."""
+    names = list(true)
+    for one, other in pairwise(names):
+        if one.partition(".")[0] == other.partition(".")[0]:
+            values: Values = np.array(list(true.values()))
+            k, m = names.index(one), names.index(other)
+            values[k], values[m] = complex(true[other].real, true[one].imag), complex(true[one].real, true[other].imag)
+            yield Mistake(verdict.EXCHANGED, values)

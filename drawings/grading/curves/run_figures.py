@@ -10,13 +10,20 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from drawings.due.dynamics import LOOP
-from drawings.due.turn import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, Turn
-from drawings.due.turn_graphs import BEFORE, TACHOGRAM
+from drawings.dynamics.due import LOOP
+from drawings.dynamics.due_graphs import BEFORE, INERTIA, KNOWN, MOMENTS, SURPLUS, TACHOGRAM, WORKS, Turn
 from drawings.grading import verdict
-from drawings.grading.curves.asked_figure import ORDINATES, PRICKED, FigureAsked, Item, Mistake, Sizes, Values
-from drawings.grading.curves.figure_records import OwnSheet
-from plans.analytic.dynamics.corners import energy_at
+from drawings.grading.curves.figure_records import (
+    ORDINATES,
+    PRICKED,
+    FigureAsked,
+    Item,
+    Mistake,
+    OwnSheet,
+    Sizes,
+    Values,
+)
+from plans.analytic.dynamics.speeds import energy_at
 from plans.model.dynamics import TURN, Flywheel, Speeds, settled
 from plans.model.run import STEADY, Run
 from plans.words.words import because

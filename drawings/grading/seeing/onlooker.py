@@ -1,16 +1,19 @@
-"""The onlooker: sees a student's sheet as the eye does, and beside it the arrowheads and texts of other editors."""
+"""Spelling: letters as anybody may write them, and the labels of a sheet by what they look like (как написано)."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from types import MappingProxyType
 
+from drawings.checks.letters import Label, labels_of
 from drawings.eye.alike import folded
 from drawings.eye.ink import Ink, length
 from drawings.eye.sheet import EM, Observer, Opened, without
 from drawings.grading.cells.asked_table import NUMBER, levelled, plainly, value_of
 from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
+from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
 from drawings.measure.pathdata import number
 from drawings.measure.viewport import Viewport
@@ -18,6 +21,29 @@ from drawings.measure.visibility import declarations, said
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf, Run, Stroke, Text
 from drawings.paper.walk import flat, texts
+
+_NAMES = {"pi": "π"}
+
+
+@lru_cache(maxsize=1024)
+def spelled(letter: str) -> str:
+    """Write a letter as anybody may write it: without the marks of levels, as it looks.
+
+    >>> spelled("n_A"), spelled("n_{A}") == spelled("nA"), spelled("pi") == spelled("π")
+    ('nA', True, True)
+    """
+    plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
+    plain = re.sub(r"[_{}^\s]", "", plain)
+    return folded(_NAMES.get(plain, plain))
+
+
+def spelled_labels(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
+    """Give the labels of strokes by how their letters look; one label may bear several."""
+    found: dict[str, list[Label]] = {}
+    for letter, labels in labels_of(strokes).items():
+        found.setdefault(spelled(letter), []).extend(labels)
+    return found
+
 
 LENGTHS = "l"  # what a scale of lengths is lettered
 METRE = 1000.0  # mm

@@ -1,32 +1,86 @@
-"""The record of a force sheet: polygons of groups, arms on schemes, the lever, each by analysis (силовой расчёт)."""
+"""The record of a linkage's plans: which vector is which, its value by analysis, what it is drawn from (рычажный)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.forces.lever_layout import PLAN as LEVER
-from drawings.figures.forces.lever_layout import leverages
-from drawings.figures.forces.lever_plan import balance, hanging
+from drawings.forces.letters import letter_of
+from drawings.forces.lever_layout import PLAN as LEVER
+from drawings.forces.lever_layout import leverages
+from drawings.forces.lever_plan import balance, hanging
 from drawings.grading import verdict
+from drawings.grading.free_plan import senses_of, turns_of
 from drawings.grading.marking import Found, Letters, Record, Slip
-from drawings.grading.polygons.free_plan import senses_of, turns_of
+from drawings.linkage.due import mass_centres
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
 from geometry.board import Board, Mark
 from geometry.span import Span
-from plans.checks.force_bill import ExpectedForces, ForceBill
-from plans.checks.hand.forces import FIGURES
+from plans.forces.bill import ExpectedForces, ForceBill
 from plans.forces.cut import Cut
 from plans.forces.force_template import ForcePlans
+from plans.forces.friction_quantities import FIGURES
 from plans.forces.primary import BALANCING
+from plans.linkage.by_hand import MotionByHand
+from plans.linkage.parts import Expected, findings
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
+from plans.model.motion import ORDERS, POSITIONS
 from plans.study import Study
+
+
+def record_of_linkage(study: Study, leaf: Leaf) -> Record:
+    """Give the record of the plans of a sheet of kinematics or of positions."""
+    linkage, comparison = study["linkage"], study.comparison("linkage")
+    shown = list(leaf.metadata["vectors"])
+    found = {key: one for k in dict.fromkeys(k for _, k in shown) for key, one in _vectors(linkage, comparison, k)}
+    if (k := leaf.metadata["shown"]) is not None:
+        found |= dict(_points(linkage, comparison, k))
+    return Record(found, _plan_scales(leaf.metadata["scales"], shown, leaf.metadata["shown"]))
+
+
+def _plan_scales(
+    scales: Mapping[str, float], shown: list[tuple[str, int]], drawn: int | None
+) -> dict[str, dict[int | None, float]]:
+    found: dict[str, dict[int | None, float]] = {POSITIONS.plan: {}}
+    if POSITIONS.plan in scales:
+        found[POSITIONS.plan] = dict.fromkeys((drawn, *(k for _, k in shown)), scales[POSITIONS.plan])
+    for plan, k in shown:
+        found.setdefault(plan, {})[k] = scales[f"{plan}-{k}"]
+    return found
+
+
+def _vectors(study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[tuple[Letters, Found]]:
+    """Give the vectors of the plans of one position by the letters of their ends; what has no name has those."""
+    drafts = study.drafts([k])
+    expected = Expected(study.mechanism, comparison.analysis, k, drafts.velocities.written)
+    boards = {order.plan: drafts.plan(order.number).board for order in ORDERS[1:]}
+    for (plan, start, end), value in expected.arrows(study.groups).items():
+        if start in boards[plan] and end in boards[plan]:
+            yield (plan, k, start, end), Found(f"{start} {end}", value, Span(boards[plan][start], boards[plan][end]))
+    masses = mass_centres(study)
+    compared = (*comparison.findings, *findings(study, comparison, masses))
+    true = {one.name: complex(one.analysis[k]) for one in compared if one.plan in boards}
+    for name, told in MotionByHand(study, comparison, masses).read(drafts).items():
+        if isinstance(told, Span):
+            yield (told.end.subject, k, told.start.name, told.end.name), Found(name, true[name], told)
+
+
+def _points(study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[tuple[Letters, Found]]:
+    """Give the points of the plan of positions."""
+    plan = study.drafts([k]).positions
+    for name, motion in comparison.analysis.points.items():
+        if name not in study.mechanism.links[FRAME].points:
+            span = Span(plan.pole, plan.point(name))
+            yield (POSITIONS.plan, k, "", name), Found(name, complex(motion.r[k]), span)
+
 
 FORCES, SCHEME = "forces", FIGURES["positions"]
 
 
-def record_of(study: Study, leaf: Leaf) -> Record:
+def record_of_forces(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of one force sheet."""
     statics, comparison, k = study["forces"], study.comparison("forces"), int(leaf.metadata["position"])
     solved, linkage = comparison.motion.analysis, statics.study

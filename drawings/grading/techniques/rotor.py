@@ -2,18 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
 
+from drawings.balance.due import Balanced, Side
+from drawings.balance.hodograph import NAME as SHAKING
+from drawings.balance.report import drafting_for
+from drawings.balance.scheme import AFTER, BEFORE, SCHEME
+from drawings.balance.static_polygon import NAME as MOMENTS
+from drawings.bank.due import Bank
+from drawings.bank.due import Polygon as OrderPolygon
+from drawings.bank.polygon import plan_of
+from drawings.bank.star import fanned
 from drawings.grading import verdict
 from drawings.grading.marking import Found, Letters, Record, Slip
+from drawings.lettering.balance_letters import CENTRE, RESULT
+from drawings.lettering.balance_letters import FORCE as FORCE_LETTER
 from drawings.paper.strokes import Leaf
-from geometry.board import Board
+from drawings.paper.walk import groups
+from geometry.board import Board, Mark
 from geometry.span import Span
+from plans.bank.harmonics import FORCE, MOMENT, letters
+from plans.model.balance.bank import Harmonic, Member
 from plans.model.rotor import Balance, Unbalance
-from plans.rotor.balancing import COUPLES, UNBALANCES
-from plans.rotor.heading import heading
-from plans.rotor.letters import moment_letters, unbalance_letters
-from plans.rotor.polygon import Polygon
+from plans.rotor.balancing import COUPLES, UNBALANCES, Polygon, heading, moment_letters, unbalance_letters
 from plans.rotor.study import RotorStudy
 from plans.study import Study
 
@@ -21,7 +34,7 @@ ALONG = "along"  # the view along the shaft, where each mass lies at its radius
 SHOWN = (COUPLES, UNBALANCES, ALONG)
 
 
-def record_of(study: Study, leaf: Leaf) -> Record:
+def record_of_rotor(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a rotor's sheet."""
     rotor, balance = study["rotor"], study.comparison("rotor").analysis
     found: dict[Letters, Found] = {(COUPLES, None, "", one.name): one for one in _couples(rotor, balance)}
@@ -105,3 +118,153 @@ def _of_arm(one: Unbalance, arms: Mapping[str, float]) -> Iterator[Slip]:
 
 def _moment(one: Unbalance) -> complex:
     return one.moment * heading(one.angle)
+
+
+def record_of_bank(study: Study, leaf: Leaf) -> Record:
+    """Give the record of the polygons of a bank's sheet."""
+    expected = Bank(study["bank"].task, study.comparison("bank"))
+    found: dict[Letters, Found] = {}
+    plans: dict[str, Mapping[int | None, float]] = {}
+    scales, forces = leaf.metadata["scales"], dict[str, Mark]()
+    for polygon in expected.polygons():
+        plan = plan_of(polygon.kind, polygon.signed)
+        own = list(_order_polygon(expected, polygon, plan, forces))
+        if plan in scales:
+            found |= {(plan, None, "", one.name): one for one in own}
+            plans[plan] = {None: scales[plan]}
+    return Record(found, plans)
+
+
+def _order_polygon(expected: Bank, polygon: OrderPolygon, plan: str, forces: dict[str, Mark]) -> Iterator[Found]:
+    """Give the vectors of the mechanisms laid end to end, and their sum; a moment is a force by its place."""
+    board = Board(plan)
+    pole = end = board.given("0", 0j)
+    members = {letters(polygon.kind, polygon.signed, one.name): one for one in expected.members}
+    for name, value in fanned(list(polygon.sides.items())):
+        vector = _vector(board, polygon, members[name], forces)
+        start, end = end, board.lay_off(f"{plan}:{name}", end, vector)
+        slips = tuple(_slips(expected, polygon, members[name]))
+        yield Found(name, value, Span(pole, vector), Span(start, end), slips=slips)
+    yield Found(polygon.name, polygon.whole, Span(pole, end), Span(pole, end), diagonal=True)
+
+
+def _vector(board: Board, polygon: OrderPolygon, member: Member, forces: dict[str, Mark]) -> Mark:
+    """Lay down the force of a mechanism, or its moment: the force multiplied by its place."""
+    name = letters(polygon.kind, polygon.signed, member.name)
+    force = forces.get(letters(FORCE, polygon.signed, member.name))
+    if polygon.kind == MOMENT and force is not None:
+        return board.turn(name, force, float(member.place))
+    vector = board.given(name, polygon.sides[name])
+    if polygon.kind == FORCE:
+        forces[name] = vector
+    return vector
+
+
+def _slips(expected: Bank, polygon: OrderPolygon, member: Member) -> Iterator[Slip]:
+    """Give what the vector of a mechanism is by another order, or by another mechanism's place."""
+    for order, single in expected.analysis.single.items():
+        if order != abs(polygon.signed):
+            yield from (Slip(verdict.ORDER, value, f"n = {order}") for value in _by(expected, polygon, member, single))
+    if polygon.kind == MOMENT:
+        name, place = letters(polygon.kind, polygon.signed, member.name), float(member.place)
+        for other in expected.members:
+            times = float(other.place) / place
+            kind = verdict.BEYOND if math.isclose(times, -1.0) else verdict.PRODUCT
+            if other is not member:
+                yield Slip(kind, polygon.sides[name] * times, "" if kind == verdict.BEYOND else f"z_{other.name}")
+
+
+def _by(expected: Bank, polygon: OrderPolygon, member: Member, other: Harmonic) -> Iterator[complex]:
+    """Give a vector turned by the angle of another order, of its size, or both."""
+    own, sign = expected.analysis.single[abs(polygon.signed)], 1 if polygon.signed > 0 else -1
+    sizes = (own.ahead, other.ahead) if sign > 0 else (own.back, other.back)
+    turns = [heading(sign * order * member.phase + member.axis) for order in (own.order, other.order)]
+    arm = expected.arm(polygon.kind, member) * expected.turn
+    for size, turn in ((sizes[0], turns[1]), (sizes[1], turns[0]), (sizes[1], turns[1])):
+        yield size * turn * arm
+
+
+NAMES = {BEFORE: FORCE_LETTER, AFTER: f"{FORCE_LETTER}'"}  # of the main vector of the inertia forces
+
+
+def record_of_balance(study: Study, leaf: Leaf) -> Record:
+    """Give the record of the vectors of a sheet of balancing."""
+    own, k = study["balance"], int(leaf.metadata["position"])
+    expected = Balanced(own, study.comparison("balance"), drafting_for(own), k)
+    plans = {SCHEME + state: list(_scheme(expected, state)) for state in expected.states}
+    plans |= {MOMENTS: list(_moments(expected)), SHAKING: list(_shaking(expected))}
+    found: dict[Letters, Found] = {(plan, k, "", one.name): one for plan, all_ in plans.items() for one in all_}
+    scales = {one.data["plan"]: float(one.data["scale"]) for one in groups(leaf.groups) if "scale" in one.data}
+    return Record(found, {name: {k: scales[name]} for name in plans if name in scales})
+
+
+def _moments(expected: Balanced) -> Iterator[Found]:
+    """Give the static moments of the links laid end to end, and their sum from the datum."""
+    masses = {one.link: one.mass for one in expected.solid(BEFORE)}
+    slips = {
+        f"m_{link}r_S{link}": [(f"m_{other}", mass / masses[link]) for other, mass in masses.items() if other != link]
+        for link in masses
+    }
+    laid = list(expected.moments())
+    sides, corners = _laid(MOMENTS, laid)
+    for one, side, found in zip(laid, sides, corners, strict=True):
+        wrong = (Slip(verdict.PRODUCT, one.value * times, of) for of, times in slips[one.name])
+        yield Found(one.name, one.value, side, found, slips=tuple(wrong))
+    if corners:
+        whole = Span(corners[0].start, corners[-1].end)
+        yield Found(RESULT, laid[-1].start + laid[-1].value, whole, whole, diagonal=True)
+
+
+def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
+    """Give the vectors of main points to the common mass centre, the points of the links, and the counterweights."""
+    laid = list(expected.chain(state))
+    sides, corners = _laid(SCHEME + state, laid)
+    board = Board(SCHEME + state)
+    datum = board.given("O", 0j)
+    for one, side, found in zip(laid, sides, corners, strict=True):
+        yield Found(one.name, one.value, side, found, slips=tuple(_lacking(expected, state, one)))
+    if corners:
+        yield Found(CENTRE, expected.centre(state), Span(corners[0].start, corners[-1].end))
+    for name, place in expected.points.items():
+        yield Found(name, place, Span(datum, board.given(name, place)))
+    for weight in expected.weights(state):
+        place, begin = (expected.at(weight.link, spot) for spot in (weight.centre, weight.origin))
+        name, other = f"m_cw{weight.link}", Slip(verdict.HEAVY, 2 * begin - place)
+        yield Found(name, place, Span(datum, board.given(name, place)), slips=(other,))
+
+
+def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
+    """Lay vectors end to end as a student does; give each from nothing, and between its corners."""
+    board = Board(plan)
+    pole = board.given("0", 0j)
+    sides, corners, end = list[Span](), list[Span](), pole
+    for number, one in enumerate(laid, 1):
+        vector: Mark = board.given(one.name, one.value)
+        start, end = end, board.lay_off(f"{plan}:{number}", end, vector)
+        sides.append(Span(pole, vector))
+        corners.append(Span(start, end))
+    return sides, corners
+
+
+def _lacking(expected: Balanced, state: str, one: Side) -> Iterator[Slip]:
+    """Give what the vector of a link is without the masses of one that follows it."""
+    tree, solid = expected.own.tree, expected.solid(state)
+    whole = sum(body.mass for body in solid)
+    stem = next((stem for stem in tree.stems if one.name == f"h_{stem.link}"), None)
+    if stem is None:
+        return
+    angle = float(expected.comparison.motion.analysis.links[stem.link].angle[expected.shown])
+    for other in tree.followers[stem.link]:
+        behind = set(tree.behind(other.link))
+        mass = sum(body.mass for body in solid if body.link in behind)
+        arm = (other.at - stem.origin) * cmath.rect(1.0, angle)
+        yield Slip(verdict.FORGOTTEN, one.value - arm * mass / whole, f"m_{'+'.join(map(str, sorted(behind)))}")
+
+
+def _shaking(expected: Balanced) -> Iterator[Found]:
+    """Give the main vectors of the inertia forces in the shown position, before and after."""
+    board = Board(SHAKING)
+    pole = board.given("0", 0j)
+    for state, one in expected.states.items():
+        name, value = NAMES[state], complex(one.centre.force[expected.shown])
+        yield Found(name, value, Span(pole, board.given(name, value)), slips=(Slip(verdict.INERTIA, -value),))

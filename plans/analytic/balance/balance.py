@@ -25,7 +25,7 @@ from plans.model.balance.linkage import (
     Shares,
     Task,
 )
-from plans.model.group import Group, pair
+from plans.model.dyad import Group, pair
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 

@@ -18,7 +18,7 @@ from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.points import acceleration
 from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, SECTOR, Counterweight, Place, State, Task
-from plans.model.group import Group, Pair
+from plans.model.dyad import Group, Pair
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist
 from plans.model.machine import Machine
 from plans.model.mechanism import FRAME, Mechanism, Slide

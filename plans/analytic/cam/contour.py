@@ -1,21 +1,53 @@
-"""The profile of a cam by closed forms, as every handbook has them (профиль кулачка аналитически, M2.6, M2.10-M2.14).
-
-All is worked out for a cam that turns counter-clockwise; one that turns clockwise is its mirror image. Angles and
-lengths alone: θ is the direction of the rocker, δ how far it is turned from the line of centres OO1, θ' its derivative.
-"""
+"""The force at the contact by the work of a small turn, and the wear (сила в контакте по мощностям, M6.2)."""
 
 from __future__ import annotations
 
 import cmath
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from plans.analytic.cam.laws import travel
-from plans.model.cam import GROOVE, Cam
+from plans.model.cam import GROOVE, Cam, Load
 from plans.model.cam_motion import Contour, Points, Sizes, Travel
 from plans.model.motion import Floats
+
+
+class Forces(NamedTuple):
+    """A loaded follower on a cam that goes at its speed, without friction."""
+
+    load: Load
+    speed: float
+    roller: float  # m
+
+    def along(self, curve: Curve) -> Floats:
+        """Give what the cam overcomes along the follower's way, N; of a rocker its moment, N*m."""
+        s, _, bend = curve.travel
+        spring = self.load.preload + s * self.load.stiffness
+        return np.asarray(self.load.force + spring + bend * (self.load.mass * self.speed * self.speed))
+
+    def normal(self, curve: Curve) -> Floats:
+        """Give the force along the normal, N: its point goes by OD's part along the way for a unit of the normal's."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(self.along(curve) / self._gear(curve))
+
+    @staticmethod
+    def _gear(curve: Curve) -> Floats:
+        """Give how far the point of contact goes along the normal while S grows by 1."""
+        if curve.cam.flat:
+            return curve.place if curve.cam.rocks else np.ones_like(curve.turned)
+        return (curve.length if curve.cam.rocks else 1.0) * curve.parts[1] / curve.speed
+
+    def wear(self, curve: Curve) -> Floats:
+        """Give force times sliding speed, W."""
+        return np.abs(self.normal(curve) * curve.slip(self.roller)) * self.speed
+
+
+def forces_of(cam: Cam, roller: float) -> Forces | None:
+    """Give the forces, where the scene asks for them: with a load and a speed."""
+    return None if cam.load is None or cam.speed is None else Forces(cam.load, cam.speed, roller)
 
 
 def mirrored(cam: Cam, points: Points) -> Points:

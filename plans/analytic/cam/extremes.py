@@ -10,9 +10,8 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from plans.analytic.cam.contact import Forces
-from plans.analytic.cam.contour import Curve
-from plans.analytic.cam.shocks import shocks
+from plans.analytic.cam.contour import Curve, Forces
+from plans.analytic.cam.laws import shocks
 from plans.model.cam import RETURN, RISE, SHAPE, TABLE, Cam, Law, interval_of
 from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
 from plans.model.motion import Floats

@@ -10,15 +10,13 @@ from typing import Final
 
 import numpy as np
 
-from plans.analytic.cam.contact import Forces, forces_of
-from plans.analytic.cam.contour import Curve, contour
+from plans.analytic.cam.contour import Curve, Forces, contour, forces_of
 from plans.analytic.cam.extremes import Extremes, Place, Turn, Value
+from plans.analytic.cam.laws import shocks
 from plans.analytic.cam.loops import Loops
-from plans.analytic.cam.shocks import shocks
 from plans.analytic.cam.sizes import sizes as sizes_of
 from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_faults import CamError
-from plans.model.cam_motion import ANALYSIS, CamFound, Extreme, Flaw, Sizes
+from plans.model.cam_motion import ANALYSIS, CamError, CamFound, Extreme, Flaw, Sizes
 from plans.model.motion import Floats
 
 NEAR: Final = 1e-9  # of a limit: sizes found by it touch it but for rounding, and so may a roller a radius

@@ -1,17 +1,124 @@
-"""The pressure angle by its closed forms, and its greatest values by roots (угол давления, (5.28))."""
+"""Stretches of the closed laws between their breaks, and the places on them where something is greatest (участки)."""
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable, Collection, Iterator
+from itertools import pairwise
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.cam.laws import travel
-from plans.analytic.cam.stretches import peak, stretches
-from plans.model.cam import Cam
+from plans.analytic.cam.laws import LAWS, breaks, travel
+from plans.model.cam import Cam, Law, Phase
 from plans.model.cam_motion import Extreme, Sizes, Travel
 from plans.model.motion import Floats
+
+GRID = 65  # places of a stretch that are looked at before a root is closed in on
+GOLDEN, SECTIONS = (5**0.5 - 1) / 2, 78  # of two parts, to the last digit
+HALVINGS = 60  # of a part of it: to the last digit
+
+
+class Stretch(NamedTuple):
+    """A stretch of a phase on which its law is smooth, from one share of the phase to another."""
+
+    phase: Phase
+    start: float
+    end: float
+
+    def at(self, share: Floats) -> Travel:
+        """Give S, S', S'' at shares of the phase; at the end of the stretch those before the break."""
+        k, phase = np.clip(share, self.start, self.end), self.phase
+        if phase.law is None:
+            return Travel(np.full_like(k, phase.level), np.zeros_like(k), np.zeros_like(k))
+        rows = [self._closed(phase.law, k, order) * (phase.change / phase.angle**order) for order in range(3)]
+        return Travel(phase.level + rows[0], *rows[1:])
+
+    def _closed(self, law: Law, k: Floats, order: int) -> Floats:
+        """Give a derivative of the law in shares of phase and lift."""
+        found, last = LAWS[law.name](law, k, order, False), k >= self.end
+        return np.where(last, LAWS[law.name](law, k, order, True), found) if last.any() else found
+
+    def turned(self, share: float) -> float:
+        """Give the cam's turn at a share of the phase."""
+        return self.phase.start + self.phase.angle * share
+
+    @property
+    def grid(self) -> Floats:
+        """Places from end to end."""
+        return np.linspace(self.start, self.end, GRID)
+
+
+Value: TypeAlias = Callable[[Travel], Floats]
+
+
+class Peak(NamedTuple):
+    """A place where something is greatest."""
+
+    value: float
+    stretch: Stretch
+    share: float
+
+
+def stretches(cam: Cam, kinds: Collection[str]) -> tuple[Stretch, ...]:
+    """Give the stretches of all phases of some kinds."""
+    return tuple(
+        Stretch(phase, *ends)
+        for phase in cam.phases
+        if phase.kind in kinds
+        for ends in pairwise((0.0, *(breaks(phase.law) if phase.law else ()), 1.0))
+    )
+
+
+def peak(along: Collection[Stretch], value: Value, slope: Value) -> Peak:
+    """Give where a value is greatest: at a root of its slope, or at an end of a stretch."""
+    return max((one for stretch in along for one in _candidates(stretch, value, slope)), key=lambda one: one.value)
+
+
+def _candidates(stretch: Stretch, value: Value, slope: Value) -> Iterator[Peak]:
+    shares = np.array([stretch.start, *roots(lambda k: slope(stretch.at(k)), stretch.grid), stretch.end])
+    for share, own in zip(
+        shares.tolist(), np.broadcast_to(value(stretch.at(shares)), shares.shape).tolist(), strict=True
+    ):
+        yield Peak(own, stretch, share)
+
+
+def golden(along: Collection[Stretch], value: Value) -> Peak:
+    """Give where a value without a slope is greatest, by the golden section of the parts beside the best places.
+
+    The place of a smooth peak is known to half of the digits, its value to all of them; that of a kink to all.
+    """
+    return max((_sectioned(stretch, value) for stretch in along), key=lambda one: one.value)
+
+
+def _sectioned(stretch: Stretch, value: Value) -> Peak:
+    grid = stretch.grid
+    best = int(np.argmax(value(stretch.at(grid))))
+    low, high = float(grid[max(best - 1, 0)]), float(grid[min(best + 1, GRID - 1)])
+    for _ in range(SECTIONS):
+        ends = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
+        first, second = value(stretch.at(ends)).tolist()
+        low, high = (low, float(ends[1])) if first >= second else (float(ends[0]), high)
+    places = np.array([low, (low + high) / 2, high, stretch.start, stretch.end])
+    values = value(stretch.at(places))
+    top = int(np.argmax(values))
+    return Peak(float(values[top]), stretch, float(places[top]))
+
+
+def roots(of: Callable[[Floats], Floats], grid: Floats) -> Floats:
+    """Halve every part of a grid at whose ends a function has different signs.
+
+    >>> roots(lambda x: x**2 - 2, np.linspace(-2.0, 2.0, 8)).round(12).tolist()
+    [-1.414213562373, 1.414213562373]
+    """
+    signs = np.sign(of(grid))
+    turns = np.flatnonzero(signs[:-1] * signs[1:] < 0)
+    low, high, sign = grid[turns], grid[turns + 1], signs[turns]
+    for _ in range(HALVINGS if turns.size else 0):
+        middle = (low + high) / 2
+        below = np.sign(of(middle)) == sign
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return np.concatenate([(low + high) / 2, grid[signs == 0]])
 
 
 class Ratio(NamedTuple):

@@ -15,10 +15,9 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.cam.stretches import Stretch, stretches
+from plans.analytic.cam.pressure import Stretch, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
-from plans.model.cam_faults import no_region, no_triangle, vanishing
-from plans.model.cam_motion import Points, Sizes, Travel
+from plans.model.cam_motion import Points, Sizes, Travel, no_region, no_triangle, vanishing
 from plans.model.motion import Floats
 
 ROUNDS = 200  # each takes one more line into account, of some hundreds

@@ -9,10 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from plans.analytic.cam.pressure import Stretch, golden, peak, stretches
 from plans.analytic.cam.rocker_sizes import rocker_sizes
-from plans.analytic.cam.stretches import Stretch, golden, peak, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
-from plans.model.cam_faults import (
+from plans.model.cam_motion import (
+    Sizes,
+    Travel,
     fast_face,
     hard_face,
     no_distance,
@@ -23,7 +25,6 @@ from plans.model.cam_faults import (
     too_far,
     vanishing,
 )
-from plans.model.cam_motion import Sizes, Travel
 from plans.model.motion import Floats
 
 

@@ -15,8 +15,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from plans.analytic.closure import EPS, Flags
-from plans.analytic.dynamics.pieces import pieces
-from plans.analytic.dynamics.reduction import Reduction
+from plans.analytic.dynamics.reduction import Reduction, pieces
 from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Machine, Track
 from plans.model.motion import Complexes, Floats, Motion

@@ -1,19 +1,38 @@
-"""The flywheel by the extremes of energy that it must even out, exact and of a drawn loop (маховик; M4.9, check)."""
+"""Mass and section of a flywheel's rim by its moment of inertia (масса и размеры обода; M4.11)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from math import pi, sqrt
 
 import numpy as np
 
 from plans.analytic.closure import EPS
 from plans.analytic.dynamics.breaks import LEAST, Curve, Run, Sided, breaks, broken, looks, roots, smooth
 from plans.analytic.dynamics.reduction import Reduction
-from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Task, Touch, settled
+from plans.analytic.extremes import EQUAL
+from plans.model.dynamics import ANALYSIS, TURN, Cycle, Flywheel, Methods, Rim, Task, Touch, Wheel, settled
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
+from plans.model.run import OfTurn, ReducedLink
+
+
+def wheel(inertia: float, rim: Rim) -> Wheel | None:
+    """Size a flywheel of an inertia kg*m2 at the crank's shaft on its own; None without a diameter, or of none.
+
+    On a shaft that turns U times faster J/U^2 stores as much energy; all the mass m = 4 J / D^2 is at the diameter D,
+    and its volume is pi D times the section, whose breadth is so many times its thickness.
+    """
+    if rim.diameter is None or inertia <= 0.0:
+        return None
+    own = inertia / rim.ratio**2
+    mass = 4.0 * own / rim.diameter**2
+    section = mass / (rim.density * pi * rim.diameter)
+    thickness = sqrt(section / rim.breadth)
+    return Wheel(own, rim.diameter, mass, thickness, rim.breadth * thickness)
+
 
 ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows
 MOST = 1e-6  # share: more than this is allowed no number that the two roads are compared by
@@ -161,3 +180,65 @@ def _farthest(turned: Floats, varying: Floats, surplus: Floats, slope: float, si
     height = sign * (surplus - slope * varying)
     first = int(np.argmax(height >= height.max() - SAME * np.ptp(height)))
     return Touch(float(turned[first]), float(varying[first]), float(surplus[first]))
+
+
+def reduced_link(found: Exact, constant: float) -> ReducedLink:
+    """Give the reduced link of a machine; `constant`: inertia kg*m2 of shafts and flywheel."""
+    breaks = sorted({float(place) % TURN for place in found.breaks})
+    inertia = _raised(found.mass.one, constant)
+    return ReducedLink(inertia, found.growth.one, found.load.one, breaks=tuple(breaks))
+
+
+def _raised(curve: OfTurn, constant: float) -> OfTurn:
+    return lambda turned: curve(turned) + constant
+
+
+def methods(found: Exact, task: Task) -> Methods | None:
+    """Find J0 by each method; None where no fluctuation is asked for.
+
+    Mertsalov takes the energy of the varying inertia at the mean speed throughout; Gutyar at the greatest where he
+    seeks the greatest energy of the rest, at the least where he seeks the least. Both divide by omega_m^2 delta.
+    """
+    if not task.delta:
+        return None
+    even = task.speed**2 * task.delta
+    mean = task.speed**2 / 2.0
+    level = flywheel(found, task, (mean, mean))
+    exact = flywheel(found, task)
+    return Methods(
+        book=flywheel(found, task, book_slopes(task)).whole,
+        mertsalov=(level.cuts[1] - level.cuts[0]) / even,
+        gutyar=(exact.cuts[1] - exact.cuts[0]) / even,
+        height=level.cuts[1] - level.cuts[0],
+        touches=level.touches,
+    )
+
+
+def exact_cycle(found: Exact, turned: Floats) -> Cycle:
+    """Account for a turn on strips with edges `turned`, (n + 1,) rad, without any error but rounding."""
+    return _cycle(found, turned, found.work(turned))
+
+
+def sampled_cycle(found: Exact, turned: Floats) -> Cycle:
+    """Account for it as the construction must: the work of a strip is its width by the ordinate at its middle."""
+    strips = np.diff(turned) * found.moment(_middles(turned))
+    return _cycle(found, turned, np.concatenate(([0.0], np.cumsum(strips))))
+
+
+def _cycle(found: Exact, turned: Floats, work: Floats) -> Cycle:
+    sides = _snapped(turned, found.breaks)
+    moments = np.stack((found.moment(sides[:-1], 1), found.moment(sides[1:], -1)), axis=1)
+    means = found.moment(_middles(turned))
+    return Cycle(ANALYSIS, turned, found.breaks, moments, means, work, found.inertia(turned))
+
+
+def _middles(turned: Floats) -> Floats:
+    return np.asarray((turned[:-1] + turned[1:]) / 2.0)
+
+
+def _snapped(turned: Floats, breaks: Floats) -> Floats:
+    """Move edges that are meant for a break to the very break, so that each side of it is that of its strip."""
+    snapped = np.array(turned)
+    for at in breaks:
+        snapped[np.abs(turned - at) <= EQUAL] = at
+    return snapped

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import chebyshev
 
-from plans.analytic.closure import transfer
-from plans.analytic.inertia import reduced_inertia
+from plans.analytic.closure import EPS, transfer
 from plans.analytic.kinematics import Analysis
 from plans.analytic.points import TURN as SPIN
 from plans.analytic.points import Constraints, speed
 from plans.analytic.positions import blocks
-from plans.analytic.power import reduced_moment
+from plans.analytic.power import reduced_inertia, reduced_moment
 from plans.model.dynamics import ANALYSIS, TURN, Reduced
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Machine
@@ -131,3 +133,136 @@ def _bend(constraints: Constraints, poses: Floats, first: Floats, second: Floats
     x, y, growth = np.moveaxis(second[:, on], -1, 0)
     arm = own * np.exp(1j * poses[:, on, SPIN])
     return np.asarray(constraints.size * (x + 1j * y) + (1j * growth - first[:, on, SPIN] ** 2) * arm)
+
+
+NODES = 32
+TAIL = NODES // 4  # coefficients that must have died away
+LOOKS = 24  # places on a piece, among which every zero of its polynomial that matters shows
+ROUNDINGS = 4.0  # of the largest: what fitting leaves
+NARROWEST = 2.0 * np.pi / 2.0**20  # rad: what does not settle on such a piece settles on none
+MOST = 2048  # pieces
+
+# Angles turned (N,) to several quantities there, (k, N), and to the largest of what each of them sums up, (k,): what
+# is less than its rounding is nothing.
+Sample = Callable[[Floats], tuple[Floats, Floats]]
+
+_ANGLES = np.pi * (np.arange(NODES) + 0.5) / NODES
+_PLACES = np.cos(_ANGLES)  # of the nodes, from 1 down to -1
+_FIT = np.cos(np.outer(np.arange(NODES), _ANGLES)) * 2.0 / NODES
+_FIT[0] /= 2.0
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """Edges (p + 1,) rad of the pieces, coefficients (p, n) of the quantity and (p, n + 1) of its integral from 0.
+
+    `error` is the share of the largest that the last coefficients still have; where it `settled` that is rounding.
+    """
+
+    edges: Floats
+    coefficients: Floats
+    integrals: Floats
+    error: float
+    settled: bool
+
+    @property
+    def looks(self) -> Floats:
+        """Angles rad among which every change of sign shows."""
+        low, wide = self.edges[:-1, None], np.diff(self.edges)[:, None]
+        return np.append((low + wide * np.arange(LOOKS) / LOOKS).ravel(), self.edges[-1])
+
+    def at(self, turned: Floats, side: int = 1) -> Floats:
+        """Give the quantity at angles turned rad, (N,); at an edge by the piece beyond it, or before it if side < 0."""
+        return self._sum(self.coefficients, turned, side)
+
+    @property
+    def slope(self) -> Pieces:
+        """Its derivative by the angle turned."""
+        wide = np.diff(self.edges)[:, None]
+        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
+        return Pieces(self.edges, fitted, self.coefficients, self.error, self.settled)
+
+    @cached_property
+    def one(self) -> Callable[[float], float]:
+        """The quantity at one angle turned rad, of any turn: for a solver that asks for one at a time (Clenshaw)."""
+        edges: list[float] = self.edges.tolist()
+        sums: list[list[float]] = self.coefficients[:, ::-1].tolist()
+
+        def value(turned: float) -> float:
+            turned %= edges[-1]
+            k = min(bisect_right(edges, turned) - 1, len(sums) - 1)
+            place = ((turned - edges[k]) - (edges[k + 1] - turned)) / (edges[k + 1] - edges[k])
+            later = after = 0.0
+            for coefficient in sums[k]:
+                after, later = later, coefficient + 2.0 * place * later - after
+            return later - place * after
+
+        return value
+
+    def since(self, turned: Floats) -> Floats:
+        """Give its integral from 0."""
+        return self._sum(self.integrals, turned, 1)
+
+    def _sum(self, coefficients: Floats, turned: Floats, side: int) -> Floats:
+        turned = np.asarray(turned, dtype=np.float64)
+        on = np.searchsorted(self.edges, turned, "right" if side > 0 else "left") - 1
+        on = np.clip(on, 0, len(self.edges) - 2)
+        low, high = self.edges[on], self.edges[on + 1]
+        place = ((turned - low) - (high - turned)) / (high - low)
+        return np.asarray(chebyshev.chebval(place, np.moveaxis(coefficients[on], -1, 0), tensor=False))
+
+
+def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieces]:
+    """Fit quantities on the pieces between knots, rad, the first 0 and the last a turn; `noise`: share of rounding."""
+    low, high = knots[:-1], knots[1:]
+    before = np.full(len(low), np.inf)
+    kept: list[tuple[Floats, Floats, Floats]] = []
+    largest, error, settled = np.zeros((1, 1)), 0.0, True
+    while low.size:
+        fitted, size = _fit(sample, low, high)
+        largest = np.fmax(largest, size)  # NaN at gaps
+        tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
+        tails = np.where(np.isfinite(tails), tails, np.inf)
+        rounding = (tails <= noise) & (tails >= before / 2.0)  # of a smooth quantity halving leaves far less than half
+        done = rounding | (tails <= ROUNDINGS * EPS)
+        lost = ~done & ((high - low <= NARROWEST) | np.isinf(tails) | (2 * low.size > MOST))
+        settled &= not lost.any()
+        error = max(error, float(np.max(tails[done | lost], initial=0.0)))
+        kept.append((low[done | lost], high[done | lost], fitted[:, done | lost]))
+        more = ~(done | lost)
+        low, high, before = *_halves(low[more], high[more]), np.tile(tails[more], 2)
+    return _joined(kept, error, settled)
+
+
+def _fit(sample: Sample, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Fit all quantities on some pieces: coefficients (k, p, n), and their sizes, (k, 1)."""
+    at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
+    ordinates, sizes = sample(at.ravel())
+    return ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
+
+
+def _share(part: Floats, whole: Floats) -> Floats:
+    """Divide by the largest; of nothing at all there is no share."""
+    return np.asarray(part / np.where(whole == 0.0, 1.0, whole))
+
+
+def _halves(low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Halve pieces."""
+    middle = (low + high) / 2.0
+    return np.concatenate((low, middle)), np.concatenate((middle, high))
+
+
+def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bool) -> list[Pieces]:
+    """Put the pieces in order and integrate each quantity along them."""
+    low, high = (np.concatenate([part[k] for part in kept]) for k in (0, 1))
+    order = np.argsort(low)
+    edges = np.append(low[order], high[order][-1])
+    fitted = np.concatenate([part[2] for part in kept], axis=1)[:, order]
+    return [Pieces(edges, one, _integrals(one, np.diff(edges)), error, settled) for one in fitted]
+
+
+def _integrals(coefficients: Floats, wide: Floats) -> Floats:
+    """Integrate polynomials on pieces one after another, from the beginning of the first."""
+    found = chebyshev.chebint(coefficients, lbnd=-1, axis=1) * wide[:, None] / 2.0
+    found[1:, 0] += np.cumsum(found.sum(axis=1))[:-1]
+    return np.asarray(found)

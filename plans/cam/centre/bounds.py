@@ -15,9 +15,9 @@ from typing import NamedTuple, Protocol, TypeAlias
 import numpy as np
 
 from geometry.meet import dot
+from plans.cam.course import law_of
 from plans.cam.false_position import closed_in
-from plans.cam.laws import law_of
-from plans.cam.profile.tip import arm
+from plans.cam.profile.touch import arm
 from plans.model.cam import FORCE, RETURN, RISE, Cam, Limits, Phase
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats

@@ -21,8 +21,7 @@ from plans.cam.centre.bounds import Bound, Limit, PressureBound, SlopeDiagram, T
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Chord, Sizing, Tangent
 from plans.model.cam import LEAST_BASE, Cam, Limits, limits_of
-from plans.model.cam_faults import no_region, no_triangle, vanishing
-from plans.model.cam_motion import Points, Sizes
+from plans.model.cam_motion import Points, Sizes, no_region, no_triangle, vanishing
 from plans.model.motion import Floats
 from plans.words.words import because
 

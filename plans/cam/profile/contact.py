@@ -9,14 +9,11 @@ from functools import cached_property
 import numpy as np
 
 from plans.cam.course import Course
-from plans.cam.profile.outline import curvature, curvature_slope
-from plans.cam.profile.profile import slip, slip_slope
-from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Place, Stretches, Touch, Value
+from plans.cam.profile.profile import curvature, curvature_slope, slip, slip_slope
+from plans.cam.profile.touch import Place, Stretches, Tip, Touch, Value
 from plans.cam.sizes import sizing
 from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, Load, Phase, interval_of
-from plans.model.cam_faults import CamError
-from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
+from plans.model.cam_motion import BEND, SLOPE, CamError, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
 
 

@@ -20,11 +20,9 @@ from plans.cam.profile.contact import (
     pressure,
     sizes_advised,
 )
-from plans.cam.profile.outline import curvature
-from plans.cam.profile.profile import Roller, profile, roller_of
+from plans.cam.profile.profile import Roller, curvature, profile, roller_of
 from plans.cam.profile.resting import Edge, crossings, loss
-from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Place, Span, Stretches, Touch, Value
+from plans.cam.profile.touch import Place, Span, Stretches, Tip, Touch, Value
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Extreme, Flaw, Sizes
 from plans.model.motion import Floats

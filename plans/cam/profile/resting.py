@@ -12,9 +12,8 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.meet import EPS, cross
-from plans.cam.profile.outline import Outline
-from plans.cam.profile.tip import Tip, guide_start
-from plans.cam.profile.touch import Span, Stretches
+from plans.cam.profile.profile import Outline
+from plans.cam.profile.touch import Span, Stretches, Tip, guide_start
 from plans.model.cam import Cam
 from plans.model.cam_motion import Extreme, Points
 from plans.model.motion import Floats

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.ends import (
+from plans.forces.reading.fields import (
     ENDS,
     ON_LINK,
     PART,

@@ -10,7 +10,7 @@ from fractions import Fraction
 from math import radians
 
 from plans.forces.reading import references
-from plans.forces.reading.ends import Ends, LoadTable, Vector, holders, point_of
+from plans.forces.reading.fields import Ends, LoadTable, Vector, holders, point_of
 from plans.forces.reading.form import (
     ForceForm,
     ForceTable,
@@ -23,10 +23,9 @@ from plans.forces.reading.form import (
 )
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.guides import direction
-from plans.model.group import pairs
+from plans.model.dyad import decompose, pairs
 from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Track, Transmission
 from plans.model.mechanism import FRAME, Mechanism, Parting
-from plans.model.structure import decompose
 from plans.scene.faults import Path, SceneError
 from plans.scene.scene import Scene
 from plans.scene.units import within

@@ -6,8 +6,7 @@ from collections.abc import Iterable
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.ends import LoadTable
-from plans.forces.reading.fields import Metres, Newtons, Pascals
+from plans.forces.reading.fields import LoadTable, Metres, Newtons, Pascals
 from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
 
-from plans.forces.reading.ends import Ends, EndTable, holders, point_of
+from plans.forces.reading.fields import Ends, EndTable, holders, point_of
 from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, ForceTable, LoadsTable, MomentTable, PairTable
 from plans.linkage.reading.linkage import check_numbers
 from plans.linkage.reading.survey import Survey

@@ -18,11 +18,9 @@ from geometry.meet import EPS
 from plans.linkage.assembly_limits import NODES, Sweep, at_angles
 from plans.linkage.crank_positions import CrankPositions, even
 from plans.linkage.sketch import assembly
-from plans.model.group import Group
+from plans.model.dyad import Group, decompose
 from plans.model.mechanism import FRAME, Mechanism, Passage, Ram
-from plans.model.motion import Complexes, Floats, Motion
-from plans.model.rates import Rates, stroke_rates
-from plans.model.structure import decompose
+from plans.model.motion import Complexes, Floats, Motion, Rates, stroke_rates
 
 TRIALS = 64  # halving alone comes from a whole turn below the rounding of an angle with fewer
 ROUNDINGS = 4.0 * EPS  # of an angle of a turn, which is some units: a step so small is none

@@ -12,8 +12,7 @@ from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import Complexes
-from plans.model.rates import Rates
+from plans.model.motion import Complexes, Rates
 from plans.words.words import because
 
 FREE = "φ"

@@ -14,8 +14,7 @@ from geometry.board import Board
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.primaries.between import Between
 from plans.model.mechanism import FRAME, Mechanism, Ram
-from plans.model.motion import Complexes, Floats, Motion
-from plans.model.rates import Pace, Rates, stroke_rates
+from plans.model.motion import Complexes, Floats, Motion, Pace, Rates, stroke_rates
 from plans.words.words import because
 
 

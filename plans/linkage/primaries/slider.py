@@ -11,8 +11,7 @@ from plans.linkage.groups import guide
 from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import FRAME, Mechanism, Slide
-from plans.model.motion import Complexes, Floats
-from plans.model.rates import Pace, Rates, stroke_rates
+from plans.model.motion import Complexes, Floats, Pace, Rates, stroke_rates
 from plans.words.words import Message, because
 
 FREE = "s"

@@ -9,8 +9,7 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.primaries import ram, slider
 from plans.linkage.reading.stroke import StrokeTable
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Floats
-from plans.model.rates import Pace
+from plans.model.motion import Floats, Pace
 
 
 def positions(mechanism: Mechanism, told: StrokeTable | None, steps: int) -> CrankPositions:

@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.eye.sheet import SeenSheet
-from drawings.grading.curves.asked_figure import ORDINATES, FigureAsked, Sizes, Values
-from drawings.grading.curves.drawn_curve import PLACED, THROUGH, Frame, away, chains, foot, heights
-from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, Frame, away, chains, foot, heights
+from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.seeing.onlooker import stated_scales
 from drawings.paper.strokes import Circle, Group, Line

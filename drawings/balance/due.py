@@ -1,0 +1,340 @@
+"""A mechanism balanced by the analysis, in one position: places, chains of vectors (уравновешенный механизм)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.balance.report import drafting_for
+from drawings.checks.expected import KNOWN, NOTHING, Expected, course
+from drawings.layout.table import cell_name
+from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight
+from drawings.lettering.indices import with_index
+from drawings.page.drafting import Drafting
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf
+from plans.analytic.balance.mass_centre import bodies, vectors
+from plans.analytic.points import placed
+from plans.balance.quantities import BalanceComparison
+from plans.balance.study import BalanceStudy
+from plans.balance.weights import line_of
+from plans.forces.cut import indices
+from plans.forces.primary import BALANCING
+from plans.model.balance.linkage import DISC, Balance, Choice, Counterweight, State
+from plans.model.machine import Body
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import NOTHING as VANISHING
+from plans.study import Study
+
+BEFORE, AFTER = "before", "after"  # the states of a machine
+ROOMY, FEW = 36, 12  # positions that all have room in a graph; about so many of more are told
+APART = 1e-3  # of its link: a mass centre nearer to a point than this bears no letter of its own
+
+
+class Nothing(NamedTuple):
+    """The force N, the moment N*m about the shaft and the way m that are no more than rounding."""
+
+    force: float
+    moment: float
+    way: float
+
+
+class Side(NamedTuple):
+    """A vector of a chain by its name: where it begins, and its value."""
+
+    name: str
+    start: complex
+    value: complex
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """A mechanism balanced by analysis, in one position of the scene."""
+
+    own: BalanceStudy
+    comparison: BalanceComparison
+    drafting: Drafting
+    shown: int
+
+    @property
+    def balance(self) -> Balance:
+        """All of it."""
+        return self.comparison.analysis
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.own.linkage.mechanism
+
+    @property
+    def after(self) -> State | None:
+        """The machine with its counterweights on; None where none is put on."""
+        return None if self.balance.still else self.balance.after
+
+    @cached_property
+    def states(self) -> dict[str, State]:
+        """The states that a sheet shows."""
+        return {BEFORE: self.balance.before} | ({} if self.after is None else {AFTER: self.after})
+
+    @property
+    def whole(self) -> bool:
+        """Whether the crank turns fully: else nothing is drawn between the positions."""
+        return self.balance.before.whole
+
+    @cached_property
+    def told(self) -> frozenset[int]:
+        """The positions that the graphs must tell."""
+        count = len(self.balance.before.centre.phi)
+        every = 1 if count <= ROOMY else math.ceil(count / FEW)
+        return frozenset({*range(0, count, every), self.shown})
+
+    @cached_property
+    def none(self) -> Nothing:
+        """What is nothing on the sheets."""
+        largest = max(one.forces.largest for one in self.states.values())
+        return Nothing(VANISHING * largest, VANISHING * largest * self.reach, VANISHING * self.reach)
+
+    @cached_property
+    def reach(self) -> float:
+        """How far points come from the shaft of the crank, m."""
+        rows = [np.abs(point.r) for point in self.comparison.motion.analysis.points.values()]
+        return float(np.nanmax(rows))
+
+    def weights(self, state: str) -> list[Counterweight]:
+        """List the counterweights that are on in a state."""
+        return [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
+
+    def solid(self, state: str) -> list[Body]:
+        """List what has mass in a state, each counterweight by itself."""
+        return bodies(self.own.machine, self.weights(state))
+
+    def at(self, link: int, spot: complex) -> complex:
+        """Place a spot of a link, or of the frame, in the shown position."""
+        if link == FRAME:
+            return spot
+        return complex(placed(self.mechanism, self.comparison.motion.analysis, link, spot)[self.shown])
+
+    @cached_property
+    def points(self) -> dict[str, complex]:
+        """The places of the points of all links, the fixed ones among them, and of mass centres that no point names."""
+        fixed, moving = self.mechanism.links[FRAME].points, self.comparison.motion.analysis.points
+        found = dict(fixed) | {name: complex(one.r[self.shown]) for name, one in moving.items() if name not in fixed}
+        for link, body in self.own.machine.bodies.items():
+            if f"S{link}" not in found and self._is_apart(link, body.centre):
+                found[f"S{link}"] = self.at(link, body.centre)
+        return {name: spot for name, spot in found.items() if cmath.isfinite(spot)}
+
+    def _is_apart(self, link: int, centre: complex) -> bool:
+        """Tell whether a mass centre lies in none of the points of its link."""
+        sizes = [abs(place - centre) for place in self.mechanism.links[link].points.values()]
+        return min(sizes) > APART * max(sizes)
+
+    def centre(self, state: str) -> complex:
+        """Place the common mass centre."""
+        return complex(self.states[state].centre.r[self.shown])
+
+    def vectors(self, state: str) -> Mapping[int, complex]:
+        """Give the vectors of main points, m in the links' own frames."""
+        return vectors(self.solid(state), self.own.tree.stems)
+
+    def chain(self, state: str) -> Iterator[Side]:
+        """Lay the main-point vectors end to end: of the frame's hinges, of the links, along guides."""
+        solid, end = self.solid(state), 0j
+        mass = sum(one.mass for one in solid)
+        for name, value in self._sides(state, solid, mass):
+            if abs(value) > KNOWN * self.reach:
+                yield Side(name, end, value)
+            end += value
+
+    def _sides(self, state: str, solid: list[Body], mass: float) -> Iterator[tuple[str, complex]]:
+        tree, motion = self.own.tree, self.comparison.motion.analysis
+        behind = {one.link: sum(b.mass for b in solid if b.link in set(tree.behind(one.link))) for one in tree.stems}
+        yield "h_0", sum((behind[one.link] * one.at for one in tree.rooted), 0j) / mass
+        for link, own in self.vectors(state).items():
+            yield f"h_{link}", own * cmath.exp(1j * float(motion.links[link].angle[self.shown]))
+        for one in tree.variable:
+            along = self.at(one.link, one.origin) - self.at(one.parent, one.at)
+            yield f"u_{one.link}", behind[one.link] * along / mass
+
+    def moments(self) -> Iterator[Side]:
+        """Lay the static moments kg*m of the links end to end."""
+        end = 0j
+        told = {one.link: one for one in self.solid(BEFORE)}
+        for stem in self.own.tree.stems:
+            if stem.link in told:
+                value = told[stem.link].mass * self.at(stem.link, told[stem.link].centre)
+                yield Side(f"m_{stem.link}r_S{stem.link}", end, value)
+                end += value
+
+    def slack(self, name: str, plan: str = "centre", position: int | None = None) -> float:
+        """Give twice what the two roads may differ by in a quantity, in a position or in any."""
+        rows = [one.allowed for one in self.comparison.of(plan) if one.name == name]
+        told = [float(np.nanmax(row)) if position is None else float(row[min(position, len(row) - 1)]) for row in rows]
+        return 2 * max(told, default=0.0)
+
+
+SCHEME, MOMENTS, SHAKING, ROCKING, SHARES = "scheme-", "static-moments", "shaking", "rocking", "shares"
+WEIGHTS, COSTS = "counterweights", "costs"
+PRIMES = {BEFORE: "", AFTER: "'"}  # behind the names of what is compared
+MILLIMETRES, TURN, DIGITS = 1000.0, 360.0, 5
+CHANGE = 0.05000001  # per cent: changes are told to a tenth
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's balanced mechanism (row of the table of sheets)."""
+    own = study["balance"]
+    for leaf in leaves[:1]:
+        balanced = Balanced(own, study.comparison("balance"), drafting_for(own), leaf.metadata["position"])
+        sheet = _Sheet(balanced)
+        yield from chain(sheet.schemes(), sheet.polygon(), sheet.shaking(), sheet.rocking())
+        yield from chain(sheet.shares(), sheet.weights(), sheet.costs())
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """What the analysis gives to a sheet of balancing; what is too short to be seen may lack."""
+
+    own: Balanced
+
+    def schemes(self) -> Iterator[Expected]:
+        """Give the points, the counterweights, the mass centre and the main-point vectors of each scheme."""
+        own, k = self.own, self.own.shown
+        for state in own.states:
+            plan, slack = SCHEME + state, own.slack(f"r_S{PRIMES[state]}", position=k) + KNOWN * own.reach
+            places = {name: spot for name, spot in own.points.items() if name != own.mechanism.drive.pivot}
+            places |= {f"m_cw{one.link}": own.at(one.link, one.centre) for one in own.weights(state)}
+            places[CENTRE] = own.centre(state)
+            for name, place in places.items():
+                yield Expected(Kind.POINT, plan, name, place, slack, k)
+            yield from (Expected(Kind.VECTOR, plan, one.name, one.value, slack, k, True) for one in own.chain(state))
+
+    def polygon(self) -> Iterator[Expected]:
+        """Give the static moments and their sum, but for what is nothing beside all of them."""
+        own, sides = self.own, list(self.own.moments())
+        size, mass = sum(abs(one.value) for one in sides), own.balance.before.centre.mass
+        slack = own.slack("Σmr/m", position=own.shown) * mass + KNOWN * size
+        for name, value in (*((one.name, one.value) for one in sides), (RESULT, sum(one.value for one in sides))):
+            if abs(value) > KNOWN * size:
+                yield Expected(Kind.VECTOR, MOMENTS, name, value, slack, own.shown)
+
+    def shaking(self) -> Iterator[Expected]:
+        """Give the main vectors: their ends at all positions, and themselves in the one shown."""
+        own = self.own
+        largest = max(one.shaking for one in own.states.values())
+        slack = max(own.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + KNOWN * largest
+        for state, one in own.states.items():
+            if one.shaking > own.none.force:
+                known = ((k, complex(value)) for k, value in enumerate(one.centre.force) if cmath.isfinite(value))
+                for k, value in known:
+                    lacks = k not in own.told or _spread(one) < largest
+                    yield Expected(Kind.POINT, SHAKING, f"{state} {k}", value, slack, k, lacks)
+                value = complex(one.centre.force[own.shown])
+                if cmath.isfinite(value):
+                    name = f"{FORCE}{PRIMES[state]}"
+                    yield Expected(Kind.VECTOR, SHAKING, name, value, slack, own.shown, abs(value) < 0.1 * largest)
+
+    def rocking(self) -> Iterator[Expected]:
+        """Give the ordinates of the main moment at the positions, those of the state that is told last."""
+        own = self.own
+        largest = max(one.rocking for one in own.states.values())
+        slack = max(own.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + KNOWN * largest
+        values = list(own.states.values())[-1].centre.moment
+        for k, value in enumerate(np.where(np.abs(values) <= own.none.moment, 0.0, values).tolist()):
+            yield Expected(Kind.VECTOR, ROCKING, str(k), 1j * value, slack, k, may_lack=True)
+        names = ("last, before", "last") if len(own.states) > 1 else ("last",)
+        for name, one in zip(names, own.states.values(), strict=True):
+            around = one.around
+            if own.whole and not np.isnan(around.moment).any():
+                moments = np.where(np.abs(around.moment) <= own.none.moment, 0.0, around.moment)
+                points = course(np.degrees(own.own.linkage.sense * (around.phi - around.phi[0])), moments)
+                loose = max(own.slack(f"M_Φ{prime}", COSTS) for prime in PRIMES.values()) + KNOWN * largest
+                yield Expected(Kind.CURVE, ROCKING, name, points, loose, ends=(0.0, TURN), may_lack=True)
+
+    def shares(self) -> Iterator[Expected]:
+        """Give the least values of the choice, and both curves of it."""
+        found = self.own.balance.shares
+        if found is None:
+            return
+        best = {"force": found.least_force, "reaction": found.least_reaction}
+        for kind, one in best.items():
+            value = _value(one, kind)
+            yield Expected(Kind.VECTOR, SHARES, kind, 1j * value, KNOWN * value, may_lack=True)
+            row = sorted((each.share, _value(each, kind)) for each in (*found.curve, *best.values()))
+            x, y = np.array([share for share, _ in row]), np.array([value for _, value in row])
+            points = course(x, y)
+            yield Expected(Kind.CURVE, SHARES, kind, points, KNOWN * float(y.max()), ends=(float(x[0]), float(x[-1])))
+            for name, size in ((f"least {kind}", value), (f"share {kind}", one.share)):
+                yield Expected(Kind.PHRASE, SHARES, name, size, KNOWN * abs(size), digits=4)
+
+    def weights(self) -> Iterator[Expected]:
+        """Give the cells of the table of counterweights."""
+        for one in self.own.balance.counterweights:
+            row = counterweight(one.link, self.own.drafting.language)
+            cells = self._weight(one) if one.needed else ["0", "0", *(NOTHING for _ in range(6))]
+            for column, cell in enumerate(cells):
+                value, slack = cell if isinstance(cell, tuple) else (cell, 0.0)
+                period = TURN if column == 4 else 0.0
+                own = cell_name(row, column)
+                yield Expected(Kind.NUMBER, WEIGHTS, own, value, slack, digits=DIGITS, period=period)
+
+    def _weight(self, one: Counterweight) -> Sequence[tuple[float, float] | str]:
+        own, word = self.own, self.own.drafting.word
+        slacks = [own.slack(f"{letter}{one.link}", WEIGHTS) for letter in ("U_", "m_cw", "r_cw")]
+        turned = one.moment / line_of(own.mechanism, one.link, one.begin)
+        loose = math.degrees(slacks[0] / abs(one.moment) + KNOWN)
+        sector = own.drafting.number(math.degrees(2 * one.place.half_angle))
+        outer = MILLIMETRES * one.outer
+        return [
+            (abs(one.moment), slacks[0]), (one.mass, slacks[1]), with_index(one.begin),
+            (MILLIMETRES * one.distance, MILLIMETRES * slacks[2]), (math.degrees(cmath.phase(turned)), loose),
+            word("disc") if one.place.shape == DISC else word("sector", angle=sector),
+            (outer, outer * slacks[1] / one.mass), (MILLIMETRES * one.place.thickness, 0.0),
+        ]  # fmt: skip
+
+    def costs(self) -> Iterator[Expected]:
+        """Give the cells of the table of what is largest before and after, with its change in per cent."""
+        own = self.own
+        was = dict(self._largest(own.balance.before))
+        now = {} if own.after is None else dict(self._largest(own.after))
+        for row, value in was.items():
+            yield Expected(Kind.NUMBER, COSTS, cell_name(row, 0), value, KNOWN * abs(value), digits=DIGITS)
+            if row in now:
+                changed = KNOWN * abs(now[row])
+                yield Expected(Kind.NUMBER, COSTS, cell_name(row, 1), now[row], changed, digits=DIGITS)
+                change = 100 * (now[row] / value - 1) if value else NOTHING
+                yield Expected(Kind.NUMBER, COSTS, cell_name(row, 2), change, CHANGE, digits=3)
+
+    def _largest(self, state: State) -> Iterator[tuple[str, float]]:
+        """Give what is largest of a state by the names of the rows; what is nothing is 0."""
+        own, word, none = self.own, self.own.drafting.word, self.own.none
+        yield word("path of S", unit=word("mm")), MILLIMETRES * _rounded(state.path, none.way)
+        yield f"{FORCE}, {word('N')}", _rounded(state.shaking, none.force)
+        shaft = own.mechanism.drive.pivot
+        yield word("moment about", letter=MOMENT, point=shaft, unit=word("N*m")), _rounded(state.rocking, none.moment)
+        for key, one in state.forces.reactions.items():
+            letter = own.drafting.letter(with_index(f"{own.drafting.reactions}_{indices(one.giver, one.taker)}"))
+            yield f"{letter}, {word('N')}", _rounded(state.reactions[key], none.force)
+        balancing = own.drafting.letter(with_index(BALANCING))
+        yield f"{balancing}, {word('N*m')}", _rounded(state.balancing, none.moment)
+        yield word("moving mass", unit=word("kg")), state.centre.mass
+
+
+def _value(one: Choice, kind: str) -> float:
+    return one.force if kind == "force" else one.reaction
+
+
+def _rounded(value: float, none: float) -> float:
+    return 0.0 if abs(value) <= none else value
+
+
+def _spread(state: State) -> float:
+    """Give how far the hodograph of a state reaches, N: the larger side of the box about it."""
+    known = state.around.force[np.isfinite(state.around.force)]
+    return max((float(np.ptp(row)) for row in (known.real, known.imag) if row.size), default=0.0)

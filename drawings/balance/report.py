@@ -1,0 +1,226 @@
+"""A mechanism's balance in tables of the report: mass centre, counterweights, what they change, shares (таблицы)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from drawings.balance.notes import BalanceNotes
+from drawings.dynamics.report_tables import plain
+from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT, counterweight
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.report.formula import Chapters
+from drawings.report.table import chapter, header, row
+from plans.balance.study import BalanceStudy
+from plans.balance.weights import line_of
+from plans.model.balance.linkage import DISC, Counterweight, Shares, State
+from plans.model.motion import NOTHING
+from plans.study import Study
+from plans.words.words import Message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+DIGITS = 10
+FEWER = 6  # of a share, which is no sharper where a curve is flat
+PER_CENT = 3  # digits of a change
+
+
+def mass_table(notes: BalanceNotes) -> Iterator[str]:
+    """List the masses of the links, each with its centre in the link's own frame."""
+    for link, body in sorted(notes.machine.bodies.items()):
+        numbers = {"mass": body.mass, "inertia": body.inertia, "x": body.centre.real, "y": body.centre.imag}
+        told = {name: notes.drafting.number(value) for name, value in numbers.items()}
+        yield word(notes.drafting.language, "report.body", link=link, **told)
+
+
+def centres(notes: BalanceNotes) -> Iterator[str]:
+    """Tell mass centre, main vector and main moment at the positions of the scene, before and after."""
+    drafting, states = notes.drafting, _states(notes)
+    heads = [word(drafting.language, "table.position"), "φ, °"]
+    columns: list[Any] = [np.degrees(notes.balance.before.centre.phi)]
+    for mark, state in states.items():
+        heads += [f"{CENTRE}{mark}, m", f"{FORCE}{mark}, N", f"{MOMENT}{mark}, N*m"]
+        least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)
+        told = state.centre.r, state.centre.force, state.centre.moment
+        columns += [np.where(np.abs(one) <= none, 0, one) for one, none in zip(told, least, strict=True)]
+    yield from header([_unit(head, drafting) for head in heads])
+    for k in range(len(columns[0])):
+        yield row([str(k), *(_cell(column[k], drafting) for column in columns)])
+
+
+def _states(notes: BalanceNotes) -> Mapping[str, State]:
+    """Give the states by what is written behind their letters."""
+    return {"": notes.balance.before} | ({} if notes.after is None else {"'": notes.after})
+
+
+def counterweights(notes: BalanceNotes) -> Iterator[str]:
+    """Tell each counterweight: static moment, mass, place, shape and sizes, inertia about its own centre."""
+    drafting, language = notes.drafting, notes.drafting.language
+    told = [drafting.word(key) for key in ("counterweight column", "on link", "from", "shape")]
+    heads = [*told[:3], "m·a, kg*m", "m, kg", "a, m", "∠, °", told[3], "R, m", "b, m", "J, kg*m2"]
+    yield from header([_unit(head, drafting) for head in heads])
+    for one in notes.balance.counterweights:
+        letter = counterweight(one.link, language).replace("{", "").replace("}", "")
+        yield row([letter, str(one.link), one.begin, *_sizes(one, notes)])
+
+
+def _sizes(one: Counterweight, notes: BalanceNotes) -> list[str]:
+    if not one.needed:
+        return ["0", "0", *("—" for _ in range(6))]
+    place, drafting = one.place, notes.drafting
+    turned = one.moment / line_of(notes.mechanism, one.link, one.begin)
+    angle = math.degrees(cmath.phase(turned if abs(turned.imag) > NOTHING * abs(turned) else turned.real))
+    numbers = [abs(one.moment), one.mass, one.distance, angle, one.outer, place.thickness, one.inertia]
+    cells = [drafting.number(value, DIGITS) for value in numbers]
+    whole = drafting.number(math.degrees(2 * place.half_angle))
+    return [
+        *cells[:4],
+        drafting.word("disc") if place.shape == DISC else drafting.word("sector", angle=whole),
+        *cells[4:],
+    ]
+
+
+def costs(notes: BalanceNotes) -> Iterator[str]:
+    """Tell what is largest over the turn before and after, and by how many per cent it changes."""
+    drafting, after = notes.drafting, notes.after
+    keys = ("before column", *(("after column", "change column") if after is not None else ()))
+    heading = drafting.word("largest value", count=notes.balance.before.count)
+    yield from header([heading, *map(drafting.word, keys)])
+    was = _largest(notes, notes.balance.before)
+    now = {} if after is None else _largest(notes, after)
+    for name, (value, least) in was.items():
+        cells = [_rounded(one, least, drafting) for one in (value, *((now[name][0],) if now else ()))]
+        yield row([name, *cells, *((_change(value, now[name][0], least, drafting),) if now else ())])
+
+
+def _largest(notes: BalanceNotes, state: State) -> dict[str, tuple[float, float]]:
+    """Give the largest values of a state by their names, each with what is but rounding of it."""
+    drafting, before = notes.drafting, notes.balance.before
+    newtons, moments = drafting.word("N"), drafting.word("N*m")
+    force, moment = before.forces.nothing
+    shaft = notes.mechanism.drive.pivot
+    found = {
+        drafting.word("path of S", unit=drafting.word("m")): (state.path, NOTHING * notes.equations.reach),
+        f"{FORCE}, {newtons}": (state.shaking, force),
+        drafting.word("moment about", letter=MOMENT, point=shaft, unit=moments): (state.rocking, moment),
+    }
+    for key, one in before.forces.reactions.items():
+        letter = notes.reaction(one.giver, one.taker).replace("{", "").replace("}", "")
+        found[f"{letter}, {newtons}"] = state.reactions[key], force
+    found[f"{notes.balancing.replace('{', '').replace('}', '')}, {moments}"] = state.balancing, moment
+    return found | {drafting.word("moving mass", unit=drafting.word("kg")): (state.centre.mass, 0.0)}
+
+
+def _change(was: float, now: float, least: float, drafting: Drafting) -> str:
+    """Write how much more it is, in per cent; of what was nothing there is no share."""
+    if abs(was) <= least:
+        return "—"
+    share = 100 * ((0.0 if abs(now) <= least else now) / was - 1)
+    told = drafting.number(share, PER_CENT) if abs(share) > 100 * NOTHING else "0"
+    return f"+{told}" if share > 100 * NOTHING else told
+
+
+def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[str]:
+    """Tell the largest shaking force and reaction of the shaft over the share, the two least among them."""
+    newtons = drafting.word("N")
+    yield from header(["k", f"{FORCE} _max, {newtons}", f"{reaction} _max, {newtons}"])
+    for one in sorted({*found.curve, found.least_force, found.least_reaction}):
+        yield row([drafting.number(value, FEWER) for value in one])
+
+
+def _unit(head: str, drafting: Drafting) -> str:
+    """Write the unit of a head, if it has one, in the language of the report."""
+    letter, comma, unit = head.partition(", ")
+    return f"{letter}, {drafting.word(unit)}" if comma and unit != "°" else head
+
+
+def _rounded(value: float, least: float, drafting: Drafting) -> str:
+    return "0" if abs(value) <= least else drafting.number(value, DIGITS)
+
+
+def _cell(value: complex | float, drafting: Drafting) -> str:
+    if np.isnan(value):
+        return word(drafting.language, "table.gap")
+    if isinstance(value, complex):
+        return "; ".join(drafting.number(part, DIGITS) for part in (value.real, value.imag))
+    return drafting.number(float(value), DIGITS)
+
+
+def headline(study: Study) -> str:
+    """Say what is to be put on, and what it costs."""
+    notes = notes_of(study)
+    return "; ".join(map(plain, (*notes.counterweights(), *notes.price())))
+
+
+def remarks(study: Study) -> list[Message]:
+    """Find nothing that is not whole but the gaps, which are told with the positions."""
+    return []
+
+
+def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
+    """Give the notes on what the construction finds."""
+    own: BalanceStudy = study["balance"]
+    return notes_by(own, digits)
+
+
+def drafting_for(own: BalanceStudy) -> Drafting:
+    """Give what a scene asks of its sheets, with the letter that it gives reactions."""
+    return drafting_of(own.linkage.scene)._replace(reactions=own.statics.form.sheet.reactions)
+
+
+def notes_by(own: BalanceStudy, digits: int = 5) -> BalanceNotes:
+    """Give the notes on a balance by construction."""
+    after = None if own.balance.after is None else own.points(after=True).vectors
+    vectors = own.points().vectors, after
+    drafting = drafting_for(own)
+    return BalanceNotes(own.linkage.mechanism, own.tree, own.machine, own.balance, vectors, drafting, digits)
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell what is balanced, by what, and what it costs."""
+    language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
+    aim = word(language, f"report.aim_{notes.balance.task.aim}")
+    masses = () if "forces" in study.techniques else mass_table(notes)
+    return Chapters(
+        subject=[chapter(language, "balancing").lstrip(), aim, *masses, *_lines(notes.main_points())],
+        values=[*_counterweights(notes), *_costs(notes), *_shares(notes), *_centres(notes)],
+        left_out=[word(language, "report.balance_left_out")],
+    )
+
+
+def _counterweights(notes: BalanceNotes) -> Iterator[str]:
+    told = [*notes.counterweights(), *notes.balanced(), *notes.left()]
+    if told:
+        yield chapter(notes.drafting.language, "counterweights")
+        yield from _lines(told)
+    if notes.balance.counterweights:
+        yield ""
+        yield from counterweights(notes)
+
+
+def _costs(notes: BalanceNotes) -> Iterator[str]:
+    yield chapter(notes.drafting.language, "balance_costs")
+    yield from costs(notes)
+
+
+def _shares(notes: BalanceNotes) -> Iterator[str]:
+    shares = notes.balance.shares
+    if shares is not None:
+        yield chapter(notes.drafting.language, "shares")
+        yield from _lines(notes.choice())
+        yield ""
+        yield from share_table(shares, plain(notes.shaft), notes.drafting)
+
+
+def _centres(notes: BalanceNotes) -> Iterator[str]:
+    yield chapter(notes.drafting.language, "mass_centre")
+    yield from centres(notes)
+
+
+def _lines(notes: Iterable[str]) -> Iterator[str]:
+    return (f"- {plain(note)}" for note in notes)

@@ -1,0 +1,372 @@
+"""What a scheme of balancing shows, in true units: links, main points, counterweights, paths of the mass centre."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from drawings.kinds.curve_graph import stretches
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels, free_side
+from drawings.layout.parallel_offsets import APART, Segment, merging, offset
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture, traced
+from drawings.lettering.balance_letters import CENTRE, counterweight, lowered
+from drawings.lettering.indices import with_index
+from drawings.lettering.lettering import text_width
+from drawings.linkage.guides import frame_slides, grounds, ties, travel, turnings
+from drawings.linkage.numbering import link_numbers
+from drawings.linkage.outlines import outlines
+from drawings.linkage.pairs import Pairs
+from drawings.linkage.skeleton import Skeletons
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.force_arrow import plain_name
+from drawings.symbols.polygon import LaidVector, ShownVector, carriers, letters
+from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
+from drawings.symbols.trimming import trim
+from plans.model.balance.linkage import DISC, Counterweight
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes
+
+BEFORE, AFTER = "before", "after"
+SCHEME = "scheme-"  # before a state: the name of its scheme
+CORNERS = 36  # points that stand for the rim of a counterweight
+
+
+@dataclass(frozen=True)
+class PlacedWeight:
+    """A counterweight at its link in the shown position, m from the datum."""
+
+    weight: Counterweight
+    begin: complex  # where its link begins
+    centre: complex
+
+    @property
+    def direction(self) -> complex:
+        """The unit direction from its link's beginning to it."""
+        return (self.centre - self.begin) / abs(self.centre - self.begin)
+
+    @property
+    def is_disc(self) -> bool:
+        """Whether it is a disc about its centre, not a sector about its link's beginning."""
+        return self.weight.place.shape == DISC
+
+    @property
+    def rim(self) -> list[complex]:
+        """Points along its rim; of a sector the tip comes first."""
+        radius, half = self.weight.outer, self.weight.place.half_angle
+        if self.is_disc:
+            return [self.centre + cmath.rect(radius, 2 * math.pi * k / CORNERS) for k in range(CORNERS)]
+        turns = (half * (2 * k / CORNERS - 1) for k in range(CORNERS + 1))
+        return [self.begin, *(self.begin + self.direction * cmath.rect(radius, turn) for turn in turns)]
+
+
+@dataclass(frozen=True, eq=False)
+class BalanceScheme:
+    """The scheme before or after balancing in the shown position of a linkage."""
+
+    state: str
+    bones: Skeletons
+    chain: tuple[ShownVector, ...]  # main-point vectors laid end to end from the datum, m
+    paths: Mapping[str, Complexes]  # of the common mass centre over the turn, m, by state: its own comes last
+    weights: tuple[PlacedWeight, ...] = ()
+    whole: bool = True  # whether the crank turns fully: else the paths are known at the positions alone
+
+    @property
+    def name(self) -> str:
+        """The name of its figure."""
+        return SCHEME + self.state
+
+    @property
+    def centre(self) -> complex:
+        """The common mass centre in the shown position."""
+        return self.chain[-1].end if self.chain else 0j
+
+    @property
+    def shown(self) -> int:
+        """The shown position."""
+        return self.bones.shown
+
+    @cached_property
+    def centres(self) -> dict[str, complex]:
+        """The mass centres of the links that no point names."""
+        numbered = self.bones.numbered
+        return {name: complex(numbered.of(*mass)[self.shown]) for name, mass in self.bones.masses.items()}
+
+    @cached_property
+    def named(self) -> dict[str, complex]:
+        """The places of all named points and mass centres."""
+        places = {name: self.bones.spot(name, self.shown) for name in sorted(self.bones.numbered.points)}
+        return {name: spot for name, spot in (places | self.centres).items() if not math.isnan(spot.real)}
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [spot for line in self.lines for spot in line]
+
+    @cached_property
+    def lines(self) -> list[list[complex]]:
+        """All that the figure must hold, in true lines from point to point."""
+        runs = (path[~np.isnan(path.real)].tolist() for path in self.paths.values())
+        return [
+            *([spot] for spot in (0j, *self.named.values(), self.centre)),
+            *map(list, self._links()),
+            *([one.at, one.end] for one in self.chain),
+            *(run for run in runs if run),
+            *(one.rim for one in self.weights),
+        ]
+
+    def _links(self) -> Iterator[tuple[complex, complex]]:
+        """Give all bars, slots as long as their stones' travel, and the frame's guides, by their ends."""
+        numbered, k = self.bones.numbered, self.shown
+        bars = [(one.link, bar) for one in outlines(self.bones, self.bones.travels) for bar in one.bars]
+        ends = [tuple(complex(numbered.of(link, spot)[k]) for spot in bar) for link, bar in bars]
+        for slide, reach in self.bones.travels.items():
+            if slide.owner == FRAME:
+                ends.append(tuple(slide.on_owner.through + along * slide.on_owner.direction for along in reach))
+        yield from ((one, other) for one, other in ends if not (math.isnan(one.real) or math.isnan(other.real)))
+
+
+def placed_weight(weight: Counterweight, bones: Skeletons) -> PlacedWeight:
+    """Place a counterweight on its link in the shown position."""
+    ends = (complex(bones.numbered.of(weight.link, spot)[bones.shown]) for spot in (weight.origin, weight.centre))
+    return PlacedWeight(weight, *ends)
+
+
+MOST = 4  # lanes on either side that are tried
+
+
+def lanes(segments: Sequence[Segment], bars: Sequence[Segment], toward: complex, apart: float) -> list[complex]:
+    """Give the shift of each vector, mm, that keeps it off bars and off those before it; most have none.
+
+    The nearest free lane is taken, of two the one on the side of a place `toward` which they go.
+
+    >>> lanes([(0j, 50 + 0j)], [(0j, 90 + 0j)], 50 + 20j, 3.0)
+    [3j]
+    """
+    kept, shifts = list(bars), list[complex]()
+    for segment in segments:
+        free = (shift for shift in _shifts(segment, toward, apart) if _clear(offset(segment, shift), kept))
+        shifts.append(next(free, 0j))
+        kept.append(offset(segment, shifts[-1]))
+    return shifts
+
+
+def _clear(segment: Segment, kept: Sequence[Segment]) -> bool:
+    return not any(merging(segment, other) for other in kept)
+
+
+def _shifts(segment: Segment, toward: complex, apart: float) -> Iterator[complex]:
+    start, end = segment
+    across = 1j * (end - start) / abs(end - start)
+    side = across if ((toward - (start + end) / 2) * across.conjugate()).real >= 0 else -across
+    yield 0j
+    for step in range(1, MOST + 1):
+        yield from (step * apart * side, -step * apart * side)
+
+
+SYMBOL, UNIT = "l", "m"
+MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
+LETTERS = 22.0  # it is drawn at least so many of its letters large
+PATH, RIM = "path-", "rim-"  # before a state, before a link: how names of groups of lines end
+STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
+
+
+@dataclass(frozen=True, eq=False)
+class SchemeFigure:
+    """A scheme placed on paper: its lines, and the letters still to be placed among those of all figures."""
+
+    shown: BalanceScheme
+    pairs: Pairs
+    box: Spot
+    drafting: Drafting
+
+    @property
+    def place(self) -> Place:
+        """Where it lies on paper."""
+        return self.pairs.place
+
+    @property
+    def subject(self) -> Subject:
+        """What its marks belong to."""
+        return Subject(self.shown.name, SYMBOL, self.shown.shown)
+
+    @cached_property
+    def lines(self) -> tuple[Stroke, ...]:
+        """All its lines, from the thinnest to the pairs, the vectors over them."""
+        ink = Ink()
+        body, stands = list(self.pairs.bars()), list(self.pairs.stands())
+        blocks = [block for _, block in self.pairs.blocks]
+        ink.draw([*body, *blocks, *stands])
+        under = [*self._axes(), *ties(self.pairs), *self._holders()]
+        return (
+            self._heading(),
+            *self._paths(),
+            *fit_dashes(trim(under, self.pairs.masks)),
+            *(self._outline(one) for one in self.shown.weights),
+            *grounds(self.pairs, ink),
+            *(*blocks, *body, *self.pairs.corners(), *stands),
+            *(part for turning in turnings(self.pairs) for part in turning.strokes(self.pairs)),
+            *self._marks(),
+            *carriers(self.arrows, self.place, self._hand),
+            *(self._arrow(one) for one in self.arrows),
+            *self._centre(),
+        )
+
+    @property
+    def _hand(self) -> Hand:
+        return self.drafting.hand
+
+    def _paths(self) -> Iterator[Group]:
+        """Draw the path of the common mass centre: its own in a main line, the other thin; or its points alone."""
+        for state, path in self.shown.paths.items():
+            style = self._hand.result if state == self.shown.state else self._hand.other
+            strokes = self._line(path, style) if self.shown.whole else self._dots(path, style)
+            yield Group(tuple(strokes), f"{self.shown.name}-{PATH}{state}")
+
+    def _line(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
+        runs = ([self.place.on(complex(path[k])) for k in run] for run in stretches(path.real))
+        lines = [Polyline(tuple(spots), False, style) for spots in runs if _length(spots) > STILL]
+        yield from fit_dashes(trim(lines, self.pairs.masks))
+
+    def _dots(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
+        known = path[~np.isnan(path.real)].tolist()
+        yield from (Circle(self.place.on(spot), style.width, INK) for spot in known)
+
+    def _axes(self) -> Iterator[Stroke]:
+        for slide in frame_slides(self.shown.bones):
+            yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand), self._hand.axis)
+
+    def _holders(self) -> Iterator[Stroke]:
+        """Draw what holds counterweights: the line from their link's beginning."""
+        for one in self.shown.weights:
+            if one.is_disc:
+                yield Line(self.place.on(one.begin), self.place.on(one.centre), self._hand.result)
+
+    def _outline(self, one: PlacedWeight) -> Group:
+        return Group(tuple(trim(self._rim(one), self.pairs.masks)), f"{self.shown.name}-{RIM}{one.weight.link}")
+
+    def _rim(self, one: PlacedWeight) -> Iterator[Stroke]:
+        """Draw a counterweight to scale: a disc about its centre, a sector about its link's beginning."""
+        style, radius = self._hand.relative, self.place.length(one.weight.outer)
+        if one.is_disc:
+            yield Arc(self.place.on(one.centre), radius, 0.0, 2 * math.pi, style)
+            return
+        tip, turn, half = self.place.on(one.begin), cmath.phase(one.direction), one.weight.place.half_angle
+        yield Arc(tip, radius, turn - half, turn + half, style)
+        yield from (Line(tip, tip + cmath.rect(radius, end), style) for end in (turn - half, turn + half))
+
+    def _marks(self) -> Iterator[Group]:
+        """Draw hinges, mass centres, other points, and the centres of counterweights; all can be measured."""
+        hand, scale = self.pairs.hand, self.place.scale
+        pivot = self.shown.bones.mechanism.drive.pivot
+        for name, value in self.shown.named.items():
+            at = self.place.on(value)
+            data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
+            yield Group(self._symbol(name, at), "", data, name)
+        for one in self.shown.weights:
+            at, letter = self.place.on(one.centre), counterweight(one.weight.link, self.drafting.language)
+            data = self.subject.data("point", plain_name(counterweight(one.weight.link, "en")), one.centre, scale)
+            yield Group((Circle(at, POINT * hand.symbol, INK), *cross(at, hand)), "", data, letter)
+
+    def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:
+        if name in self.pairs.hinges:
+            return self.pairs.hinges[name]
+        if name in self.pairs.centres:
+            return mass_centre(at, self.pairs.hand)
+        return (Circle(at, POINT * self.pairs.hand.symbol, INK),)
+
+    @cached_property
+    def arrows(self) -> tuple[LaidVector, ...]:
+        """The main-point vectors that are long enough to be seen, in lanes where they would lie on links."""
+        seen = [one for one in self.shown.chain if self.place.length(abs(one.value)) >= SEEN]
+        bars = [(line.start, line.end) for line in self.pairs.bars() if isinstance(line, Line)]
+        own: list[Segment] = [(self.place.on(one.at), self.place.on(one.end)) for one in seen]
+        shifts = lanes(own, bars, self.place.on(self.shown.centre), APART * self._hand.symbol)
+        laid = zip(seen, own, shifts, strict=True)
+        return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in laid)
+
+    def _arrow(self, one: LaidVector) -> Group:
+        return one.draw(self.subject, lowered(one.vector.name), self.place, self._hand.result, self._hand.symbol)
+
+    def _centre(self) -> Iterator[Group]:
+        """Draw the common mass centre; it can be measured."""
+        at, value = self.place.on(self.shown.centre), self.shown.centre
+        data = self.subject.data("point", CENTRE, value, self.place.scale)
+        yield Group(mass_centre(at, self._hand), "", data, CENTRE)
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its vectors, points and links lettered."""
+        hand = self._hand
+        found = [*letters(self.arrows, self._vector_letter, labels), *self._points(labels), *self._weights(labels)]
+        senses = ((one.letter, *one.middle) for one in turnings(self.pairs))
+        found += [labels.beside(at, letter, hand.letter, 1.5, away) for letter, at, away in senses]
+        found += link_numbers(self.pairs, self.shown.bones.links, labels, hand)
+        return (Group((*self.lines, Group(tuple(found))), self.shown.name),)
+
+    def _vector_letter(self, name: str) -> tuple[str, float]:
+        return lowered(name), self._hand.letter
+
+    def _points(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the points, each where the bars at it leave the widest angle free."""
+        hand = self._hand
+        yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
+        bars = list(self.pairs.bars())
+        for name, value in self.shown.named.items():
+            spot, clear = self.place.on(value), self.pairs.clear(name)
+            side = free_side(spot, bars, clear + ARROW_LENGTH)
+            yield labels.beside(spot, with_index(name), hand.letter, clear + 1.0, side)
+
+    def _weights(self, labels: Labels) -> Iterator[Stroke]:
+        for one in self.shown.weights:
+            rim = self.place.on(one.centre)
+            letter = counterweight(one.weight.link, self.drafting.language)
+            yield labels.beside(rim, letter, self._hand.letter, 2.2, cmath.phase(one.direction))
+
+    def _heading(self) -> Group:
+        title = title_of(self.shown, self.drafting)
+        return heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand)
+
+
+def _length(spots: list[complex]) -> float:
+    return float(np.abs(np.diff(np.array(spots))).sum())
+
+
+def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
+    """Give the title of a scheme."""
+    key = "scheme after" if shown.state == AFTER else "scheme before"
+    return f"{drafting.word(key)}, {drafting.word('position', position=shown.shown)}"
+
+
+def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting) -> Picture:
+    """Measure the room of a scheme: of its points, letters around them, its heading above.
+
+    Beside others, of whose `points` it is drawn with its own, it is as high above its links as they all ask, so that
+    links lie alike under level headings; and it is read at the scale at which these are.
+    """
+    hand = drafting.hand
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    title = text_width(Text(0j, title_of(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    subject, least = (SYMBOL, UNIT), LETTERS * hand.letter
+    every = picture(shown.name, points, subject, margins, title, least)
+    highest = max(shown.points, key=lambda one: one.imag).real
+    top = complex(highest, max(one.imag for one in points))
+    held = [*shown.points, top]
+    own = picture(shown.name, held, subject, margins, title)
+    smaller = max(own.wide, own.high) / max(every.wide, every.high)
+    return own._replace(least=least * smaller, bands=traced(shown.lines, held))
+
+
+def draw(shown: BalanceScheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
+    """Draw the scheme in its spot, with its title and its written scale above it."""
+    return SchemeFigure(shown, Pairs(shown.bones, room.place(*spot), drafting.hand), spot, drafting)

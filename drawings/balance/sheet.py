@@ -1,0 +1,359 @@
+"""What is nothing on a sheet of balancing: less than rounding makes of the machine's largest force (ноль)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Any, NamedTuple
+
+from drawings.balance import graphs, hodograph, scheme, static_polygon
+from drawings.balance.report import notes_of
+from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
+from drawings.balance.static_polygon import StaticPolygon
+from drawings.forces.letters import REACTION, letter_of
+from drawings.kinds import curve_graph, working
+from drawings.kinds.working import Working
+from drawings.layout.contents import Panel
+from drawings.layout.picture import Picture
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.balance_letters import FORCE as FORCE_LETTER
+from drawings.lettering.balance_letters import MOMENT, counterweight, lowered
+from drawings.linkage import workings as link_working
+from drawings.linkage.positions import position
+from drawings.linkage.skeleton import Skeletons, skeletons
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.leaves import EQUATION, lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit, captions
+from drawings.symbols.polygon import ShownVector
+from geometry.board import at
+from plans.balance.mass_centre import Side
+from plans.balance.study import BalanceStudy
+from plans.balance.weights import line_of
+from plans.forces.cut import indices
+from plans.forces.primary import BALANCING
+from plans.linkage.quantities import MotionComparison
+from plans.model.balance.linkage import DISC, FORCE, Balance, Counterweight, State
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import NOTHING
+from plans.scene.scene import Scene
+from plans.study import Study
+from plans.words.words import message, placed
+
+
+class Nothing(NamedTuple):
+    """The force N, the moment N*m about the shaft and the way m that are no more than rounding."""
+
+    force: float
+    moment: float
+    way: float
+
+
+def nothing(states: Iterable[State], size: float) -> Nothing:
+    """Tell what is nothing in all states of a mechanism of some size, m: by its largest forces in any of them."""
+    largest = max(one.forces.largest for one in states)
+    return Nothing(NOTHING * largest, NOTHING * largest * size, NOTHING * size)
+
+
+WEIGHTS, COSTS = "counterweights", "costs"  # the names of the tables
+DIGITS = 5
+NONE = "—"
+MILLIMETRES = 1000.0
+SHARE_DIGITS, PLACES = 3, 3  # of a change in per cent: digits, and decimals, below which there is none
+
+
+def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, drafting: Drafting) -> RuledTable:
+    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes.
+
+    Its direction is counted from that of the link's line, from where the link begins on.
+    """
+    mm = drafting.word("mm")
+    heads = (
+        f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
+        f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
+    )  # fmt: skip
+    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
+    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
+
+
+def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
+    if not one.needed:
+        return "0", "0", *(NONE for _ in range(6))
+    place, number, along = one.place, drafting.number, line_of(mechanism, one.link, one.begin)
+    sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
+    return (
+        number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
+        number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment / along), DIGITS), _shape(one, drafting),
+        *(number(size, DIGITS) for size in sizes),
+    )  # fmt: skip
+
+
+def _degrees(moment: complex) -> float:
+    """Give a direction in degrees, without the noise of a rounding about 0 and 180."""
+    angle = math.degrees(cmath.phase(moment))
+    return abs(angle) if abs(moment.imag) <= NOTHING * abs(moment) else angle
+
+
+def _shape(one: Counterweight, drafting: Drafting) -> str:
+    if one.place.shape == DISC:
+        return drafting.word("disc")
+    return drafting.word("sector", angle=drafting.number(math.degrees(2 * one.place.half_angle)))
+
+
+class Quantity(NamedTuple):
+    """What counterweights change: its name with the unit, its value in a state; what is no more than `least` is 0."""
+
+    name: str
+    of: Callable[[State], float]
+    least: float = 0.0
+
+    def value(self, state: State) -> float:
+        """Give its value in a state."""
+        value = self.of(state)
+        return 0.0 if abs(value) <= self.least else value
+
+
+def costs(before: State, after: State | None, none: Nothing, drafting: Drafting, shaft: str) -> RuledTable:
+    """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
+    heads = ("before column", "after column", "change column")
+    told = quantities(before, none, drafting, shaft)
+    words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
+    lines = [TableRow(one.name, _cells(one, before, after, drafting)) for one in told]
+    heading = drafting.word("largest value", count=before.count)
+    return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
+
+
+def quantities(state: State, none: Nothing, drafting: Drafting, shaft: str) -> Iterator[Quantity]:
+    """List what is told of a state, every pair's reaction among it."""
+    word = drafting.word
+    way = word("path of S", unit=word("mm"))
+    yield Quantity(way, lambda one: MILLIMETRES * one.path, MILLIMETRES * none.way)
+    yield Quantity(f"{FORCE_LETTER}, {word('N')}", lambda one: one.shaking, none.force)
+    moment = word("moment about", letter=MOMENT, point=shaft, unit=word("N*m"))
+    yield Quantity(moment, lambda one: one.rocking, none.moment)
+    for key, pair in state.forces.reactions.items():
+        letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
+        yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
+    balancing = f"{letter_of(BALANCING, drafting)}, {word('N*m')}"
+    yield Quantity(balancing, lambda one: one.balancing, none.moment)
+    yield Quantity(word("moving mass", unit=word("kg")), lambda one: one.centre.mass)
+
+
+def _reaction(key: str, state: State) -> float:
+    return state.reactions[key]
+
+
+def _cells(one: Quantity, before: State, after: State | None, drafting: Drafting) -> tuple[str, ...]:
+    was = one.value(before)
+    if after is None:
+        return (drafting.number(was, DIGITS),)
+    now = one.value(after)
+    return drafting.number(was, DIGITS), drafting.number(now, DIGITS), change(was, now, drafting)
+
+
+def change(before: float, after: float, drafting: Drafting) -> str:
+    """Write how much more it is, in per cent; of what was nothing there is no share."""
+    if not before:
+        return NONE
+    share = round(100 * (after / before - 1), PLACES)
+    text = drafting.number(share, SHARE_DIGITS)
+    return f"+{text}" if share > 0 else text
+
+
+MAIN = "main"  # what a vector of a scheme is
+SCHEMES = "schemes"  # are drawn at one scale
+LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """What a balanced mechanism's sheets are drawn from: its links, main points by state, static moments, result."""
+
+    bones: Skeletons
+    chains: Mapping[str, tuple[ShownVector, ...]]  # main-point vectors m in the shown position
+    moments: Mapping[str, complex]  # static moments kg*m there, by letters
+    balance: Balance
+    notes: tuple[str, ...] = ()
+    reactions: str = REACTION  # the letter of reactions
+
+    @property
+    def after(self) -> State | None:
+        """The machine with its counterweights on; None where nothing is put on."""
+        return None if self.balance.still else self.balance.after
+
+    @cached_property
+    def nothing(self) -> Nothing:
+        """What is nothing on the sheets."""
+        return nothing(self.states.values(), self.bones.reach)
+
+    @property
+    def states(self) -> dict[str, State]:
+        """The states by their names."""
+        return {BEFORE: self.balance.before} | ({} if self.after is None else {AFTER: self.after})
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
+    motion: MotionComparison = study.comparison("linkage")
+    if study["linkage"].lost.all():
+        gap = motion.construction.gaps[0]
+        where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
+    return sheets(study.scene, balanced(study["balance"], motion, notes_of(study).all))
+
+
+def balanced(own: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> Balanced:
+    """Read what the sheets show from the records of the construction, in the position in full lines."""
+    shown = position(own.linkage, motion)
+    drawings = {BEFORE: own.drawing(position=shown)}
+    if own.after is not None:
+        drawings[AFTER] = own.drawing(after=True, position=shown)
+    chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
+    moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
+    return Balanced(
+        skeletons(own.linkage, motion.construction, shown),
+        chains,
+        moments,
+        own.balance,
+        notes,
+        own.statics.form.sheet.reactions,
+    )
+
+
+def _vector(side: Side) -> ShownVector:
+    return ShownVector(side.vector.name, MAIN, at(side.start.point, 0), at(side.vector.point, 0))
+
+
+def sheets(scene: Scene, shown: Balanced) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a mechanism whose balancing is found."""
+    return lay_out(scene, [_BalancingSheet(scene, shown).draft])
+
+
+@dataclass(frozen=True)
+class _BalancingSheet:
+    """What the sheets are drawn from."""
+
+    scene: Scene
+    shown: Balanced
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.scene)._replace(reactions=self.shown.reactions)
+
+    @property
+    def balance(self) -> Balance:
+        return self.shown.balance
+
+    @property
+    def _shaft(self) -> str:
+        """The letter of the crank's shaft, about which moments are told."""
+        return self.shown.bones.mechanism.drive.pivot
+
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, tables and notes of the sheets."""
+        shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
+        workings = captions(self._workings())
+        title, facts = self.drafting.word("balancing sheet title"), partial(_facts, self.shown.bones.shown)
+        return Draft(
+            "balancing", title, (*shows, *workings), self.tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION
+        )
+
+    def _schemes(self) -> Iterator[Exhibit]:
+        for shown, room in self._rooms:
+            draw = partial(scheme.draw, shown, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, scale=SCHEMES), draw)
+
+    @cached_property
+    def _rooms(self) -> tuple[tuple[BalanceScheme, Picture], ...]:
+        """The schemes with the rooms that they take, of one height above their links."""
+        schemes = [self._scheme(state) for state in self.shown.states]
+        points = [spot for one in schemes for spot in one.points]
+        return tuple((one, scheme.measure(one, points, self.drafting)) for one in schemes)
+
+    def _scheme(self, state: str) -> BalanceScheme:
+        """Show the links before or after; what stands still has no path."""
+        bones, states = self.shown.bones, self.shown.states
+        kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
+        paths = {name: states[name].around.r for name in kept if states[name].path > self.shown.nothing.way}
+        weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
+        placed = tuple(placed_weight(one, bones) for one in weights)
+        return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
+
+    def _workings(self) -> Iterator[Working]:
+        """How schemes and polygon are laid off: beside them, where paper would stay bare."""
+        mechanism = self.shown.bones.mechanism
+        for one, _ in self._rooms:
+            yield link_working.link_working(mechanism, list(mechanism.links), SCHEME + one.state, self.drafting)
+        sizes = {lowered(one.name): abs(one.value) for one in self._moments.vectors}
+        yield working.segment_working(sizes, static_polygon.SYMBOL, static_polygon.NAME, self.drafting)
+
+    @property
+    def _polygon(self) -> Exhibit:
+        return self._exhibit(static_polygon, self._moments)
+
+    @property
+    def _moments(self) -> StaticPolygon:
+        moments = self.shown.moments
+        least = NOTHING * sum(map(abs, moments.values()))
+        return static_polygon.polygon(self.shown.bones.shown, moments, least)
+
+    def _shaking(self) -> Iterator[Exhibit]:
+        """Show the hodographs of the main vector, if there is any."""
+        states, whole = self.shown.states, self.balance.before.whole
+        shown = hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
+        if shown.vectors:
+            yield self._exhibit(hodograph, shown)
+
+    def _rocking(self) -> Iterator[Exhibit]:
+        """Show the main moment, if there is any."""
+        bones, least = self.shown.bones, self.shown.nothing.moment
+        curve = graphs.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
+        if curve is not None:
+            room = _bounded(curve_graph.measure(curve, graphs.ROCKING, self.drafting))
+            yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+
+    def _shares(self) -> Iterator[Exhibit]:
+        """Show the choice of the share, where there is one."""
+        shares, task = self.balance.shares, self.balance.task
+        if shares is not None:
+            best = shares.least_force if task.least == FORCE else shares.least_reaction
+            taken = best.share if task.share is None else task.share
+            letter = graphs.reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
+            yield self._exhibit(graphs, graphs.ShareGraph(shares, taken, letter, self._bare))
+
+    @property
+    def _bare(self) -> float:
+        """The largest reaction N of the crank's shaft without counterweights."""
+        crank, state = self.shown.bones.mechanism.drive.link, self.balance.before
+        return next(
+            state.reactions[key]
+            for key, one in state.forces.reactions.items()
+            if (one.giver, one.taker) == (FRAME, crank)
+        )
+
+    def _exhibit(self, figure: Any, shown: Any) -> Exhibit:
+        room = _bounded(figure.measure(shown, self.drafting))
+        return Exhibit(Panel(room), partial(figure.draw, shown, room, drafting=self.drafting))
+
+    @cached_property
+    def tables(self) -> tuple[RuledTable, ...]:
+        """What the counterweights change, and which they are."""
+        shown, drafting = self.shown, self.drafting
+        table = costs(self.balance.before, shown.after, shown.nothing, drafting, self._shaft)
+        weights = self.balance.counterweights
+        if not weights:
+            return (table,)
+        return table, counterweights(weights, shown.bones.mechanism, drafting)
+
+
+def _bounded(room: Picture) -> Picture:
+    return room._replace(most=LARGEST * room.least)
+
+
+def _facts(position: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which position and which figures it shows."""
+    return {"position": position, "figures": list(names)}

@@ -1,0 +1,386 @@
+"""A bank of equal mechanisms shaken, by the analysis alone: polygons, masses, what is followed over a turn (блок)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.bank.report import crank_of
+from drawings.checks.expected import NOTHING, Expected, by_hand, course
+from drawings.layout.table import cell_name
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf
+from plans.bank.compensators import COMPENSATORS
+from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
+from plans.bank.quantities import bank_by_hand
+from plans.checks.comparison import Comparison, Finding
+from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
+from plans.model.motion import Complexes
+from plans.study import Study
+
+PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
+DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
+LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
+GEAR, OF_SHAFTS = 1.25, 0.15  # radius of a gear in that of its mass; in the distance of a couple's shafts at the least
+COVERED = 0.4  # of a gear's radius: a mass nearer to its shaft is drawn farther out, and its arm is not to scale
+SEEN = 1 / 1000  # of the largest order of one mechanism: less is no longer than a line is wide, and bears no figure
+WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
+
+
+class Polygon(NamedTuple):
+    """What a polygon must show: which order, its vectors by their names, its sum, each with what it may be off by."""
+
+    kind: str
+    signed: int
+    sides: Mapping[str, complex]
+    name: str
+    whole: complex
+    side_slack: Mapping[str, float]
+    slack: float
+    rounding: float  # of the sum by the analysis alone
+
+    @property
+    def closed(self) -> bool:
+        """Whether no more than rounding is left of the sum for certain."""
+        return abs(self.whole) <= self.rounding / DOUBTFUL
+
+    @property
+    def open(self) -> bool:
+        """Whether more than rounding is left of the sum for certain; of what is neither both may be seen."""
+        return abs(self.whole) > self.rounding * DOUBTFUL
+
+
+class Body(NamedTuple):
+    """A mass of a compensator: its letter, its place from its shaft m or direction, and how fast it turns."""
+
+    name: str
+    moment: float  # kg*m
+    way: complex  # direction on the sheet
+    turns: int
+    coupled: bool = False
+
+    @property
+    def speed(self) -> str:
+        """How fast its shaft turns in terms of the crank, as it is written: against it with a minus."""
+        times = abs(self.turns)
+        return f"{'−' if self.turns < 0 else ''}{times if times > 1 else ''}ω"
+
+
+@dataclass(frozen=True)
+class Bank:
+    """A bank by the analysis, with what the two roads may differ by."""
+
+    task: BankTask
+    comparison: Comparison
+    crank: float | None = None
+
+    @property
+    def analysis(self) -> BankBalance:
+        """What the analysis found."""
+        found: BankBalance = self.comparison.analysis
+        return found
+
+    @cached_property
+    def allowed(self) -> Mapping[str, float]:
+        """What each finding may differ by."""
+        return {one.name: float(one.allowed[0]) for one in self.comparison.findings}
+
+    @property
+    def turn(self) -> complex:
+        """The direction of the reference guide on the sheet."""
+        return cmath.rect(1.0, self.task.axis)
+
+    @property
+    def members(self) -> tuple[Member, ...]:
+        """The mechanisms."""
+        return self.task.members
+
+    @cached_property
+    def axes(self) -> list[complex]:
+        """The directions of the guides, from the reference guide."""
+        return [cmath.rect(1.0, math.radians(float(one.axis % 360))) for one in self.members]
+
+    @property
+    def flat(self) -> bool:
+        """Whether all guides lie in one plane with the shaft."""
+        return all(abs(axis.imag) <= LINE for axis in self.axes)
+
+    def alone(self, order: int) -> bool:
+        """Tell whether the vectors of an order that turn with the crank stand for their mirror images too."""
+        single = self.analysis.single[order]
+        apart = abs(single.ahead - single.back.conjugate())
+        return self.flat and apart <= max(PAPER * abs(single.back), single.slack)
+
+    def straight(self, name: str) -> bool:
+        """Tell whether what is followed over the turn can be shown by its share along the reference guide alone."""
+        force = (self.analysis.force, self.analysis.left)
+        rows = force if name != WHOLE_MOMENT else (self.analysis.moment,)
+        return all(bool(np.abs(row.imag).max() <= PAPER * np.abs(rows[0]).max()) for row in rows)
+
+    @cached_property
+    def largest(self) -> float:
+        """The largest force of an order of one mechanism, N."""
+        return max(abs(one.ahead) + abs(one.back) for one in self.analysis.single.values())
+
+    def slight(self, order: int) -> bool:
+        """Tell whether an order is there, but is not to be drawn beside the largest: none asks for compensators."""
+        own, bank = self.analysis.single[order], self.analysis.forces[order]
+        asked = order in [one.order for one in self.task.asked]
+        least = SEEN * self.largest
+        return not (asked or own.vanishes or max(abs(one.ahead) + abs(one.back) for one in (own, bank)) >= least)
+
+    @property
+    def seen(self) -> Mapping[int, Harmonic]:
+        """The orders of one mechanism that are to be drawn."""
+        return {order: one for order, one in self.analysis.single.items() if not self.slight(order)}
+
+    def polygons(self) -> Iterator[Polygon]:
+        """Give the polygons of several vectors: with the crank, and against it where that is no mirror image."""
+        for order, single in self.seen.items():
+            for kind in (FORCE, MOMENT):
+                for signed in (order, -order):
+                    alone = signed < 0 and self.alone(order)
+                    found = self._polygon(kind, signed, single)
+                    if len(found.sides) > 1 and not alone:
+                        yield found
+
+    def _polygon(self, kind: str, signed: int, single: Harmonic) -> Polygon:
+        own = single.ahead if signed > 0 else single.back
+        whole = (self.analysis.forces if kind == FORCE else self.analysis.moments)[single.order]
+        sides = {} if abs(own) <= single.slack else dict(self._sides(kind, signed, own))
+        name = letters(kind, signed)
+        arms = {letters(kind, signed, one.name): abs(self.arm(kind, one)) for one in self.members}
+        slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
+        value = (whole.ahead if signed > 0 else whole.back) * self.turn
+        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
+
+    def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
+        for one, axis in zip(self.members, self.axes, strict=True):
+            turned = cmath.rect(1.0, math.radians(float(signed * (one.crank - one.axis) % 360)))
+            if self.arm(kind, one):
+                yield letters(kind, signed, one.name), own * turned * axis * self.turn * self.arm(kind, one)
+
+    @staticmethod
+    def arm(kind: str, one: Member) -> float:
+        """Give what a force is multiplied by: 1, or its place m of a moment."""
+        return 1.0 if kind == FORCE else float(one.place)
+
+    def crank_at(self, one: Member) -> complex:
+        """Give the direction of a crank on the sheet at phi = 0."""
+        return cmath.rect(1.0, math.radians(float(one.crank % 360)) + self.task.axis)
+
+    def ways(self) -> Mapping[str, complex]:
+        """Give the directions of the guides on the sheet by the numbers of their mechanisms."""
+        return {one.name: axis * self.turn for one, axis in zip(self.members, self.axes, strict=True)}
+
+    def force_of(self, name: str) -> Complexes:
+        """Give what is followed over the turn by the name of its finding."""
+        rows = {WHOLE: self.analysis.force, LEFT: self.analysis.left, WHOLE_MOMENT: self.analysis.moment}
+        return np.asarray(rows[name] if self.straight(name) else rows[name] * self.turn)
+
+    @cached_property
+    def compensated(self) -> bool:
+        """Whether some compensator has a mass."""
+        return any(any(self.bodies(one)) for one in self.analysis.compensators)
+
+    def acts(self, name: str, seen: bool) -> bool:
+        """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
+        analysis = self.analysis
+        slacks = {WHOLE: analysis.force_slack, LEFT: analysis.left_slack, WHOLE_MOMENT: analysis.moment_slack}
+        return self.most(name) > (slacks[name] / DOUBTFUL if seen else slacks[name] * DOUBTFUL)
+
+    def most(self, name: str) -> float:
+        """Give the largest of what is followed over the turn."""
+        return float(np.abs(self.force_of(name)).max())
+
+    def faint(self, name: str) -> bool:
+        """Whether what is followed over the turn is not to be drawn by itself, being slight."""
+        arm = max(abs(float(one.place)) for one in self.members) if name == WHOLE_MOMENT else 1.0
+        due = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
+        return due and self.most(name) < SEEN * self.largest * arm
+
+    def bodies(self, one: Compensator) -> Iterator[Body]:
+        """Give the masses of a compensator at phi = 0."""
+        order = one.asked.order
+        pairs = ((order, one.with_crank, one.with_angle), (-order, one.against, one.against_angle))
+        for signed, moment, angle in pairs:
+            if angle is not None:
+                yield Body(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
+        if one.couple_angle is not None and one.couple is not None:
+            name, way = couple_letters(order).replace("mr", "m"), cmath.rect(1.0, one.couple_angle) * self.turn
+            yield Body(name, one.couple, way, order, True)
+            yield Body(f"{name}'", one.couple, -way, order, True)
+
+    @staticmethod
+    def carried(one: Compensator) -> bool:
+        """Tell whether the crank itself carries the mass: it alone turns, and as fast as the crank."""
+        return one.asked.order == 1 and one.against_angle is None is not one.with_angle
+
+    def nominal(self, one: Compensator, told: bool) -> bool:
+        """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
+        own = [body.moment / one.asked.mass for body in self.bodies(one) if not body.coupled] if one.asked.mass else []
+        if not own:
+            return True
+        offset = 0.0 if self.carried(one) else abs(one.asked.offset)
+        shafts = one.asked.shafts if one.couple_angle is not None and one.asked.shafts else 0.0
+        gear = max(GEAR * max(own), offset / 2, OF_SHAFTS * shafts)
+        over = min(own) - COVERED * gear
+        return told if abs(over) <= 2 * self.slack_of(one) / (one.asked.mass or 1.0) + LINE * gear else over < 0
+
+    def line(self, one: Compensator) -> complex:
+        """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
+        if one.with_angle is None or one.against_angle is None:
+            return self.turn
+        along = cmath.rect(1.0, (one.with_angle + one.against_angle) / 2)
+        towards = along.real if abs(along.real) > LINE else along.imag
+        return along * self.turn * math.copysign(1.0, towards)
+
+    def directed(self, one: Compensator) -> bool:
+        """Tell whether the two roads must agree in the direction of an order's force as nearly as lines are held."""
+        whole, allowed = self.analysis.forces[one.asked.order], self.allowed.get(letters(FORCE, one.asked.order), 0.0)
+        return allowed <= LINE * max(abs(whole.ahead), abs(whole.back))
+
+    def slack_of(self, one: Compensator) -> float:
+        """Give how far the static moment of a mass may be off, kg*m."""
+        return self.allowed[letters("mr", one.asked.order)]
+
+
+STAR, SHAFT, ORDERS, RESULTS = "star", "shaft", "orders", "results"
+GRAPHS = {"bank_force": "force_graph", "left_force": "force_graph", "bank_moment": "moment_graph"}
+FOLLOWED = {"bank_force": WHOLE, "left_force": LEFT, "bank_moment": WHOLE_MOMENT}
+MANY = 40  # vectors of a polygon that are told apart
+STATIONS, TURN, DIGITS = 12, 360.0, 5
+FAR = 1e-9  # of a place: both roads take it from one length and one angle
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's bank (row of the table of sheets)."""
+    bank = study["bank"]
+    own = _Sheet(Bank(bank.task, study.comparison("bank"), crank_of(study)), drafting_of(study.scene))
+    scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
+    yield from chain(own.polygons(), own.views(), own.courses(), own.orders(), own.compensators())
+    yield from own.results(bank_by_hand(bank, scales), any(name.startswith("order_") for name in scales))
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """A bank by the analysis."""
+
+    own: Bank
+    drafting: Drafting
+
+    def polygons(self) -> Iterator[Expected]:
+        """Give the vectors of each order, with the crank and against it, and their sum where it does not vanish."""
+        for one in self.own.polygons():
+            plan = plan_of(one)
+            sides = {} if len(one.sides) > MANY else one.sides
+            for name, value in sides.items():
+                yield Expected(Kind.VECTOR, plan, name, value, one.side_slack[name])
+            yield Expected(Kind.VECTOR, plan, one.name, one.whole, one.slack, may_lack=not one.open)
+
+    def views(self) -> Iterator[Expected]:
+        """Give the crank pins of the star, the places along the shaft, the arms of the compensators."""
+        own = self.own
+        for one in own.members:
+            pin, place = (own.crank or 0.0) * own.crank_at(one), complex(float(one.place))
+            lacks = own.crank is None
+            yield Expected(Kind.POINT, STAR, one.name, pin, FAR * abs(pin), may_lack=lacks)
+            yield Expected(Kind.POINT, SHAFT, one.name, place, FAR * abs(place), may_lack=True)
+        for where in {float(one.place) for one in own.members}:
+            yield Expected(Kind.LENGTH, SHAFT, f"h at {1000 * where:g}", abs(where), FAR * abs(where), may_lack=True)
+            far = FAR * abs(1000 * where)
+            yield Expected(Kind.PHRASE, SHAFT, f"h at {1000 * where:g}", 1000 * where, far, digits=4, may_lack=True)
+        for found in own.analysis.compensators:
+            plan = f"compensator-{found.asked.order}"
+            for body in own.bodies(found):
+                yield Expected(Kind.POINT, plan, body.name, 0j, math.inf, may_lack=True)  # by its arm
+                if not body.coupled and found.asked.mass:
+                    arm, slack = body.moment / found.asked.mass * body.way, 2 * own.slack_of(found) / found.asked.mass
+                    yield Expected(Kind.VECTOR, plan, body.name, arm, slack + FAR * abs(arm), may_lack=True)
+
+    def courses(self) -> Iterator[Expected]:
+        """Give force and moment over the turn, along the guides or by their hodographs."""
+        own = self.own
+        for plan, name in FOLLOWED.items():
+            values, slack = own.force_of(name), own.allowed[name] + FAR * own.most(name)
+            whole = len(values) - 1
+            letter = {WHOLE: "F", LEFT: "F'"}.get(name, "M")
+            yield Expected(Kind.VECTOR, plan, letter, complex(values[0]), slack, 0, may_lack=True)
+            for k in range(0, whole + 1, whole // STATIONS):
+                number = str(k * STATIONS // whole % STATIONS)
+                value = complex(values[k])
+                yield Expected(Kind.VECTOR, plan, number, 1j * value.real, slack, k, may_lack=True)
+                yield Expected(Kind.POINT, plan, number, value, slack, int(number), may_lack=True)
+            if own.straight(name):
+                lacks = not own.acts(name, False) or own.faint(name) or name == LEFT
+                points = course(np.linspace(0.0, TURN, len(values)), values.real)
+                yield Expected(Kind.CURVE, GRAPHS[plan], plan, points, slack, may_lack=lacks, ends=(0.0, TURN))
+
+    def orders(self) -> Iterator[Expected]:
+        """Give the cells of the table of orders: of one mechanism, of the bank, what is left, the moment."""
+        own = self.own
+        answered = {one.asked.order for one in own.analysis.compensators}
+        for order, single in own.analysis.single.items():
+            force = self._size(FORCE, own.analysis.forces[order])
+            cells = [self._size(SINGLE, single), force, (0.0, 0.0) if order in answered else force]
+            for column, (value, slack) in enumerate([*cells, self._size(MOMENT, own.analysis.moments[order])]):
+                yield Expected(Kind.NUMBER, ORDERS, cell_name(str(order), column), value, slack, digits=DIGITS)
+
+    def _size(self, kind: str, one: Harmonic) -> tuple[float, float]:
+        """Give the largest that two vectors turning against each other come to: both along one line."""
+        sizes = [abs(one.ahead), abs(one.back)]
+        size = 0.0 if max(sizes) <= one.slack else math.fsum(sizes)
+        return size, 2 * self.own.allowed[letters(kind, one.order)] + FAR * size
+
+    def compensators(self) -> Iterator[Expected]:
+        """Give the cells of the table of compensators: of the masses of a couple the first stands for both."""
+        for one in self.own.analysis.compensators:
+            for body in self.own.bodies(one):
+                if not body.name.endswith("'"):
+                    yield from self._mass(one, body)
+
+    def _mass(self, one: Compensator, body: Body) -> Iterator[Expected]:
+        slack, mass = self.own.slack_of(one), None if body.coupled else one.asked.mass
+        far = None if mass is None else (1000 * body.moment / mass, 1000 * slack / mass)
+        angle = math.degrees(cmath.phase(body.way / self.own.turn))
+        turned = math.degrees(2 * slack / body.moment) + FAR if body.moment > slack else math.inf
+        speed = body.turns * self.own.task.speed
+        cells = (body.moment, slack), None if mass is None else (mass, 0.0), far, (speed, 0.0), (angle, turned)
+        for column, cell in enumerate(cells):
+            name, period = cell_name(lowered(body.name), column), TURN if column == len(cells) - 1 else 0.0
+            value, off = (NOTHING, 0.0) if cell is None else cell
+            yield Expected(Kind.NUMBER, COMPENSATORS, name, value, off, digits=DIGITS, period=period, may_lack=True)
+
+    def results(self, slips: Mapping[tuple[str, int], float], drawn: bool) -> Iterator[Expected]:
+        """Give the cells of the table of results; where nothing is drawn no hand can err."""
+        for one in filter(_is_told, self.own.comparison.findings):
+            row = f"{lowered(one.name)}, {self.drafting.word(one.unit)}"
+            size, slack = float(abs(one.analysis[0])), float(one.allowed[0])
+            lacks = size <= 2 * slack
+            for column in range(2):
+                yield Expected(Kind.NUMBER, RESULTS, cell_name(row, column), size, slack, digits=DIGITS, may_lack=lacks)
+            if drawn:
+                most = max(size, slack * 10.0**DIGITS)
+                cell = by_hand(RESULTS, cell_name(row, 2), slips.get((one.name, 0), math.nan), most)
+                yield cell._replace(may_lack=True)
+
+
+def plan_of(one: Polygon) -> str:
+    """Name the figure of a polygon."""
+    kind = "order_moments" if one.kind == MOMENT else "order_forces"
+    return f"{kind}-{abs(one.signed)}{'' if one.signed > 0 else '-back'}"
+
+
+def _is_told(one: Finding) -> bool:
+    """Tell whether a finding stands in the table of results: a vector of the bank or a static moment."""
+    told = one.plan in (HARMONICS, COMPENSATORS) and one.name.startswith(("F_", "M_", "mr_"))
+    return told and bool(abs(one.analysis[0]) > one.allowed[0] / 2)

@@ -1,0 +1,321 @@
+"""What is said of a bank in words: what is given, the sums of its orders, what vanishes, compensators (пояснения)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from drawings.dynamics.report_tables import listed, plain
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.report.formula import Chapters
+from drawings.report.table import Subject, chapter, header, row
+from drawings.rotor.report import ANGLE
+from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
+from plans.model.balance.bank import BankBalance, Compensator, Harmonic
+from plans.model.motion import Complexes
+from plans.study import Study
+from plans.words.words import word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+# Of the largest order of one mechanism: where that is drawn 100 mm long, what is less is shorter than 0.1 mm, and no
+# line is so thin. A figure of it at a scale of its own would look like those that matter.
+SLIGHT = 1e-3
+
+
+def largest(balance: BankBalance) -> float:
+    """Give the largest force of an order of one mechanism, N."""
+    return max(one.size for one in balance.single.values())
+
+
+def slight_order(balance: BankBalance, order: int) -> bool:
+    """Tell whether an order that is there is too slight to be drawn; one that is to be compensated is not."""
+    size = max(balance.single[order].size, balance.forces[order].size)
+    asked = any(one.asked.order == order for one in balance.compensators)
+    return not asked and 0.0 < size < SLIGHT * largest(balance)
+
+
+def slight_force(balance: BankBalance) -> bool:
+    """Tell whether the force of a bank without compensators is more than rounding, but too slight to be drawn."""
+    most = _most(balance.force)
+    return not _answered(balance) and balance.force_slack < most < SLIGHT * largest(balance)
+
+
+def slight_left(balance: BankBalance) -> bool:
+    """Tell whether the compensators leave more than rounding, but too little to be drawn."""
+    most = _most(balance.left)
+    return _answered(balance) and balance.left_slack < most < SLIGHT * largest(balance)
+
+
+def slight_moment(balance: BankBalance) -> bool:
+    """Tell whether the moment is more than rounding, but slight beside one mechanism's at the farthest place."""
+    arm = max(abs(float(one.place)) for one in balance.task.members)
+    return balance.moment_slack < _most(balance.moment) < SLIGHT * largest(balance) * arm
+
+
+def _answered(balance: BankBalance) -> bool:
+    return any(angle is not None for one in balance.compensators for angle in (one.with_angle, one.against_angle))
+
+
+def _most(values: Complexes) -> float:
+    return float(np.abs(values).max())
+
+
+RPM = 30 / math.pi  # of a rad/s
+HALF_TURN = 180.0  # degrees
+EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 mm being rounded to 1e-4 mm
+
+
+def mirrored(balance: BankBalance, order: int) -> bool:
+    """Tell whether what turns against the crank is, to the eye, the mirror image in the guide of what turns with it."""
+    single = balance.single[order]
+    flat = all(one.axis % 180 == 0 for one in balance.task.members)
+    apart = abs(single.back - single.ahead.conjugate())
+    return flat and apart <= max(EYE * abs(single.ahead), single.slack)
+
+
+def crank_of(study: Study) -> float:
+    """Give the length m of the cranks of a scene's bank."""
+    bank = study["bank"]
+    if bank.task.unit is not None:
+        return float(bank.task.unit.crank)
+    mechanism = study["linkage"].mechanism
+    drive = mechanism.drive
+    points = mechanism.links[drive.link].points
+    return float(abs(points[drive.end] - points[drive.pivot]))
+
+
+def straight(values: Complexes, among: Complexes) -> bool:
+    """Tell whether vectors keep to the line of the reference guide, to the eye that sees others beside them."""
+    return bool(np.abs(values.imag).max() <= EYE * np.abs(among).max())
+
+
+def direction(value: complex, slack: float) -> float:
+    """Give the direction of a vector in degrees; one that rounding alone keeps from a quarter turn is whole.
+
+    >>> direction(-1 - 1e-17j, 1e-15), direction(1 + 1j, 1e-15)
+    (180.0, 45.0)
+    """
+    angle = math.degrees(cmath.phase(value))
+    quarter = 90.0 * round(angle / 90.0)
+    found = quarter if abs(angle - quarter) <= math.degrees(slack / abs(value)) else angle
+    return HALF_TURN if found == -HALF_TURN else found + 0.0
+
+
+def squared(order: int) -> str:
+    """Write the square of the speed of a compensator's shaft.
+
+    >>> squared(1), squared(2)
+    ('ω²', '(2ω)²')
+    """
+    return f"({order}ω)²" if order > 1 else "ω²"
+
+
+class BankNotes(NamedTuple):
+    """The notes on a bank, with so many digits."""
+
+    balance: BankBalance
+    drafting: Drafting
+    digits: int = 5
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """What is given, what each order comes to, what vanishes, and what compensates."""
+        return *self.given(), *self.sums(), *self.vanishing(), *self.slight(), *self.compensators()
+
+    def given(self) -> Iterator[str]:
+        """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
+        task, word = self.balance.task, self.drafting.word
+        counted = "bank speed" if task.unit is not None else "bank speed of linkage"
+        yield from self._stand()
+        yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
+        if task.unit is not None:
+            yield word("bank unit", ratio=self._number(task.unit.ratio))
+        yield self._senses()
+
+    def _senses(self) -> str:
+        """Say of which orders the vectors against the crank are shown, and of which they are mirror images."""
+        orders = [order for order, one in self.balance.single.items() if not one.vanishes]
+        alone = [order for order in orders if mirrored(self.balance, order)]
+        if alone and alone != orders:
+            return self.drafting.word("some mirror images", orders=", ".join(map(str, alone)))
+        return self.drafting.word("mirror image" if alone else "both senses")
+
+    def _stand(self) -> Iterator[str]:
+        """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""
+        members = self.balance.task.members
+        yield self.drafting.word("crank angles", angles=self._row(one.crank for one in members))
+        if any(one.axis for one in members):
+            yield self.drafting.word("guide angles", angles=self._row(one.axis for one in members))
+        if any(one.place for one in members):
+            yield self.drafting.word("bank places", places=self._row(1000 * one.place for one in members))
+
+    def _row(self, values: Iterable[Fraction]) -> str:
+        return "; ".join(map(self._exact, values))
+
+    def sums(self) -> Iterator[str]:
+        """Say what the polygons of each order come to at phi = 0."""
+        for order in self.balance.forces:
+            told = [*self._sums(FORCE, self.balance.forces[order]), *self._sums(MOMENT, self.balance.moments[order])]
+            if told:
+                yield self.drafting.word("order sums", order=order, sums=",  ".join(told))
+
+    def _sums(self, kind: str, one: Harmonic) -> Iterator[str]:
+        unit = self.drafting.word("N" if kind == FORCE else "N*m")
+        alone = mirrored(self.balance, one.order)
+        for sense, value in ((1, one.ahead),) if alone else ((1, one.ahead), (-1, one.back)):
+            if abs(value) > one.slack:
+                angle = self._number(direction(value, one.slack))
+                size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
+                yield f"{lowered(letters(kind, sense * one.order))} = {size}"
+        yield from self._largest(one, unit) if kind == FORCE else ()
+
+    def _largest(self, one: Harmonic, unit: str) -> Iterator[str]:
+        """Say what both vectors come to together where they point alike: the force that the table tells."""
+        pairs = ((one.order, one.ahead), (-one.order, one.back))
+        summed = "+".join(f"|{lowered(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > one.slack)
+        if summed:
+            told = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(one.size)}
+            yield self.drafting.word("order largest", unit=unit, **told)
+
+    def vanishing(self) -> Iterator[str]:
+        """Say which orders one mechanism has none of, and of which forces and moments are balanced by one another."""
+        single, forces, moments = self.balance.single, self.balance.forces, self.balance.moments
+        yield from self._orders("no order", lambda order: single[order].vanishes)
+        yield from self._orders("no order force", lambda order: not single[order].vanishes and forces[order].vanishes)
+        if any(one.place for one in self.balance.task.members):
+            apart = self._orders(
+                "no order moment", lambda order: not single[order].vanishes and moments[order].vanishes
+            )
+            yield from apart
+        else:
+            yield self.drafting.word("one plane of a bank")
+
+    def slight(self) -> Iterator[str]:
+        """Say what is not drawn, being too slight: orders, and the largest force and moment over the turn."""
+        balance = self.balance
+        yield from self._orders("slight orders", lambda order: slight_order(balance, order))
+        rows = (
+            (slight_force, FORCE, "N", balance.force),
+            (slight_left, f"{FORCE}'", "N", balance.left),
+            (slight_moment, MOMENT, "N*m", balance.moment),
+        )
+        for holds, letter, unit, values in rows:
+            if holds(balance):
+                size = self._number(float(np.abs(values).max()))
+                yield self.drafting.word("slight course", letter=letter, size=size, unit=self.drafting.word(unit))
+
+    def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
+        found = ", ".join(str(order) for order in self.balance.single if holds(order))
+        if found:
+            yield self.drafting.word(key, orders=found)
+
+    def compensators(self) -> Iterator[str]:
+        """Say what is to be put on the shafts of the compensators, and what their offset leaves."""
+        for one in self.balance.compensators:
+            yield from self._compensator(one)
+
+    def _compensator(self, one: Compensator) -> Iterator[str]:
+        asked, word, number = one.asked, self.drafting.word, self._number
+        order, square = asked.order, squared(asked.order)
+        if one.with_angle is None and one.against_angle is None:
+            yield word("no compensator", order=order)
+            return
+        moments = ((1, one.with_crank, one.with_angle), (-1, one.against, one.against_angle))
+        for sense, moment, angle in moments:
+            if angle is not None:
+                told = {"force": lowered(letters(FORCE, sense * order)), "square": square, "moment": number(moment)}
+                yield word("compensator mass", letters=lowered(letters(STATIC, sense * order)), **told)
+        yield from self._unequal(one)
+        if asked.offset and one.residual:
+            yield word("compensator couple", residual=number(one.residual))
+        if asked.shafts is not None and one.couple:
+            yield word("couple mass", letters=lowered(couple_letters(order)), square=square, moment=number(one.couple))
+
+    def _unequal(self, one: Compensator) -> Iterator[str]:
+        """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""
+        order, word = one.asked.order, self.drafting.word
+        slack = self.balance.forces[order].slack / (order * self.balance.task.speed) ** 2
+        if one.on_crank:
+            yield word("on crank")
+        elif abs(one.with_crank - one.against) > max(EYE * max(one.with_crank, one.against), slack):
+            pair = {"ahead": lowered(letters(FORCE, order)), "back": lowered(letters(FORCE, -order))}
+            yield word("unequal vectors", **pair)
+            if order == 1 and one.with_angle is not None and one.with_crank > one.against:
+                angle = direction(cmath.rect(one.with_crank, one.with_angle), slack)
+                moment = self._number(one.with_crank - one.against)
+                yield word("better on crank", moment=moment, angle=f"{ANGLE}{self._number(angle)}", **pair)
+
+    def members(self) -> Iterator[str]:
+        """Say where each mechanism of the bank stands."""
+        for one in self.balance.task.members:
+            told = {"name": one.name, "crank": self._exact(one.crank), "place": self._exact(1000 * one.place)}
+            yield self.drafting.word("bank member", axis=self._exact(one.axis), **told)
+
+    def _exact(self, value: Fraction) -> str:
+        return self._number(float(value))
+
+    def _number(self, value: float) -> str:
+        return self.drafting.number(value, self.digits)
+
+
+DIGITS = 10
+HEADS = ("order", "one force", "bank force", "force left", "bank moment")
+
+
+def subject(study: Study) -> Subject:
+    """Tell a bank in a few words, for the gallery's page."""
+    task = study["bank"].task
+    kind = "linkages" if task.unit is None else "slider-cranks"
+    count, orders = len(task.members), ", ".join(str(one.order) for one in task.asked)
+    structure = f"bank of {count} {kind}"
+    output = f"compensators of order {orders}" if orders else "no compensators"
+    return Subject(structure, output, f"A {structure} on one shaft; {output}.")
+
+
+def headline(study: Study) -> str:
+    """Say what compensates the forces of the bank, or else which orders vanish by themselves."""
+    notes = _notes(study)
+    return "; ".join(map(plain, [*notes.compensators()] or [*notes.vanishing()]))
+
+
+def remarks(study: Study) -> list[str]:
+    """Find nothing that is not whole: the crank of every bank turns fully."""
+    return []
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell a bank, its orders and its compensators."""
+    drafting, notes = drafting_of(study.scene), _notes(study)
+    language = drafting.language
+    return Chapters(
+        subject=listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
+        values=[chapter(language, "bank_orders"), *_orders(study["bank"].balance, drafting)],
+        conditions=[
+            *listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),
+            *listed(chapter(language, "bank_compensators"), [*notes.compensators()]),
+        ],
+        left_out=[word(language, "report.bank_left_out")],
+    )
+
+
+def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
+    """Write the table of the orders."""
+    answered = {one.asked.order for one in balance.compensators}
+    lines = header([plain(drafting.word(head)) for head in HEADS])
+    for order, single in balance.single.items():
+        force = balance.forces[order].size
+        sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
+        lines.append(row([str(order), *(drafting.number(one, DIGITS) for one in sizes)]))
+    return lines
+
+
+def _notes(study: Study) -> BankNotes:
+    return BankNotes(study["bank"].balance, drafting_of(study.scene), DIGITS)

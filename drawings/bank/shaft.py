@@ -1,0 +1,198 @@
+"""The view across the shaft of a bank: its mechanisms at their places, their cranks at phi = 0 (вид поперёк вала).
+
+Places are to scale; cranks are drawn of one size, as they are seen: one that points to the eye is a circle alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from drawings.bank.star import NEAR, BankView
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Phrase, Slot, joined
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.rotor.across import END, FIRST, SHAFT
+from drawings.rotor.along import BESIDE, ORIGIN, SYMBOL, UNIT
+from drawings.rotor.polygon import dimension, extension, room_for, step
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.symbols import ARROW_LENGTH, pole
+from plans.model.balance.bank import Member
+
+NAME = "shaft"
+QUANTITY = "h"
+MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
+LETTERS, LONGEST = 20.0, 80.0  # it is drawn at least so many letters long, and at most
+RANGE = 2.6  # standard scales are up to 2.5 times apart: one of them fits between the least length and the most
+THROW = 12.0  # mm, a crank as it is drawn
+WEB = 2.2  # mm, half the breadth of a crank
+PIN = 1.0  # mm, radius of a pin that points to the eye
+GUIDE = 6.0  # mm that the axis of a guide goes past the cranks
+MOST = 9  # different places that are dimensioned: of more the report tells them
+
+
+@dataclass(frozen=True)
+class ShaftFigure:
+    """The view placed on paper: its lines, and the numbers still to be placed among the lines of all figures."""
+
+    shown: BankView
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole view, each mechanism numbered at its place, the plane of place 0 lettered."""
+        hand, gap = self.drafting.hand, BESIDE + SHAFT * self.drafting.hand.symbol
+        letters = [
+            labels.beside(self.place.on(complex(place)), names, hand.letter, gap, math.pi / 4)
+            for place, names in named(self.shown).items()
+        ]
+        letters.append(labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, -3 * math.pi / 4))
+        return (Group((*self.lines, Group(tuple(letters))), NAME),)
+
+
+def named(shown: BankView) -> dict[float, str]:
+    """Name the mechanisms at one place together, in their order."""
+    found: dict[float, str] = {}
+    for one in shown.members:
+        place = float(one.place)
+        found[place] = f"{found[place]}, {one.name}" if place in found else one.name
+    return found
+
+
+def is_thin(shown: BankView) -> bool:
+    """Tell whether all mechanisms stand in the plane of place 0: there is nothing to be seen across."""
+    return set(named(shown)) == {0.0}
+
+
+def measure(shown: BankView, drafting: Drafting) -> Picture:
+    """Measure the room that the view needs: the shaft, its ends, the cranks, the dimensions under it."""
+    hand, levels = drafting.hand, len(_dimensioned(shown))
+    title = text_width(Text(0j, drafting.word("view across"), hand.title))
+    side, below, above = (share * hand.letter for share in MARGINS)
+    high = (THROW + GUIDE) * hand.symbol
+    under = below + high + FIRST * hand.symbol + levels * step(hand)
+    margins = Margins(side + END * hand.symbol, under, above + high + 2 * hand.title + hand.text)
+    ends = [0j, *(complex(place) for place in named(shown))]
+    least = max(LETTERS * hand.letter, min(_roomy(shown, drafting), LONGEST * hand.letter / RANGE))
+    return picture(NAME, ends, (SYMBOL, UNIT), margins, title, least)._replace(most=LONGEST * hand.letter)
+
+
+def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> ShaftFigure:
+    """Draw the view in its spot: the shaft, the axes of the guides, the cranks, the places dimensioned."""
+    place, hand = room.place(*spot), drafting.hand
+    title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
+    lines = [title, *_shaft(shown, place, hand), *_datum(place, hand)]
+    for one in shown.members:
+        lines += [_guide(shown, one, place, hand), *_throw(shown, one, place, hand)]
+    lines += _dimensions(shown, place, drafting)
+    subject = Subject(NAME, QUANTITY, None)
+    lines.append(point(subject, ORIGIN, 0j, place, pole(place.on(0j)), "pole"))
+    lines += [_mark(subject, one, place, hand) for one in shown.members]
+    return ShaftFigure(shown, place, tuple(lines), drafting)
+
+
+def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:
+    """Mark the place of a mechanism on the axis of the shaft; it can be measured."""
+    spot = complex(float(one.place))
+    return point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK))._replace(
+        title=one.name
+    )
+
+
+def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the axis, and the shaft between the cranks."""
+    places = [0.0, *named(shown)]
+    first, last = (place.on(complex(end(places))) for end in (min, max))
+    start, stop = first - END * hand.symbol, last + END * hand.symbol
+    past = 3 * hand.symbol
+    yield Line(start - past, stop + past, fit(hand.axis, abs(stop - start) + 2 * past))
+    webs = sorted(place.on(complex(one)).real for one in named(shown))
+    edges = [start.real, *(x + side * WEB * hand.symbol for x in webs for side in (-1, 1)), stop.real]
+    for left, right in zip(edges[::2], edges[1::2], strict=True):
+        if right > left:
+            yield Line(complex(left, first.imag), complex(right, first.imag), hand.result)
+
+
+def _datum(place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the plane of place 0."""
+    half = 1j * (THROW + GUIDE) * hand.symbol
+    yield Line(place.on(0j) - half, place.on(0j) + half, fit(hand.extreme, 2 * abs(half)))
+
+
+def seen(shown: BankView, way: complex) -> float:
+    """Give how much of a direction is seen across: its share along the reference guide."""
+    return (way * shown.turn.conjugate()).real
+
+
+def _throw(shown: BankView, one: Member, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw a crank between its webs, or its pin alone where it points to the eye."""
+    middle, half = place.on(complex(float(one.place))), WEB * hand.symbol
+    high = THROW * hand.symbol * seen(shown, shown.crank_at(one))
+    if abs(high) <= NEAR * THROW:
+        yield Circle(middle, PIN * hand.symbol, hand.body)
+        return
+    corners = (middle - half, middle - half + 1j * high, middle + half + 1j * high, middle + half)
+    yield Polyline(corners, False, hand.result)
+
+
+def _guide(shown: BankView, one: Member, place: Place, hand: Hand) -> Line:
+    """Draw the axis of a guide from the shaft outward: up where the reference guide goes, down on the other side."""
+    far = (THROW + GUIDE) * hand.symbol * (-1 if seen(shown, shown.guide_at(one)) < -NEAR else 1)
+    middle = place.on(complex(float(one.place)))
+    return Line(middle, middle + 1j * far, fit(hand.axis, abs(far)))
+
+
+def _dimensioned(shown: BankView) -> dict[float, str]:
+    """Give the places that are dimensioned, the nearest to the plane of place 0 first."""
+    found = {place: names for place, names in named(shown).items() if place}
+    return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= MOST else {}
+
+
+def _texts(shown: BankView, drafting: Drafting) -> dict[float, Phrase]:
+    """Write the dimensions of the places, the nearest to the plane of place 0 first."""
+    sizes = {where: drafting.slot(Slot(_quantity(where), 1000 * where)) for where in _dimensioned(shown)}
+    return {where: joined("", (f"h_{{{names}}} = ", sizes[where])) for where, names in _dimensioned(shown).items()}
+
+
+def _quantity(where: float) -> str:
+    """Name the place of a mechanism by its millimetres."""
+    return f"h at {1000 * where:g}"
+
+
+def _roomy(shown: BankView, drafting: Drafting) -> float:
+    """Give how long the view must be drawn for all dimensions to have room, mm."""
+    places, hand = [0.0, *named(shown)], drafting.hand
+    span = max(places) - min(places)
+    return max((span / abs(where) * needs(text, hand) for where, text in _texts(shown, drafting).items()), default=0.0)
+
+
+def needs(text: str, hand: Hand) -> float:
+    """Give the length of a dimension line that a text has room over, half of each arrowhead beside it, mm."""
+    return room_for(text, hand) + ARROW_LENGTH * hand.symbol
+
+
+def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Dimension the places from the plane of place 0, the farthest lowest; millimetres of the machine.
+
+    Where one is too short for its text there is none: the notes tell all places.
+    """
+    hand, told, base = drafting.hand, _texts(shown, drafting), place.on(0j)
+    if any(place.length(abs(where)) < needs(text, hand) for where, text in told.items()):
+        return
+    bottom = level = base.imag - (THROW + GUIDE + FIRST) * hand.symbol
+    for number, (where, text) in enumerate(told.items()):
+        level = bottom - number * step(hand)
+        across = place.on(complex(where)).real
+        states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
+        yield dimension(base.real, across, level, math.copysign(1.0, where), text, hand, states)
+        yield extension(across, base.imag, level, hand)
+    if told:
+        yield extension(base.real, base.imag, level, hand)

@@ -1,0 +1,241 @@
+"""The tables of a bank: its orders before and after, its compensators (таблицы блока)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from drawings.bank import compensators, polygon, shaft, star, turn_graph
+from drawings.bank.compensators import COUPLED, MASS, Layout
+from drawings.bank.report import BankNotes, crank_of, direction, straight
+from drawings.bank.star import BankView
+from drawings.bank.turn_graph import FORCE as ACTING
+from drawings.bank.turn_graph import LEFT, TurnCurve, TurnGraph
+from drawings.bank.turn_graph import MOMENT as MOMENTS
+from drawings.kinds import hodograph
+from drawings.kinds.hodograph import Hodograph
+from drawings.layout import value_table
+from drawings.layout.contents import Panel
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable, TableRow, table
+from drawings.layout.value_table import BY_HAND, row_by_hand
+from drawings.layout.value_table import DIGITS as FIGURES
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.report.report import agreed
+from drawings.sheets.leaves import EQUATION, lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
+from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
+from plans.bank.harmonics import MOMENT as M
+from plans.bank.quantities import EQUILIBRIUM, bank_by_hand
+from plans.bank.study import BankStudy
+from plans.checks.comparison import Comparison, Finding
+from plans.model.balance.bank import BankBalance, Compensator
+from plans.model.motion import Complexes
+from plans.scene.scene import Scene
+from plans.study import Study
+
+ORDERS, COMPENSATORS, RESULTS = "orders", "compensators", "results"  # the names of the tables
+ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
+COMPENSATOR_HEADS = ("m·r, kg·m", "m, kg", "r, mm", "shaft speed", "φ, °")
+DIGITS = 5
+NOTHING = "—"
+
+
+def orders(balance: BankBalance, drafting: Drafting) -> RuledTable:
+    """Tell of each order the largest force of one mechanism, of the bank, what is left of it, and the moment."""
+    answered = {one.asked.order for one in balance.compensators}
+    lines = []
+    for order, single in balance.single.items():
+        force = balance.forces[order].size
+        sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
+        lines.append(TableRow(str(order), tuple(drafting.number(one, DIGITS) for one in sizes)))
+    heads = tuple(drafting.word(head) for head in ORDER_HEADS)
+    return table(lines, drafting.word("order"), heads, drafting.hand.text)._replace(name=ORDERS)
+
+
+def compensator_table(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
+    """Tell each mass of the compensators; None where there are none."""
+    lines = [row for one in balance.compensators for row in _masses(one, balance, drafting)]
+    heads = tuple(drafting.word(head) for head in COMPENSATOR_HEADS)
+    if not lines:
+        return None
+    return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS)
+
+
+def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledTable | None:
+    """Tell what both roads found of every order and of the compensators, and what a hand may be out; None of nothing.
+
+    Without `by_hand` there is no polygon in which a hand might err.
+    """
+    heads = tuple(drafting.word(head) for head in (BY_HAND if by_hand else BY_HAND[:-1]))
+    lines = [_result(one, drafting) for one in compared(comparison)]
+    lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
+    if not lines:
+        return None
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
+
+
+def _result(one: Finding, drafting: Drafting) -> TableRow:
+    """Give the row of a finding: values to their own digits, as orders differ by powers."""
+    known = float(one.allowed[0]) * 10 ** (FIGURES - 1)
+    own = one._replace(largest=max(float(abs(one.analysis[0])), known))  # rounding has no digits
+    return row_by_hand(own, f"{lowered(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language)
+
+
+def compared(comparison: Comparison) -> list[Finding]:
+    """List what the table of results tells."""
+    return [one for one in comparison.findings if _is_told(one)]
+
+
+def _is_told(one: Finding) -> bool:
+    """Tell whether a finding stands in the table of results: a vector of the bank or a mass, more than rounding."""
+    kept = one.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and one.plan != EQUILIBRIUM
+    return kept and abs(one.analysis[0]) > one.allowed[0]
+
+
+def _masses(one: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:
+    """Give the rows of the masses that are needed."""
+    order, mass, speed = one.asked.order, one.asked.mass, balance.task.speed
+    slack = balance.forces[order].slack / (order * speed) ** 2
+    for moment, angle, sense in ((one.with_crank, one.with_angle, 1), (one.against, one.against_angle, -1)):
+        if angle is not None:
+            far = None if mass is None else 1000 * moment / mass
+            cells = _cells(
+                (moment, mass, far, sense * order * speed, direction(cmath.rect(moment, angle), slack)), drafting
+            )
+            yield TableRow(lowered(letters(MASS, sense * order)), cells)
+    if one.couple_angle is not None:
+        moment = max(one.with_crank, one.against)
+        angle = direction(cmath.rect(moment, one.couple_angle), slack)
+        cells = _cells((one.couple, None, None, order * speed, angle), drafting)
+        yield TableRow(lowered(f"{COUPLED}{roman(order)}"), cells)
+
+
+def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...]:
+    return tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in values)
+
+
+AFTER = "'"  # behind the letter of what is left
+LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unless it is much less
+
+
+def admit(scene: Scene) -> None:
+    """See nothing more: a bank's author names nothing, and any number of mechanisms can be shown."""
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's bank (row of the table of sheets)."""
+    return sheets(study.scene, study["bank"], view_of(study), study.comparison("bank"))
+
+
+def view_of(study: Study) -> BankView:
+    """Give what the sheets of a scene's bank show."""
+    bank = study["bank"]
+    drawing = bank.drawing
+    return BankView(bank.balance, {FORCE: drawing.forces, M: drawing.moments}, crank_of(study))
+
+
+def sheets(scene: Scene, bank: BankStudy, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a bank."""
+    drafting = drafting_of(scene)
+    polygons = tuple(_polygons(shown, drafting))
+    shows = (*_views(shown, drafting), *polygons, *_courses(shown, drafting))
+    shows += tuple(_layouts(shown, drafting))
+    told = orders, compensator_table
+    tables = [
+        *(write(shown.balance, drafting) for write in told),
+        results(comparison, bool(polygons), drafting),
+    ]
+    notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(polygons))
+    title = drafting.word("bank sheet title")
+    there = tuple(one for one in tables if one is not None)
+    later = partial(_later, bank, drafting)
+    return lay_out(scene, [Draft("bank", title, shows, there, notes, _facts, narrow=EQUATION, later=later)])
+
+
+def _later(bank: BankStudy, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+    """Write what a hand may be out in the polygons, at their scales."""
+    scales = {name: spot.scale.mu for name, spot in spots.items()}
+    return value_table.by_hand(bank_by_hand(bank, scales), drafting.language)
+
+
+def _facts(names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows."""
+    return {"figures": list(names)}
+
+
+def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the bank along its shaft; across it too, unless all mechanisms stand in one plane."""
+    room = star.measure(shown, drafting)
+    yield Exhibit(Panel(room), partial(star.draw, shown, room, drafting=drafting))
+    if not shaft.is_thin(shown):
+        room = shaft.measure(shown, drafting)
+        yield Exhibit(Panel(room), partial(shaft.draw, shown, room, drafting=drafting))
+
+
+def _polygons(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the polygons of every order whose vectors do not vanish."""
+    for one in map(polygon.told_apart, shown.shown()):
+        if one.vectors:
+            room = polygon.measure(one, drafting)
+            yield Exhibit(Panel(room), partial(polygon.draw, one, room, drafting=drafting))
+
+
+def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show force and moment over a turn: along the guides, or by their hodographs where they leave that line."""
+    if shown.shaken:
+        yield from (_force_graph if shown.straight else _force_hodographs)(shown, drafting)
+    if shown.rocked:
+        yield _moment(shown, drafting)
+
+
+def _force_graph(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    balance, compensated = shown.balance, shown.compensated
+    force = TurnCurve(ACTING, FORCE, balance.force.real, "relative" if compensated else "result")
+    left = (TurnCurve(LEFT, FORCE + AFTER, balance.left.real),) if compensated else ()
+    yield _graph(TurnGraph("force_graph", drafting.word("bank force title"), FORCE, "N", (force, *left)), drafting)
+
+
+def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
+    values = shown.balance.moment
+    if not straight(values, values):
+        return _hodograph(MOMENTS, M, "N*m", shown.on_sheet(values), drafting)
+    curve = TurnCurve(MOMENTS, M, values.real)
+    return _graph(TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,)), drafting)
+
+
+def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
+    room = turn_graph.measure(graph, drafting)
+    return Exhibit(Panel(room), partial(turn_graph.draw, graph, room, drafting=drafting))
+
+
+def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    before, after = shown.on_sheet(shown.balance.force), shown.on_sheet(shown.balance.left)
+    scale = ACTING if float(np.abs(after).max()) >= LIKE * float(np.abs(before).max()) else ""
+    yield _hodograph(ACTING, FORCE, "N", before, drafting, scale)
+    if shown.compensated and shown.lasting:
+        yield _hodograph(LEFT, FORCE + AFTER, "N", after, drafting, scale)
+
+
+def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
+    """Show a hodograph."""
+    turn = values[:-1]
+    ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
+    one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, title)
+    room = hodograph.measure(one, name, drafting)
+    return Exhibit(Panel(room, scale=scale), partial(hodograph.draw, one, room, drafting=drafting))
+
+
+def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the compensators of every order that needs some."""
+    for found in shown.balance.compensators:
+        one = Layout(found, shown.turn)
+        if any(one.weights()):
+            room = compensators.measure(one, drafting)
+            yield Exhibit(Panel(room), partial(compensators.draw, one, shown.task.speed, room, drafting=drafting))

@@ -1,0 +1,260 @@
+"""What the figures of a bank show: its members about the shaft, its polygons as they stand at phi = 0 (вид блока)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.bank.report import mirrored, slight_force, slight_left, slight_moment, slight_order, straight
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
+from drawings.rotor.along import AXIS, ORIGIN, SYMBOL, UNIT
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.polygon import ShownVector
+from drawings.symbols.symbols import HINGE, hinge, turning_arrow
+from plans.bank.harmonics import FORCE, MOMENT
+from plans.bank.polygons import Total
+from plans.model.balance.bank import BankBalance, BankTask, Member
+from plans.model.motion import Complexes
+from plans.rotor.balancing import heading as direction
+
+ALIKE = 0.1  # degrees: vectors whose directions differ by less are laid off as if they had one
+SIDE, RESULT = "side", "result"  # what a vector is: of one member, or of all together
+
+
+class ShownOrder(NamedTuple):
+    """A polygon of an order, with the crank or against it: its vectors end to end, their sum last unless they close."""
+
+    kind: str  # FORCE or MOMENT
+    signed: int
+    vectors: tuple[ShownVector, ...]
+    closed: bool
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(one.end for one in self.vectors)]
+
+
+def fanned(sides: Sequence[tuple[str, complex]]) -> list[tuple[str, complex]]:
+    """Order the sides of a polygon by their directions, from that of the first one on: no side crosses another then.
+
+    >>> [name for name, _ in fanned([("1", 1 + 0j), ("2", -1j), ("3", 2j), ("4", 3 + 0j)])]
+    ['1', '4', '3', '2']
+    """
+    first = next((value for _, value in sides if value), 1 + 0j)
+    return sorted(
+        sides, key=lambda side: round(math.degrees(cmath.phase(side[1] / first)) / ALIKE) % round(360 / ALIKE)
+    )
+
+
+class BankView(NamedTuple):
+    """A bank and what the construction found of it; `crank` m is the crank's length, if it is known."""
+
+    balance: BankBalance
+    polygons: Mapping[str, Mapping[int, Total]]  # of forces and of moments, by signed order
+    crank: float | None = None
+
+    @property
+    def task(self) -> BankTask:
+        """What is asked."""
+        return self.balance.task
+
+    @property
+    def members(self) -> tuple[Member, ...]:
+        """The mechanisms."""
+        return self.task.members
+
+    @property
+    def turn(self) -> complex:
+        """The direction of the reference guide on the sheet."""
+        return direction(Fraction(float(np.degrees(self.task.axis))))
+
+    def shown(self) -> Iterator[ShownOrder]:
+        """Give the polygons of every order that can be seen.
+
+        The mirror image of one is left out, and what has a single side, which is its sum.
+        """
+        for order in (one for one in self.balance.single if not slight_order(self.balance, one)):
+            for kind in (FORCE, MOMENT):
+                for signed in (order,) if mirrored(self.balance, order) else (order, -order):
+                    if self.acts(kind, signed):
+                        yield self._shown(kind, signed)
+
+    def acts(self, kind: str, signed: int) -> bool:
+        """Tell whether several mechanisms of the bank have something to lay off in a polygon."""
+        single = self.balance.single[abs(signed)]
+        several = sum(1 for one in self.task.members if one.place or kind == FORCE) > 1
+        return several and abs(single.ahead if signed > 0 else single.back) > single.slack
+
+    def _shown(self, kind: str, signed: int) -> ShownOrder:
+        found, vectors, end = self.polygons[kind][signed], list[ShownVector](), 0j
+        for name, spot in fanned([(side.vector.name, complex(side.vector.point)) for side in found.polygon.sides]):
+            vectors.append(ShownVector(name, SIDE, end, spot * self.turn))
+            end += spot * self.turn
+        whole = (self.balance.forces if kind == FORCE else self.balance.moments)[abs(signed)]
+        closed = found.vanishes or abs(complex(found.vector.point)) <= whole.slack
+        if not closed:
+            vectors.append(ShownVector(found.vector.name, RESULT, 0j, complex(found.vector.point) * self.turn))
+        return ShownOrder(kind, signed, tuple(vectors), closed)
+
+    @property
+    def straight(self) -> bool:
+        """Whether the force of the bank, before and after, keeps to the line of the reference guide."""
+        return all(straight(one, self.balance.force) for one in (self.balance.force, self.balance.left))
+
+    @property
+    def lasting(self) -> bool:
+        """Whether the compensators leave some force that can be seen."""
+        left = bool(np.abs(self.balance.left).max() > self.balance.left_slack)
+        return left and not slight_left(self.balance)
+
+    @property
+    def compensated(self) -> bool:
+        """Whether some compensator has a mass."""
+        angles = ((one.with_angle, one.against_angle) for one in self.balance.compensators)
+        return any(angle is not None for pair in angles for angle in pair)
+
+    @property
+    def shaken(self) -> bool:
+        """Whether a force of the bank is left that can be seen."""
+        left = bool(np.abs(self.balance.force).max() > self.balance.force_slack)
+        return left and not slight_force(self.balance)
+
+    @property
+    def rocked(self) -> bool:
+        """Whether a moment of the bank is left that can be seen."""
+        left = bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
+        return left and not slight_moment(self.balance)
+
+    def crank_at(self, one: Member) -> complex:
+        """Give the direction of the crank of a member at phi = 0 on the sheet."""
+        return direction(one.crank) * self.turn
+
+    def guide_at(self, one: Member) -> complex:
+        """Give the direction of the guide of a member on the sheet."""
+        return direction(one.axis) * self.turn
+
+    def on_sheet(self, values: Complexes) -> Complexes:
+        """Turn vectors as the sheet shows them."""
+        return np.asarray(values * self.turn)
+
+
+NAME = "star"
+QUANTITY = "r"
+MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
+LETTERS, MOST = 9.0, 23.4  # it is drawn at least so many letters large, and at most
+BESIDE = 1.0  # mm from a pin to its number
+PIN = 1.6  # mm, radius of a crank pin
+TURN = (10.0, math.radians(12), math.radians(60))  # radius mm, start and sweep of the arrow of rotation
+
+
+@dataclass(frozen=True)
+class StarFigure:
+    """The star placed on paper: its lines, and the numbers still to be placed among the lines of all figures."""
+
+    shown: BankView
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole star, its cranks numbered outward, its guides where they differ, its sense."""
+        letters = (*self._cranks(labels), *self._guides(labels), *self._shaft(labels))
+        return (Group((*self.lines, Group(letters)), NAME),)
+
+    def _cranks(self, labels: Labels) -> Iterator[Stroke]:
+        hand = self.drafting.hand
+        for way, names in together((self.shown.crank_at(one), one) for one in self.shown.members).items():
+            spot, gap = self.place.on(way * reach(self.shown)), PIN * hand.symbol + BESIDE
+            yield labels.beside(spot, names, hand.letter, gap, cmath.phase(way))
+
+    def _guides(self, labels: Labels) -> Iterator[Stroke]:
+        hand, far = self.drafting.hand, self.place.length(reach(self.shown)) + AXIS * self.drafting.hand.symbol
+        guides = together((self.shown.guide_at(one), one) for one in self.shown.members)
+        for way, names in guides.items() if len(guides) > 1 else ():
+            text = self.drafting.word("guide of", names=names)
+            yield labels.beside(self.place.on(0j) + far * way, text, hand.number, BESIDE, cmath.phase(way))
+
+    def _shaft(self, labels: Labels) -> Iterator[Stroke]:
+        hand, centre = self.drafting.hand, self.place.on(0j)
+        yield labels.beside(centre, ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
+        yield labels.beside(centre + turned(self.shown, hand), "ω", hand.letter, BESIDE, TURN[1])
+
+
+def together(pairs: Iterator[tuple[complex, Member]]) -> dict[complex, str]:
+    """Name the members of one direction together, in their order."""
+    found: dict[complex, str] = {}
+    for way, one in pairs:
+        key = next((other for other in found if abs(other - way) < NEAR), way)
+        found[key] = f"{found[key]}, {one.name}" if key in found else one.name
+    return found
+
+
+NEAR = 1e-9  # of a unit direction: an angle that was rounded once is still the same
+
+
+def reach(shown: BankView) -> float:
+    """Give the length of a crank as it is drawn, m; 1 where it is not known."""
+    return shown.crank or 1.0
+
+
+def turned(shown: BankView, hand: Hand) -> complex:
+    """Give the middle of the arrow of rotation from the shaft on paper."""
+    radius, start, sweep = TURN
+    return cmath.rect(radius * hand.symbol, start + math.copysign(sweep, shown.task.speed) / 2)
+
+
+def measure(shown: BankView, drafting: Drafting) -> Picture:
+    """Measure the room that the star needs: a circle about the shaft."""
+    hand, far = drafting.hand, reach(shown)
+    title = text_width(Text(0j, drafting.word("star of cranks"), hand.title))
+    side, below, above = (share * hand.letter + AXIS * hand.symbol for share in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    corners = [complex(x, y) for x in (-far, far) for y in (-far, far)]
+    found = picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return found._replace(most=MOST * hand.letter)
+
+
+def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> StarFigure:
+    """Draw the star in its spot: the circle of the pins, the guides' axes, the cranks at phi = 0."""
+    place, hand = room.place(*spot), drafting.hand
+    under = drafting.scale(spot.scale) if shown.crank else drafting.word("angles alone")
+    title = heading(spot.box, drafting.word("star of cranks"), under, hand)
+    radius, start, sweep = TURN
+    arrow = turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.task.speed), hand)
+    lines = (title, *_axes(shown, place, hand), *arrow)
+    cranks = [Line(place.on(0j), place.on(shown.crank_at(one) * reach(shown)), hand.result) for one in shown.members]
+    pins = (_pin(shown, one, place, hand) for one in shown.members)
+    (circle,) = hinge(place.on(0j), hand)
+    shaft = point(Subject(NAME, QUANTITY, None), ORIGIN, 0j, place, circle, "pole")
+    return StarFigure(shown, place, (*lines, *cranks, *pins, shaft), drafting)
+
+
+def _axes(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the circle of the pins, and the axis of every guide from beyond the shaft outward."""
+    radius = place.length(reach(shown))
+    yield Circle(place.on(0j), radius, fit(hand.axis, math.tau * radius, True))
+    far, centre = radius + AXIS * hand.symbol, place.on(0j)
+    for way in together((shown.guide_at(one), one) for one in shown.members):
+        yield Line(centre - AXIS * hand.symbol * way, centre + far * way, fit(hand.axis, far + AXIS * hand.symbol))
+
+
+def _pin(shown: BankView, one: Member, place: Place, hand: Hand) -> Group:
+    """Draw a crank pin; it can be measured where the crank's length is known."""
+    centre = shown.crank_at(one) * reach(shown)
+    circle = Circle(place.on(centre), PIN * hand.symbol, hand.body)
+    if not shown.crank:
+        return Group((circle,), "", {}, one.name)
+    return point(Subject(NAME, QUANTITY, None), one.name, centre, place, circle)._replace(title=one.name)

@@ -1,0 +1,296 @@
+"""What must stand on the sheets of a cam, by the analysis alone: law, sizes, angle, profile, table (кулачок)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from drawings.cam.due_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
+from drawings.cam.due_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
+from drawings.checks.expected import Expected, by_hand, subject
+from drawings.cyclogram.due import cam_rows, chart
+from drawings.layout.table import cell_name
+from drawings.measure.pathdata import pair
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups, stated
+from geometry.strips import departure
+from plans.analytic.cam.contour import Curve
+from plans.cam.numbers import cam_by_hand, readings
+from plans.cyclogram.rows import EVERY
+from plans.model.cam import RETURN, RISE, limits_of
+from plans.model.motion import Floats
+from plans.study import Study
+
+PROFILE, SIZES, PRESSURE = "profile", "sizes", "pressure"  # the names of the figures
+LETTERS = {ACCELERATION: "''", VELOCITY: "'", TRAVEL: ""}
+COMPARED = {ACCELERATION: "S''", VELOCITY: "S' chords", TRAVEL: "S chords"}
+DIGITS = 5
+NEAREST = 1e-9  # of the largest value: chords that are exact but for the roundings of their steps
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of one cam, or of the shaft of several (row of the table of sheets)."""
+    name = subject(leaves[0])
+    if name == EVERY:
+        yield from chart(cam_rows([one.cam for one in study.comparison("cam").analysis.cams]))
+    else:
+        scales: Mapping[str, float] = next(
+            (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
+        )
+        drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
+        said = [one.states for leaf in leaves for one in stated(leaf.groups) if one.states is not None]
+        axes = {(one.figure, one.name): one.scale for one in said if one.kind is Kind.AXIS}
+        own = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
+        yield from chain(own.laws(), own.phases(), own.pressure(), own.profile(), own.sizes(), own.table())
+    yield from every_cam(study)
+
+
+def _is_length(data: Mapping[str, str]) -> bool:
+    """Tell whether a mark of the profile is a size in a direction that the figure chose."""
+    return data.get("plan") == PROFILE and data.get("name") in ("R_0", "ρ_min")
+
+
+@dataclass(frozen=True)
+class _Cam:
+    """A cam by the analysis, with the scales and the data of chosen directions that its sheets show."""
+
+    numbers: CamNumbers
+    scales: Mapping[str, float]
+    drawn: Mapping[str, Mapping[str, str]]
+    axes: Mapping[tuple[str, str], float]
+    drafting: Drafting
+
+    @property
+    def values(self) -> CamValues:
+        return self.numbers.values
+
+    @cached_property
+    def slack(self) -> float:
+        """How far rounding may have moved a point of the profile, m."""
+        return float(np.max(self.values.compared.slack.profile))
+
+    def laws(self) -> Iterator[Expected]:
+        """Give the diagrams of the law: ordinates, curves, impulses, how far chords are off."""
+        own, cam = self.values, self.values.cam
+        letter = "ψ" if cam.rocks else "S"
+        for key, row in own.rows.items():
+            plan, slack = law_named(cam, key), self.numbers.slack(COMPARED[key])
+            for k, name in enumerate(own.names):
+                yield Expected(Kind.VECTOR, plan, name, 1j * row.after[k], slack, k, may_lack=True, letter=name)
+            ends = (0.0, cam.turn)
+            yield Expected(Kind.CURVE, plan, letter + LETTERS[key], row.curve, slack, ends=ends)
+        for one in own.found.shocks:
+            if one.order == HARD:
+                yield from self._impulse(one.turned, math.copysign(1.0, one.jump))
+        slope, s = own.compared.chords
+        for key, chords, exact in ((VELOCITY, slope, own.before.slope[1:]), (TRAVEL, s, own.after.s)):
+            share = departure(chords, exact).share
+            yield Expected(Kind.PHRASE, law_named(cam, key), "off", 100 * share, 100 * NEAREST, digits=2)
+        for key, above in ((VELOCITY, ACCELERATION), (TRAVEL, VELOCITY)):
+            yield from self._pole(law_named(cam, key), law_named(cam, above))
+
+    def _pole(self, plan: str, above: str) -> Iterator[Expected]:
+        """Give the distance of the pole, mm: by it the scale of a diagram follows from the scales of the one above."""
+        turn, high, own = (self.axes.get(axis, math.nan) for axis in ((above, "x"), (above, "y"), (plan, "y")))
+        yield Expected(Kind.PHRASE, plan, "H", own / (high * turn), digits=4, may_lack=True)
+
+    def _impulse(self, turned: float, sense: float) -> Iterator[Expected]:
+        """Give the arrow of an impulse of S''; the end of a turn is its beginning."""
+        own = self.values
+        plan, turn = law_named(own.cam, ACCELERATION), own.cam.turn
+        for k, edge in enumerate(own.edges):
+            off = abs(edge - turned)
+            if min(off, off if own.cam.translates else abs(turn - off)) <= NEAREST * turn:
+                yield Expected(Kind.DIRECTION, plan, own.names[k], 1j * sense, 0.0, k, may_lack=True)
+
+    def phases(self) -> Iterator[Expected]:
+        """Give the phases by their dimensions, arcs and numbers; a cam may rest so shortly that it has none."""
+        cam = self.values.cam
+        law, unit = law_named(cam, "phases"), MM if cam.translates else DEGREES
+        for k, one in enumerate(cam.phases):
+            name, size = f"φ_{k}", one.end - one.start
+            yield Expected(Kind.LENGTH, law, name, size, may_lack=not one.angle > 0)
+            kind = Kind.LENGTH if cam.translates else Kind.ANGLE
+            yield Expected(kind, PROFILE, name, size, NEAREST)
+            for figure in (law, PROFILE, PRESSURE):
+                lacks = figure == PRESSURE or not one.angle > 0
+                yield Expected(Kind.PHRASE, figure, name, unit * size, digits=DIGITS, may_lack=lacks)
+
+    def pressure(self) -> Iterator[Expected]:
+        """Give the graph of the pressure angle: curve, ordinates, extremes, limits."""
+        own, cam, found = self.values, self.values.cam, self.values.found
+        if cam.flat and not cam.rocks:
+            return
+
+        def angle(turned: Floats) -> Floats:
+            return np.degrees(Curve(cam, own.sizes, turned).pressure)
+
+        slack = DEGREES * self.numbers.slack("α")
+        yield Expected(Kind.CURVE, PRESSURE, "α", angle, slack, ends=(0.0, cam.turn))
+        for k, value in enumerate(np.degrees(own.contour.pressure).tolist()):
+            yield Expected(Kind.VECTOR, PRESSURE, str(k), 1j * value, slack, k, may_lack=True, letter=str(k))
+        for kind, one in found.pressure.items():
+            value, off = DEGREES * one.value, DEGREES * self.numbers.slack(f"α_{kind}")
+            lacks = not abs(value) > off
+            yield Expected(Kind.VECTOR, PRESSURE, kind, 1j * value, off, may_lack=lacks)
+            yield Expected(Kind.PHRASE, PRESSURE, kind, value, off, digits=4, may_lack=lacks)
+        for kind, (low, high) in self._limits():
+            level = abs(DEGREES * (high if kind == RISE else low))
+            yield Expected(Kind.PHRASE, PRESSURE, f"[α_{kind}]", level, digits=4, may_lack=True)
+
+    def _limits(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        """Give the limits that the sizes are found for, rad."""
+        for kind in (RISE, RETURN):
+            interval = limits_of(self.values.cam).interval(kind, self.values.cam.closure)
+            if interval is not None:
+                yield kind, interval
+
+    def profile(self) -> Iterator[Expected]:
+        """Give the figure of the profile: curves, points, normals, sizes, senses."""
+        own, cam, found = self.values, self.values.cam, self.values.found
+        for name, path in own.curves():
+            yield Expected(Kind.CURVE, PROFILE, name, path, self.slack + own.drawn)
+        for name, spots in own.points().items():
+            for k, spot in enumerate(spots.tolist()):
+                yield Expected(Kind.POINT, PROFILE, name, spot, self.slack, k, may_lack=True, letter=str(k))
+        for name, ways in own.normals().items():
+            for k, way in enumerate(ways.tolist()):
+                yield Expected(Kind.VECTOR, PROFILE, name, way, self.slack, k, may_lack=True, letter=str(k))
+        yield from self._lengths()
+        senses = {"v": -cam.sense} if cam.translates else {"ω": cam.sense, "−ω": -cam.sense}
+        yield from (Expected(Kind.DIRECTION, PROFILE, name, complex(sense)) for name, sense in senses.items())
+        angle = DEGREES * abs(found.sizes.initial)
+        if cam.rocks and not cam.translates:
+            yield Expected(Kind.ANGLE, PROFILE, "ψ_0", abs(found.sizes.initial), self._off("ψ_0"), may_lack=True)
+            off = DEGREES * self._off("ψ_0")
+            yield Expected(Kind.PHRASE, PROFILE, "ψ_0", angle, off, digits=4, may_lack=True)
+
+    def _off(self, name: str) -> float:
+        return self.numbers.slack(name)
+
+    def _lengths(self) -> Iterator[Expected]:
+        """Give the sizes in the figure of the profile; two of them go where there is room, or about a sharp place."""
+        own, sizes, found = self.values, self.values.sizes, self.values.found
+        true = {"R_0": complex(sizes.base), "e": complex(own.cam.sense * sizes.offset), "L": sizes.pivot}
+        true = {} if own.cam.translates else true
+        told = {name: self.numbers.size(name) for name in true}
+        if found.sharpest is not None:
+            true["ρ_min"], told["ρ_min"] = complex(found.sharpest.value), self.numbers.radius("ρ_min", found.sharpest)
+        for name, value in true.items():
+            way = cmath.phase(pair(self.drawn[name]["value"])) if name in self.drawn else 0.0
+            number, slack = told[name]
+            yield Expected(Kind.VECTOR, PROFILE, name, value * cmath.rect(1.0, way), slack / MM, may_lack=True)
+            yield Expected(Kind.PHRASE, PROFILE, name, number, slack, digits=4, may_lack=True)
+        if sizes.pivot:
+            yield Expected(Kind.POINT, PROFILE, "O_1", sizes.pivot, self._off("O1"))
+
+    def sizes(self) -> Iterator[Expected]:
+        """Give the diagram of the sizes: its curve and points, O, the sizes that are dimensioned, the limits."""
+        own, cam = self.values, self.values.cam
+        if cam.translates:
+            return
+        slack = self.slack + max(self._off("S'") if not cam.flat else self._off("S''"), 0.0) * self._arm
+        yield Expected(Kind.POINT, SIZES, "O", -own.zero, self._off("R_0"))
+        if not (cam.flat and cam.rocks):
+            yield Expected(Kind.CURVE, SIZES, "D", own.diagram, slack)
+            for k, end in enumerate(own.ends(own.contour).tolist()):
+                yield Expected(Kind.POINT, SIZES, "D", end, slack, k, may_lack=True, letter=str(k))
+            for k in range(1, len(own.edges)):
+                yield Expected(Kind.POINT, SIZES, f"T_{k}", own.diagram, slack, may_lack=True)
+        yield Expected(Kind.POINT, SIZES, "O'", -own.zero, math.inf, may_lack=True)  # by the chord: beside O
+        reaches = {"L": own.zero} if cam.rocks else {}
+        if not cam.flat:
+            reaches["R_0"] = own.lowest
+        elif cam.rocks:
+            reaches["R_0"] = complex(own.contour.lever[0]) * own.turned_back * own.sizes.base
+        for name, reach in reaches.items():
+            yield Expected(Kind.VECTOR, SIZES, name, reach, self._off("R_0"))
+        yield from self._dimensions()
+
+    @property
+    def _arm(self) -> float:
+        return self.values.compared.slack.reach if self.values.cam.rocks else 1.0
+
+    def _dimensions(self) -> Iterator[Expected]:
+        cam, numbers = self.values.cam, self.numbers
+        told = {name: numbers.size(name) for name in ("R_0", "e", "S_0", "L")}
+        told["l"] = (MM * (cam.follower.length or 0.0), 0.0)
+        if self.values.found.sharpest is not None:
+            told["ρ_{min}"] = numbers.radius("ρ_min", self.values.found.sharpest)
+        for name, (number, slack) in told.items():
+            yield Expected(Kind.LENGTH, SIZES, name, abs(number) / MM, slack / MM, may_lack=True)
+            yield Expected(Kind.PHRASE, SIZES, name, number, slack, digits=4, may_lack=True)
+        for kind, (low, high) in self._limits():
+            ends = {f"α_{kind}": high if kind == RISE else -low, f"−α_{kind}": low}
+            for name, angle in ends.items():
+                yield Expected(Kind.PHRASE, SIZES, name, DEGREES * angle, digits=4, may_lack=True)
+
+    def table(self) -> Iterator[Expected]:
+        """Give the cells of the table: by plan, by analysis, by hand; of what is given that it is."""
+        drawing = self.values.drawing
+        slips = cam_by_hand(drawing, self.scales) if any(readings(drawing)) else None
+        for letter, unit, (value, slack), given in self._quantities():
+            title = self.drafting.letter(letter)
+            name = f"{title}, {self.drafting.word(unit)}" if unit else title
+            cells = [cell_name(name, column) for column in range(3)]
+            yield Expected(Kind.NUMBER, SIZES, cells[0], value, slack, digits=DIGITS)
+            if given:
+                yield Expected(Kind.NUMBER, SIZES, cells[1], self.drafting.word("cam given"))
+            else:
+                yield Expected(Kind.NUMBER, SIZES, cells[1], value, slack, digits=DIGITS)
+            if slips is not None:
+                error = math.nan if given else slips.get((letter, 0), math.nan)
+                yield by_hand(SIZES, cells[2], error, abs(value) or 1.0)
+
+    def _quantities(self) -> Iterator[tuple[str, str, Any, bool]]:
+        """Give letter, unit, value with its slack, and whether the scene gives it, of every row."""
+        cam, found, numbers = self.values.cam, self.values.found, self.numbers
+        if not cam.translates:
+            yield "R_0", "mm", numbers.size("R_0"), cam.given.base is not None
+        if not (cam.rocks or cam.flat or cam.translates):
+            yield "e", "mm", numbers.size("e"), cam.given.offset is not None
+            yield "S_0", "mm", numbers.size("S_0"), False
+        if cam.rocks:
+            yield "L", "mm", numbers.size("L"), cam.given.centre is not None
+            yield "ψ_0", "°", numbers.size("ψ_0"), False
+        if found.roller:
+            yield "r_{rol}", "mm", numbers.size("r_rol"), cam.roller is not None
+        yield "Ψ" if cam.rocks else "H", "°" if cam.rocks else "mm", (numbers.way * cam.lift, 0.0), True
+        for name, mark, one in (("ρ_min", "ρ_{min}", found.sharpest), ("ρ_hollow", "ρ_{hol}", found.hollow)):
+            if one is not None:
+                yield mark, "mm", numbers.radius(name, one), False
+                yield self._at(mark, one.turned)
+        for k, far in enumerate(found.face if cam.flat else (), 1):
+            yield f"b_{k}", "mm", (MM * abs(far), MM * self._off(f"face_{'back' if k == 1 else 'front'}")), False
+        for kind in (RISE, RETURN) if cam.rocks or not cam.flat else ():
+            if kind in found.pressure:
+                mark, one = f"α_{{{kind}}}", found.pressure[kind]
+                yield mark, "°", (DEGREES * one.value, DEGREES * self._off(f"α_{kind}")), False
+                yield self._at(mark, one.turned)
+        yield from self._motion()
+
+    def _motion(self) -> Iterator[tuple[str, str, Any, bool]]:
+        """Give the largest velocity and acceleration, and the shocks."""
+        cam, found, way = self.values.cam, self.values.found, "ωε" if self.values.cam.rocks else "va"
+        for order, (name, peak) in enumerate(found.peaks.items() if cam.speed is not None else (), 1):
+            speed = (cam.speed or 0.0) ** order
+            unit = f"{'rad' if cam.rocks else 'm'}/s{'' if order == HARD else '2'}"
+            yield f"{way[order - 1]}_{{max}}", unit, (abs(peak.value) * speed, self._off(f"{name}_max") * speed), False
+        bare = "ψ" if cam.rocks else "S"
+        for k, one in enumerate(found.shocks, 1):
+            what = bare + "'" * one.order if cam.speed is None else way[one.order - 1]
+            yield f"Δ{what}_{{{k}}}", self.numbers.unit(one), self.numbers.jump(one), False
+            yield self._at(f"Δ{what}_{{{k}}}", one.turned)
+
+    def _at(self, letter: str, turned: float) -> tuple[str, str, Any, bool]:
+        key, unit = ("cam travel at", "mm") if self.values.cam.translates else ("cam angle at", "°")
+        return self.drafting.word(key, letter=letter), unit, self.numbers.place(turned), False

@@ -1,0 +1,292 @@
+"""The numbers that notes and reports tell of a cam, by the analysis alone (числа пояснений о кулачке)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.cam.due_values import HARD, CamValues
+from drawings.checks.expected import NOTES, Expected
+from drawings.layout.table import cell_name
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf
+from plans.analytic.cam.contour import contour
+from plans.cam.course import Course, settled
+from plans.cam.dimensions import RATIO, dimensions
+from plans.cam.quantities import EQUAL, NEAR
+from plans.cam.tables import smoothing
+from plans.checks.comparison import Finding
+from plans.model.cam import DWELL, GROOVE, TABLE, Cam, Phase
+from plans.model.cam_motion import CamFound, Contour, Extreme, Points, Shock
+from plans.model.motion import Floats
+from plans.study import Study
+
+MM, DEGREES, RPM = 1000.0, math.degrees(1), 30 / math.pi
+DIGITS = 4
+
+
+def every_cam(study: Study) -> Iterator[Expected]:
+    """Give the numbers that are told of all cams of a scene."""
+    for found in study.comparison("cam").analysis.cams:
+        yield from numbers_of(study, found.cam.name).notes()
+
+
+@lru_cache(maxsize=8)
+def numbers_of(study: Study, name: str) -> CamNumbers:
+    """Give the numbers of one cam of a scene; each of its sheets asks for them."""
+    comparison = study.comparison("cam")
+    cams = {one.cam.name: one for one in comparison.analysis.cams}
+    beside = f" {name}" if len(cams) > 1 else ""
+    own = {one.name.removesuffix(beside): one for one in comparison.findings if one.name.endswith(beside)}
+    return CamNumbers(CamValues(cams[name], study["cam"].drawings[name]), own)
+
+
+@dataclass(frozen=True)
+class CamNumbers:
+    """The numbers of one cam in the units that are told, and how far rounding may move each."""
+
+    values: CamValues
+    findings: Mapping[str, Finding]
+
+    @property
+    def found(self) -> CamFound:
+        """What the analysis finds of it."""
+        return self.values.found
+
+    @property
+    def cam(self) -> Cam:
+        """The cam as it is asked for."""
+        return self.values.cam
+
+    def slack(self, name: str) -> float:
+        """How far rounding may move what was compared under a name; what was not may be anything."""
+        return float(np.max(self.findings[name].allowed, initial=0.0)) if name in self.findings else math.inf
+
+    @property
+    def across(self) -> float:
+        """The unit that the cam's turn, or its travel, is told in."""
+        return MM if self.cam.translates else DEGREES
+
+    @property
+    def way(self) -> float:
+        """The unit that the follower's way is told in."""
+        return DEGREES if self.cam.rocks else MM
+
+    def place(self, turned: float) -> tuple[float, float]:
+        """Where the cam is: what is level there is known to half of the digits."""
+        return self.across * turned, self.across * NEAR * self.cam.turn
+
+    def size(self, name: str) -> tuple[float, float]:
+        """A main size, mm or degrees."""
+        own, slack = self.found.sizes, self.slack("R_0")
+        level = math.sqrt(max(own.base**2 - own.offset**2, 0.0))
+        moved = (
+            (own.base * slack + (abs(own.offset) * self.slack("e") if own.offset else 0.0)) / level
+            if level
+            else math.inf
+        )
+        known = {
+            "R_0": (MM * own.base, MM * slack),
+            "e": (MM * own.offset, MM * self.slack("e")),
+            "S_0": (MM * level, MM * moved),
+            "L": (MM * own.centre, MM * self.slack("L")),
+            "ψ_0": (DEGREES * own.initial, DEGREES * self.slack("ψ_0")),
+            "r_rol": (MM * self.found.roller, MM * self.slack("r_r")),
+        }
+        return known[name]
+
+    def radius(self, name: str, one: Extreme) -> tuple[float, float]:
+        """A radius of curvature, mm; its reciprocal is compared."""
+        return MM * one.value, MM * one.value**2 * self.slack(name)
+
+    def jump(self, one: Shock) -> tuple[float, float]:
+        """What jumps at a shock: with the cam's speed of velocity or acceleration, else of S' or S''."""
+        speed = (self.cam.speed or 1.0) ** one.order
+        return speed * one.jump, speed * self.slack("ΔS'" if one.order == HARD else "ΔS''")
+
+    def unit(self, one: Shock) -> str:
+        """The unit of what jumps."""
+        if self.cam.speed is None:
+            unit = dimensions(self.cam)[one.order]
+            return "" if unit == RATIO else unit
+        return f"{'rad' if self.cam.rocks else 'm'}/s{'' if one.order == HARD else '2'}"
+
+    def notes(self) -> Iterator[Expected]:
+        """Give the rows of all that may be told; what is not told of this cam may lack."""
+        told = dict(self._told())
+        for name, (value, slack) in told.items():
+            own = f"{name} {self.cam.name}"
+            yield Expected(Kind.PHRASE, NOTES, own, value, slack, digits=DIGITS, may_lack=True)
+
+    def _told(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        cam, found = self.cam, self.found
+        yield from ((name, self.size(name)) for name in ("R_0", "e", "S_0", "L", "ψ_0", "r_rol"))
+        yield from (("lift", (self.way * cam.lift, 0.0)), ("reach", (MM * (cam.follower.reach or 0.0), 0.0)))
+        speed = cam.speed or 0.0
+        yield from (("n", (RPM * speed, 0.0)), ("ω", (speed, 0.0)), ("setting", (DEGREES * cam.setting, 0.0)))
+        for side, far in zip(("back", "front"), found.face, strict=True):
+            yield side, (MM * (far if cam.rocks else abs(far)), MM * self.slack(f"face_{side}"))
+        for kind, one in found.pressure.items():
+            yield f"α {kind}", (DEGREES * one.value, DEGREES * self.slack(f"α_{kind}"))
+            yield f"φ α {kind}", self.place(one.turned)
+        for name, extreme, sign in (("ρ_min", found.sharpest, 1), ("ρ_hol", found.hollow, -1)):
+            if extreme is not None:
+                value, slack = self.radius(name.replace("hol", "hollow"), extreme)
+                yield from ((name, (sign * value, slack)), (f"φ {name}", self.place(extreme.turned)))
+        for k, shock in enumerate(found.shocks):
+            yield from ((f"jump {k}", self.jump(shock)), (f"φ jump {k}", self.place(shock.turned)))
+        yield from self._pressing()
+        yield from self._flaws()
+        yield from self._smoothed()
+
+    def _pressing(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        own = self.found.pressing
+        if own is None:
+            return
+        for name, one in (("N_min", own.least), ("N_max", own.most), ("wear", own.wear)):
+            yield name, (one.value, self.slack(name.replace("wear", "N·v_sl")))
+            yield f"φ {name}", self.place(one.turned)
+        yield "preload", (own.preload, self.slack("preload"))
+
+    def _flaws(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        """Give each flaw with its ends and its worst place, and what would mend them."""
+        found = self.found
+        units = {"pressure": DEGREES, "lift-off": 1.0, "outrun": 1.0, "crossing": self.way}
+        for k, flaw in enumerate(found.flaws):
+            worst = units.get(flaw.kind, MM) * flaw.worst.value
+            yield f"flaw {k}", (worst, math.inf if flaw.kind == "crossing" else EQUAL * abs(worst))
+            yield f"flaw {k} most", (abs(worst), EQUAL * abs(worst))
+            ends = {f"flaw {k} start": flaw.start, f"flaw {k} end": flaw.end, f"flaw {k}": flaw.worst.turned}
+            yield from ((f"φ {name}", self.place(turned)) for name, turned in ends.items())
+        if found.mending is not None:
+            yield "mending", (MM * found.mending, MM * self.slack("R_0 mending"))
+        if found.advised is not None:
+            sizes = {"R_0": found.advised.base, "e": found.advised.offset, "L": found.advised.centre}
+            yield from ((f"{k} advised", (MM * size, MM * self.slack(f"{k} advised"))) for k, size in sizes.items())
+
+    def _smoothed(self) -> Iterator[tuple[str, tuple[float, float]]]:
+        """Give how far smoothed tables are off their points; the smoothing itself is one for both roads."""
+        for k, phase in enumerate(self.cam.moving()):
+            if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
+                off, at = smoothing(phase.law)
+                size = self.way * abs(phase.change)
+                yield f"off {k}", (size * off, 0.0)
+                yield f"allowed {k}", (size * phase.law.tolerance, 0.0)
+                yield f"φ off {k}", (self.across * (phase.start + at * phase.angle), 0.0)
+
+
+PLAN, RADII = "manufacturing", "radii"  # the names of the figure and of the table
+TABLED, RADIUS_EACH, ORDINATE_EACH = 72, 6, 10  # turns that are told; from one drawn radius, or ordinate, to the next
+ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)  # lengths in mm, by powers of ten, from one tabled travel to the next
+FINE = 5
+TURN = 360.0
+
+
+class TabledCam(NamedTuple):
+    """A cam that the analysis found, and its contour at the turns that a sheet tells."""
+
+    found: CamFound
+    at: Contour
+
+    @property
+    def cam(self) -> Cam:
+        """The cam as it is asked for."""
+        return self.found.cam
+
+    @property
+    def grooved(self) -> bool:
+        """Whether the path of a mill is told: that of the middle of a groove."""
+        return self.cam.closure == GROOVE and self.found.roller > 0
+
+    @property
+    def told(self) -> Points:
+        """The points that are told, m, (N,)."""
+        return self.at.pitch if self.grooved else self.at.profile
+
+    @property
+    def names(self) -> list[float]:
+        """The turns in degrees, or the travels in mm, by which the points are named."""
+        own = MM * self.at.turned if self.cam.translates else np.degrees(self.at.turned)
+        return [float(one) for one in own.round(9)]
+
+    def rays(self) -> Iterator[tuple[int, float]]:
+        """Give the points whose radii, or ordinates, are drawn, with their names."""
+        every = ORDINATE_EACH if self.cam.translates else RADIUS_EACH
+        yield from ((k, name) for k, name in enumerate(self.names) if k and k % every == 0)
+
+    @property
+    def cells(self) -> Floats:
+        """Abscissas and ordinates, mm, (N, 2); of a cam that turns radii, and angles against the rotation, degrees."""
+        if self.cam.translates:
+            return MM * np.column_stack((self.told.real, self.told.imag))
+        angles = -self.cam.sense * np.degrees(np.unwrap(np.angle(self.told / self.told[0])))
+        return np.column_stack((MM * np.abs(self.told), angles))
+
+    def dwells(self) -> Iterator[tuple[Phase, float]]:
+        """Give the dwells with the radii of their arcs, m."""
+        own = [one for one in self.cam.phases if one.kind == DWELL]
+        middles = np.array([(one.start + one.end) / 2 for one in own])
+        if own:
+            at = contour(self.cam, self.found.sizes, self.found.roller, middles)
+            yield from zip(own, np.abs(at.pitch if self.grooved else at.profile).tolist(), strict=True)
+
+
+def tabled(found: CamFound) -> TabledCam:
+    """Look at a cam at the turns that its sheet tells: every 5 degrees, or by a round length of travel."""
+    cam = found.cam
+    if cam.translates:
+        least = MM * cam.turn / TABLED
+        power = 10.0 ** math.floor(math.log10(least))
+        step = next(one * power for one in ROUND if one * power >= least * (1 - 1e-12)) / MM
+        turned = np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+    else:
+        turned = cam.turn * np.arange(TABLED) / TABLED
+    return TabledCam(found, contour(cam, found.sizes, found.roller, settled(turned, Course(cam))))
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of one cam (row of the table of sheets)."""
+    values = numbers_of(study, leaves[0].metadata["cam"]).values
+    found = values.found
+    drafting, exact, slack = drafting_of(study.scene), tabled(found), float(np.max(values.compared.slack.profile))
+    yield from _figure(values, exact, slack, drafting)
+    every = leaves[0].metadata["every"]
+    for k, (first, second) in enumerate(exact.cells):
+        row = drafting.number(exact.names[k], FINE)
+        far = float(np.abs(exact.told[k]))
+        off = MM * slack if found.cam.translates else math.degrees(slack / far) if far else math.inf
+        lacks = k % every > 0
+        yield Expected(Kind.NUMBER, RADII, cell_name(row, 0), float(first), MM * slack, may_lack=lacks)
+        yield Expected(Kind.NUMBER, RADII, cell_name(row, 1), float(second), off, may_lack=lacks)
+    yield from (*_notes(exact, slack), *every_cam(study))
+
+
+def _figure(values: CamValues, exact: TabledCam, slack: float, drafting: Drafting) -> Iterator[Expected]:
+    """Give the curves, the radii or ordinates, the sense of motion."""
+    cam = values.cam
+    for name, path in values.curves():
+        yield Expected(Kind.CURVE, PLAN, name, path, slack + values.drawn)
+    for number, (k, turn) in enumerate(exact.rays()):
+        said = drafting.number(turn, FINE)
+        letter = f"x {said}" if cam.translates else f"φ {said}°"
+        spot = complex(exact.told[k])
+        yield Expected(Kind.VECTOR, PLAN, "r", 1j * spot.imag if cam.translates else spot, slack, number, letter=letter)
+    yield Expected(Kind.DIRECTION, PLAN, *(("v", -cam.sense) if cam.translates else ("ω", cam.sense)))
+
+
+def _notes(exact: TabledCam, slack: float) -> Iterator[Expected]:
+    """Give the numbers that a workshop is told: roller, groove, arcs of the dwells."""
+    name, roller = exact.cam.name, exact.found.roller
+    sizes = {f"r_rol {name}": MM * roller, f"breadth {name}": 2 * MM * roller}
+    sizes |= {f"r {k} {name}": MM * radius for k, (_, radius) in enumerate(exact.dwells())}
+    for quantity, size in sizes.items():
+        yield Expected(Kind.PHRASE, NOTES, quantity, size, 2 * MM * slack, digits=FINE, may_lack=True)
+    for k, (phase, _) in enumerate(exact.dwells()):
+        for quantity, turn in ((f"start {k} {name}", phase.start), (f"end {k} {name}", phase.end)):
+            yield Expected(Kind.PHRASE, NOTES, quantity, math.degrees(turn), digits=FINE, may_lack=True, period=TURN)

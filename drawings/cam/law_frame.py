@@ -1,0 +1,215 @@
+"""The frame of a law's diagrams: rows one under another over the cam's turn, their pole distances (разметка)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, letters, units
+from drawings.kinds.axes import Curve
+from drawings.kinds.row_frame import LONG, Proportions, RowFrame, RowPlate
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.page.drafting import Drafting
+from plans.cam.diagrams import LawDiagrams
+from plans.model.cam import TABLE, Cam
+from plans.model.motion import Floats
+
+LETTERS = {ACCELERATION: "''", VELOCITY: "'", TRAVEL: ""}
+STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
+IMPULSE = 0.3  # of the height of a diagram: how far the arrow of an impulse goes beyond it
+
+
+class LawRow(NamedTuple):
+    """A row: values at the edges after and before a jump, the curve, what it was drawn by, the exact one beside it.
+
+    `impulses` are the edges at which S'' is infinite, each with its sense.
+    """
+
+    key: str
+    letter: str
+    unit: str
+    after: Floats  # (n + 1,)
+    before: Floats
+    result: Curve
+    chords: tuple[Curve, ...] = ()
+    exact: Curve | None = None
+    impulses: tuple[tuple[int, int], ...] = ()
+    error: float = 0.0  # the largest, in shares of the largest value
+    given: tuple[tuple[float, float], ...] = ()  # points of tables
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest value, zero among them, with room for the arrows of impulses."""
+        low, high = min(float(self.result.y.min()), 0.0), max(float(self.result.y.max()), 0.0)
+        senses = {sense for _, sense in self.impulses}
+        spare = IMPULSE * ((high - low) or 1.0)
+        return low - spare * (-1 in senses), high + spare * (1 in senses)
+
+    @property
+    def flat(self) -> bool:
+        """Whether it shows nothing that a scale could be told of."""
+        return not self.result.y.any()
+
+
+def rows(shown: LawDiagrams) -> tuple[LawRow, ...]:
+    """Give the rows from the top."""
+    return _acceleration(shown), _velocity(shown), _travel(shown)
+
+
+def _row(shown: LawDiagrams, key: str, after: Floats, before: Floats, result: Curve) -> LawRow:
+    cam = shown.strips.course.cam
+    return LawRow(key, letters(cam)[0] + LETTERS[key], units(cam)[key], after, before, result)
+
+
+def _acceleration(shown: LawDiagrams) -> LawRow:
+    strips = shown.strips
+    begin, end = strips.after.bend[:-1], strips.before.bend[1:]
+    x = _dense(shown)
+    y = strips.course.at(x.ravel()).bend.reshape(x.shape)
+    y[:, 0], y[:, -1] = begin, end
+    hard = [k for k in strips.hard if k < len(begin) or strips.course.cam.translates]
+    impulses = tuple((k, int(math.copysign(1, _jump(shown, k)))) for k in hard)
+    sides = _sides(shown, begin, end, strips.jumps)
+    return _row(shown, ACCELERATION, *sides, _joined(x, y, sides))._replace(impulses=impulses)
+
+
+def _jump(shown: LawDiagrams, k: int) -> float:
+    """Give by how much S' jumps at an edge."""
+    shocks = shown.strips.course.shocks
+    return min(shocks, key=lambda one: (one.order, abs(one.turned - shown.strips.edges[k]))).jump
+
+
+def _velocity(shown: LawDiagrams) -> LawRow:
+    strips, (begin, end) = shown.strips, shown.slope
+    x = _dense(shown)
+    y = _cubics(x, (begin, end), (strips.after.bend[:-1], strips.before.bend[1:]))
+    sides = _sides(shown, begin, end, strips.hard)
+    chords = tuple(Curve(one.edges, one.values) for one in shown.slopes)
+    exact = strips.course.at(x.ravel()).slope.reshape(x.shape)
+    exact[:, -1] = strips.before.slope[1:]
+    row = _row(shown, VELOCITY, *sides, _joined(x, y, sides))
+    return row._replace(chords=chords, exact=Curve(x.ravel(), exact.ravel()), error=shown.slope_departure.share)
+
+
+def _travel(shown: LawDiagrams) -> LawRow:
+    strips, values = shown.strips, shown.travel.values
+    x = _dense(shown)
+    y = _cubics(x, (values[:-1], values[1:]), shown.slope)
+    row = _row(shown, TRAVEL, values, values, Curve(x.ravel(), y.ravel()))
+    exact = Curve(x.ravel(), strips.course.at(x.ravel()).s)
+    chords, given = (Curve(strips.edges, values),), tuple(_given(strips.course.cam))
+    return row._replace(chords=chords, exact=exact, error=shown.travel_departure.share, given=given)
+
+
+def _given(cam: Cam) -> Iterator[tuple[float, float]]:
+    """Give the points of all tables."""
+    for phase in cam.moving():
+        if phase.law is not None and phase.law.name == TABLE:
+            yield from ((phase.start + k * phase.angle, phase.level + s * phase.change) for k, s in phase.law.points)
+
+
+def _dense(shown: LawDiagrams) -> Floats:
+    """Divide each strip finely, (n, m) rad."""
+    edges = shown.strips.edges
+    shares = np.linspace(0.0, 1.0, 1 + math.ceil(STEPS / (len(edges) - 1)))
+    return np.asarray(edges[:-1, None] + shares * np.diff(edges)[:, None])
+
+
+def _cubics(x: Floats, ends: tuple[Floats, Floats], slopes: tuple[Floats, Floats]) -> Floats:
+    """Follow each strip through its ends with the slopes that it has there."""
+    wide = (x[:, -1] - x[:, 0])[:, None]
+    s, first, rise = (x - x[:, :1]) / wide, ends[0][:, None], (ends[1] - ends[0])[:, None]
+    left, right = slopes[0][:, None] * wide - rise, rise - slopes[1][:, None] * wide
+    return np.asarray(first + rise * s + s * (1 - s) * (left * (1 - s) + right * s))
+
+
+def _sides(shown: LawDiagrams, begin: Floats, end: Floats, jumps: tuple[int, ...]) -> tuple[Floats, Floats]:
+    """Give the values at the edges after and before a jump; the jump at the end of a turn stands at its beginning."""
+    after, before = np.append(begin, end[-1]), np.append(begin[0], end)
+    translates, last = shown.strips.course.cam.translates, len(begin)
+    if 0 in jumps:
+        before[0] = 0.0 if translates else end[-1]
+    if last in jumps and translates:
+        after[-1] = 0.0
+    return after, before
+
+
+def _joined(x: Floats, y: Floats, sides: tuple[Floats, Floats]) -> Curve:
+    """Join the strips to one curve, upright where it jumps."""
+    after, before = sides
+    return Curve(np.concatenate([x[:1, 0], x.ravel(), x[-1:, -1]]), np.concatenate([before[:1], y.ravel(), after[-1:]]))
+
+
+NAME = "law"
+# Four coarser scales differ by ten times.
+PROPORTIONS = Proportions(high=0.78, left=8.6, right=1.8, pole=(2.8, 6.2), coarser=4, rises=True)
+TALLER = 1.6  # times the height that the rows may have where there is room
+LEVEL = 3.4  # sizes of a number from the lowest row to the dimensions of the phases
+BELOW = 2.0  # and from these to the end
+
+
+def name_of(cam: Cam) -> str:
+    """Give the name of the figure of a cam's law."""
+    return f"{NAME}-{cam.name}"
+
+
+@dataclass(frozen=True)
+class LawPlate(RowPlate[LawRow]):
+    """Diagrams of a law to be drafted: their rows and the paper about them."""
+
+    shown: LawDiagrams
+    drafting: Drafting
+    proportions: ClassVar[Proportions] = PROPORTIONS
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.shown.strips.course.cam
+
+    @cached_property
+    def rows(self) -> tuple[LawRow, ...]:
+        """The rows from the top."""
+        return rows(self.shown)
+
+    @property
+    def length(self) -> float:
+        """How far the cam turns, rad, or travels, m."""
+        return self.cam.turn
+
+    def named(self, key: str) -> str:
+        """Name a part of the figure."""
+        return f"{name_of(self.cam)}-{key}"
+
+    @property
+    def below(self) -> float:
+        """Paper under the last row, mm: the dimensions of the phases."""
+        return (LEVEL + BELOW) * self.hand.number
+
+    def room(self, heading: float) -> Picture:
+        """Give the room of the figure; its scale is that of the cam's turn."""
+        high = self.length * self.proportions.high
+        margins = Margins(self.beside, self.below, self.top)
+        letter, unit = letters(self.cam)[1], "m" if self.cam.translates else "rad"
+        middle, least = complex(self.length, high) / 2, LONG * self.hand.letter
+        room = Picture(name_of(self.cam), self.length, high, middle, letter, unit, margins, heading, least)
+        return room._replace(open=False, taller=TALLER)
+
+
+@dataclass(frozen=True)
+class LawFrame(RowFrame[LawRow]):
+    """The diagrams at their scale: the fields of their rows, their axes."""
+
+    plate: LawPlate
+    spot: Spot
+
+    def pole(self, row: LawRow) -> float | None:
+        """Give the distance, mm, of the pole from which the row under this one is drawn; None: there is none."""
+        own = self.plate.rows
+        below = next((other for one, other in pairwise(own) if one.key == row.key), None)
+        return None if below is None else self.distance(below)

@@ -1,0 +1,340 @@
+"""The follower at the start: its roller, tip or face, its rod in the guide, or its arm on the pivot (толкатель).
+
+Its divisions stand where its tip is in each position: on the axis, or on the arc of a rocker.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from drawings.cam import inversion, profile_view, size_marks
+from drawings.cam import inversion as senses
+from drawings.cam import size_marks as phase_arcs
+from drawings.cam.inversion import BODY_GUIDE, CLEAR, GUIDE, POINT, Rings, around, beyond, face, highest
+from drawings.cam.profile_view import NAME, QUANTITY, SYMBOL, UNIT, ProfileView
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import telling
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Arc, Circle, Fill, Group, Line, Stroke, Text
+from drawings.paper.ties import tied
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.symbols import HINGE, fixed_hinge, ground, hinge, pole, tick
+from plans.model.cam import POINTED
+
+PIN = 0.9  # mm, radius of a roller's pin
+TIP = 3.5  # mm, height of a pointed end
+SLIM = 0.28  # of its height: half its width
+ROD = 1.3  # mm from the middle of a rod to its guide
+ALONG = 0.64  # cosine: a stand so near to the direction of its arm would be crossed by it
+APART = 1.25  # sizes of a number from one division that bears one to the next
+SIDES = (-1j, 1j, 1.0 + 0j, -1.0 + 0j)
+
+
+class Division(NamedTuple):
+    """A division of the follower's way: its position, its place on paper, the direction of its number, rad."""
+
+    position: int
+    spot: complex
+    true: complex
+    towards: float
+
+
+def follower(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the follower at the start."""
+    if view.apart:
+        yield Circle(place.on(complex(view.curve.tip[0])), place.length(view.found.roller), hand.body)
+    if view.cam.rocks:
+        yield from _rocker(view, place, hand)
+    else:
+        yield from _rod(view, place, hand)
+    yield from _end(view, place, hand)
+
+
+def foot(view: ProfileView) -> complex:
+    """Give where the rod begins at the start, m: the tip, the roller's centre, the middle of a face."""
+    return complex(view.axis, view.curve.tip[0].imag)
+
+
+def _rod(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the rod as high as its guide, and the guide above the highest place that roller or face come to."""
+    start = place.on(foot(view))
+    low = highest(view, place, hand) if view.cam.translates else _above(view, place, hand)
+    base, top = complex(start.real, low), complex(start.real, low + GUIDE * hand.symbol)
+    yield Line(start, top + CLEAR * hand.symbol * 1j, hand.result)
+    for side in (-1, 1):
+        off = side * ROD * hand.symbol
+        yield from ground(base + off, top + off, complex(side), hand)
+
+
+def _above(view: ProfileView, place: Place, hand: Hand) -> float:
+    """Give where the guide begins, mm: clear of roller or face in their highest place."""
+    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + CLEAR * hand.symbol
+
+
+def _rocker(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the arm, the stand of its pivot, and of a flat one what holds its face before the pivot."""
+    pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
+    radius = HINGE * hand.symbol
+    yield from fixed_hinge(pivot, hand, radius, _downward(pivot - place.on(0j) or -1j, tip - pivot))
+    if view.cam.flat:
+        held = place.on(view.sizes.pivot + view.cam.follower.face * complex(view.curve.lever[0]))
+        yield Line(held, tip, hand.result)
+        tip = held
+    if abs(tip - pivot) > radius:
+        yield Line(pivot + (tip - pivot) / abs(tip - pivot) * radius, tip, hand.result)
+
+
+def _downward(outward: complex, arm: complex) -> complex:
+    """Choose the side of a stand: towards the cam, off the arm."""
+
+    def cost(side: complex) -> float:
+        along = (side * arm.conjugate()).real / abs(arm) > ALONG
+        return (side * outward.conjugate()).real / abs(outward) + 2 * along
+
+    return min(SIDES, key=cost)
+
+
+def _end(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the end: the roller's pin, the point, the face."""
+    tip = place.on(complex(view.curve.tip[0]))
+    if view.apart:
+        yield Circle(tip, PIN * hand.symbol, hand.body)
+    elif view.cam.flat:
+        yield Line(*face(view, place, 0.0), hand.result)
+    elif view.cam.follower.end == POINTED:
+        yield _point(tip, hand, 1j * view.cam.rising if view.cam.rocks else 1j)
+
+
+def _point(tip: complex, hand: Hand, up: complex) -> Fill:
+    """Draw the point of a follower."""
+    high = TIP * hand.symbol * (up if up.imag > 0 else -up)
+    return Fill((tip, tip + high + 1j * SLIM * high, tip + high - 1j * SLIM * high))
+
+
+def pivot_mark(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
+    """Draw the hinge of a rocker's pivot; it can be measured."""
+    if view.sizes.pivot:
+        (circle,) = hinge(place.on(view.sizes.pivot), hand)
+        yield point(Subject(NAME, QUANTITY, None), "O_1", view.sizes.pivot, place, circle)
+
+
+def divisions(view: ProfileView, place: Place, hand: Hand) -> tuple[Division, ...]:
+    """Give the divisions that bear their numbers: on the rise on one side of the way, on the return on the other."""
+    kept: list[Division] = []
+    start = place.on(complex(view.curve.tip[0]))
+    for one in _divisions(view, place):
+        near = [start, *(other.spot for other in kept if other.towards == one.towards)]
+        if all(tied(abs(one.spot - other) - APART * hand.number) >= 0 for other in near):
+            kept.append(one)
+    return tuple(kept)
+
+
+def _divisions(view: ProfileView, place: Place) -> Iterator[Division]:
+    """Give all divisions: of the first rise and the first return, the places of a dwell with neither."""
+    if view.cam.flat and view.cam.rocks:
+        return
+    for phase in view.cam.moving():
+        for k, turned in view.positions:
+            if phase.start < turned < phase.end or (turned == phase.end and phase.change > 0):
+                tip = complex(view.contour.tip[k])
+                true = complex(view.axis, tip.imag) if view.cam.flat else tip
+                yield Division(k, place.on(true), true, _towards(view, tip, phase.change > 0))
+
+
+def _towards(view: ProfileView, tip: complex, rising: bool) -> float:
+    """Direct the number of a division: across the way, the rise to the left of it."""
+    if not view.cam.rocks:
+        return cmath.pi if rising else 0.0
+    level = view.curve.tip.mean() - view.sizes.pivot
+    return cmath.phase(level if rising else -level)
+
+
+def graduated(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the ticks of all divisions, the arc of a rocker's, and the points of those that bear numbers."""
+    if view.cam.rocks and not view.cam.flat:
+        yield _arc(view, place, hand)
+    for one in _divisions(view, place):
+        yield tick(one.spot, _across(view, one, place), hand)
+    for one in divisions(view, place, hand):
+        dot = Circle(one.spot, POINT * hand.symbol, INK)
+        mark = point(Subject(NAME, QUANTITY, one.position), "K", one.true, place, dot)
+        yield Group(mark.strokes, "", mark.data, str(one.position))
+
+
+def _across(view: ProfileView, one: Division, place: Place) -> complex:
+    """Give the direction of the follower's way at a division."""
+    if not view.cam.rocks:
+        return 1j
+    arm = one.spot - place.on(view.sizes.pivot)
+    return 1j * arm / abs(arm)
+
+
+def _arc(view: ProfileView, place: Place, hand: Hand) -> Arc:
+    pivot = place.on(view.sizes.pivot)
+    turns = [place.on(complex(spot)) - pivot for spot in view.curve.tip]
+    middle = cmath.phase(sum(turns))
+    offs = [cmath.phase(turn * cmath.rect(1.0, -middle)) for turn in turns]
+    return Arc(pivot, abs(turns[0]), middle + min(offs), middle + max(offs), hand.drafted)
+
+
+LETTERS, MOST = 21.0, 80.0  # it is drawn at least so many letters large, and at most
+BESIDE = 1.0  # mm from a point to its number
+END = 0.9  # mm from the end of an axis to its number
+AXIS = 6.0  # mm that the axes of the shaft go past it
+ORIGIN = "O"
+
+
+@dataclass(frozen=True)
+class ProfileFigure:
+    """The profile placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    view: ProfileView
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    @cached_property
+    def rings(self) -> Rings:
+        """What lies how far out."""
+        return Rings(self.view, self.place, self.drafting.hand)
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure: phases, senses, sizes and points lettered, every position numbered."""
+        letters = (
+            *self._points(labels),
+            *self._phases(labels),
+            *self._sizes(labels),
+            *self._numbers(labels),
+            *self._divisions(labels),
+            *profile_view.lettered(self.view, self.place, self.drafting, labels),
+        )
+        return (Group((*self.lines, Group(letters)), NAME),)
+
+    def _points(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter O, a rocker's pivot, the senses."""
+        view, hand = self.view, self.drafting.hand
+        gap = BESIDE + (0.0 if view.cam.translates else HINGE * hand.symbol)
+        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, view.quiet)
+        if view.sizes.pivot:
+            yield labels.beside(self.place.on(view.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
+        for one in senses.senses(view, self.rings):
+            yield one.letter_beside(labels, hand)
+        for start, end in senses.straight(view, self.rings):
+            yield labels.along(start, end, "v", hand.letter, BESIDE, math.pi / 2)
+
+    def _phases(self, labels: Labels) -> Iterator[Stroke]:
+        hand = self.drafting.hand
+        for arc in phase_arcs.phase_arcs(self.view, self.rings, self.drafting):
+            yield arc.letter_beside(labels, hand)
+        for angle in size_marks.rocking(self.view, self.place, self.drafting):
+            yield angle.letter_beside(labels, hand)
+        for one in phase_arcs.travels(self.view, self.rings, self.drafting):
+            yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, math.pi / 2))
+
+    def _sizes(self, labels: Labels) -> Iterator[Stroke]:
+        hand = self.drafting.hand
+        for one in size_marks.size_marks(self.view, self.place, self.drafting):
+            yield telling(NAME, labels.along(one.start, one.end, one.letter, hand.number, BESIDE, math.pi / 2))
+
+    def _numbers(self, labels: Labels) -> Iterator[Stroke]:
+        """Number the positions at the ends of their axes, and at the points of the curve."""
+        hand, view = self.drafting.hand, self.view
+        for k, spot, towards in self._ends():
+            yield labels.beside(spot, str(k), hand.number, END, towards)
+        for k in inversion.marked(view, self.place, hand):
+            spot, normal = self.place.on(complex(view.contour.pitch[k])), view.at(view.contour.turned[k])[1]
+            towards = math.atan2(normal.imag, normal.real)
+            yield labels.beside(spot, str(k), hand.number, BESIDE, towards)
+
+    def _ends(self) -> Iterator[tuple[int, complex, float]]:
+        """Give the ends of the turned axes with the directions outward."""
+        view, rings = self.view, self.rings
+        for k, turned in view.positions:
+            if view.cam.translates:
+                high = inversion.highest(view, self.place, self.drafting.hand)
+                yield k, complex(self.place.on(complex(view.contour.pitch[k])).real, high), math.pi / 2
+            else:
+                pivot = self.place.on(view.back(view.sizes.pivot, turned)) - self.place.on(0j)
+                off = pivot if view.cam.rocks and k else rings.crossing(turned, rings.ends)
+                yield k, self.place.on(0j) + off, math.atan2(off.imag, off.real)
+
+    def _divisions(self, labels: Labels) -> Iterator[Stroke]:
+        for one in divisions(self.view, self.place, self.drafting.hand):
+            yield labels.beside(one.spot, str(one.position), self.drafting.hand.number, BESIDE, one.towards)
+
+
+def measure(view: ProfileView, drafting: Drafting) -> Picture:
+    """Measure the room that the profile needs: the cam, the ends of the axes around it, the arcs of the phases."""
+    hand = drafting.hand
+    title = text_width(Text(0j, drafting.word("cam profile"), hand.title))
+    far = around(view, hand)
+    if view.cam.translates:
+        above = beyond(hand) + 4 * hand.number + hand.letter
+        margins = Margins(2 * hand.letter, BODY_GUIDE * hand.symbol, above + 2 * hand.title + hand.text)
+    else:
+        margins = Margins(far, far, far + 2 * hand.title + hand.text)
+    return picture(NAME, view.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)._replace(
+        most=MOST * hand.letter
+    )
+
+
+def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> ProfileFigure:
+    """Draw the profile in its spot: the construction thin, the follower at the start, the curves over all."""
+    place, hand = room.place(*spot), drafting.hand
+    rings = Rings(view, place, hand)
+    lines = (
+        heading(spot.box, drafting.word("cam profile"), drafting.scale(spot.scale), hand),
+        *_shaft(view, place, hand),
+        *inversion.construction(view, rings),
+        *size_marks.thin(view, place, hand),
+        *_around(view, rings, drafting),
+        *follower(view, place, hand),
+        *profile_view.curves(view, NAME, place, hand),
+        *(one.draw(place, hand) for one in size_marks.size_marks(view, place, drafting)),
+        *inversion.pivots(view, place, hand),
+        *inversion.marks(view, place, hand),
+        *graduated(view, place, hand),
+        *pivot_mark(view, place, hand),
+        _origin(view, place, hand),
+    )
+    return ProfileFigure(view, place, lines, drafting)
+
+
+def _around(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[Stroke]:
+    """Draw the phases and the senses."""
+    hand = drafting.hand
+    for arc in (*phase_arcs.phase_arcs(view, rings, drafting), *size_marks.rocking(view, rings.place, drafting)):
+        yield from arc.draw(hand)
+    if not view.cam.translates:
+        yield from phase_arcs.bounds(view, rings, hand)
+    for one in phase_arcs.travels(view, rings, drafting):
+        yield from one.draw(hand)
+    for sense in senses.senses(view, rings):
+        yield from sense.draw(hand)
+    for ends in senses.straight(view, rings):
+        yield senses.pushed(NAME, ends, hand)
+
+
+def _shaft(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the axes of the shaft, and its stand."""
+    if view.cam.translates:
+        return
+    zero, half = place.on(0j), (HINGE + AXIS) * hand.symbol
+    for along in (1, 1j):
+        yield Line(zero - along * half, zero + along * half, fit(hand.axis, 2 * half))
+    yield from fixed_hinge(zero, hand, HINGE * hand.symbol)
+
+
+def _origin(view: ProfileView, place: Place, hand: Hand) -> Group:
+    spot = place.on(0j)
+    circle = pole(spot) if view.cam.translates else hinge(spot, hand)[0]
+    return point(Subject(NAME, QUANTITY, None), ORIGIN, 0j, place, circle, "pole")

@@ -1,0 +1,97 @@
+"""The sheet of a cam to be made: the working profile alone, its radii by the turn, datum, notes (чертёж кулачка)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from functools import partial
+from typing import Any
+
+from drawings.cam import manufacturing
+from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
+from drawings.layout.contents import Panel
+from drawings.layout.picture import SMALLER, Picture
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.page import page_of
+from drawings.paper.formats import SIZES
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.leaves import compositions, lay_out_each
+from drawings.sheets.stated_scales import Draft, Exhibit
+from plans.scene.scene import Scene
+from plans.study import Study
+
+KIND = "profile"
+EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's cams, one for each (row of the table of sheets)."""
+    return sheets(study.scene, [manufacture(one) for one in study["cam"].found])
+
+
+def sheets(scene: Scene, parts: Sequence[Manufacture]) -> tuple[Leaf, ...]:
+    """Lay out the sheets of cams whose profiles are found."""
+    return lay_out_each([_draft(scene, one, len(parts) > 1) for one in parts])
+
+
+def _draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draft]:
+    """Give the smallest format on which the profile stands at its own size with the whole table, and the draft.
+
+    Where none takes that, the scene's own: with the draft whose figure can be read on the fewest sheets, and of its
+    table as many rows as they take.
+    """
+    for small in _formats(scene):
+        draft = _told(shown, EVERY[0], several, drafting_of(small))
+        if _true(small, draft):
+            return small, draft
+    first, *further = (_told(shown, every, several, drafting_of(scene)) for every in EVERY)
+    return scene, first._replace(instead=tuple(further))
+
+
+def _formats(scene: Scene) -> Iterator[Scene]:
+    """Give a scene by formats up to its own that its standard lays as the scene wants them, the smallest first."""
+    names = [*reversed(SIZES)]
+    for name in names[: names.index(scene.sheet.format) + 1]:
+        small = scene.changed(sheet=scene.sheet.changed(format=name))
+        if _lies(small):
+            yield small
+
+
+def _lies(scene: Scene) -> bool:
+    """Tell whether the standard lays the format as the scene wants it."""
+    try:
+        page_of(scene, KIND)
+    except SheetError:
+        return False
+    return True
+
+
+def _true(scene: Scene, draft: Draft) -> bool:
+    """Tell whether one sheet takes a draft with its figure at its own size, or larger."""
+    try:
+        composed, *further = compositions(scene, draft)
+    except SheetError:  # there is not even room for its heading
+        return False
+    (room,) = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    natural = max(room.wide, room.high) * TRUE
+    return not further and room.extent(composed.spots[room.name].scale) >= max(natural, room.least) * SMALLER
+
+
+def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
+    title = drafting.word("cam profile sheet title") + (f" {shown.view.cam.name}" if several else "")
+    room = manufacturing.measure(shown, drafting)
+    figure = Exhibit(Panel(room), partial(manufacturing.draw, shown, room, drafting=drafting))
+    table = manufacturing.radii(shown.table, every, drafting)
+    return Draft(
+        KIND,
+        title,
+        (figure,),
+        (table,),
+        tuple(manufacturing.notes(shown.table, drafting)),
+        partial(_facts, shown, every),
+        room.name,
+    )
+
+
+def _facts(shown: Manufacture, every: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which cam and which figures it shows, and every which tabled turn it tells."""
+    return {"cam": shown.view.cam.name, "figures": list(names), "every": every}

@@ -1,0 +1,138 @@
+"""Cams in the report: what is asked, the travel and profile in every position, sizes, flaws (кулачки в отчёте)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from drawings.cam.notes import MM, CamNotes, letters, ways_told
+from drawings.dynamics.report_tables import entry, plain
+from drawings.lettering.words import ROUNDING
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.report.formula import Chapters
+from drawings.report.table import Subject, header, row
+from plans.cam.study import LAWS, CamDrawing
+from plans.model.cam_motion import CamFound
+from plans.model.motion import Floats
+from plans.study import Study
+from plans.words.words import Message, message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+DIGITS = 10
+DEGREES = math.degrees(1)
+ENGLISH = "en"  # of the gallery's page
+
+
+def subject(study: Study) -> Subject:
+    """Tell a scene's cams in a few words, for the gallery's page."""
+    found, drafting = study["cam"].found, drafting_of(study.scene)._replace(language=ENGLISH)
+    kinds = [drafting.word(f"cam {one.cam.follower.motion} {one.cam.follower.end}") for one in found]
+    structure = kinds[0] if len(kinds) == 1 else f"{len(kinds)} cams on a shaft"
+    cams = "A cam with a " if len(kinds) == 1 else "Cams, each with its follower: "
+    laws = ", ".join(dict.fromkeys(one.law.name for cam in found for one in cam.cam.moving() if one.law))
+    return Subject(structure, f"law: {laws}", f"{cams}{'; '.join(kinds)} ({laws}).")
+
+
+def headline(study: Study) -> str:
+    """Say which sizes the cams have."""
+    return "; ".join(plain(line) for notes in _all(study, 5) for line in notes.sizes())
+
+
+def remarks(study: Study) -> list[Message]:
+    """Say what is wrong with the cams, and what would help."""
+    lines = ((notes.cam.name, line) for notes in _all(study, 5) for line in notes.flaws())
+    return [message("cam.flaw", cam=name, flaw=plain(line)) for name, line in lines]
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell each cam: its task, its numbers, what is right and wrong with it."""
+    drafting = drafting_of(study.scene)
+    told = [*zip(study["cam"].drawings.values(), _all(study, DIGITS), strict=True)]
+    return Chapters(
+        subject=[*chain.from_iterable(_task(notes) for _, notes in told)],
+        values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in told)],
+        conditions=[*chain.from_iterable(_conditions(*one, LAWS in study.plans) for one in told)],
+        left_out=[word(drafting.language, "report.cam_left_out")],
+    )
+
+
+def _all(study: Study, digits: int) -> Iterator[CamNotes]:
+    drafting = drafting_of(study.scene)
+    return (CamNotes(found, drafting, digits) for found in study["cam"].found)
+
+
+def _task(notes: CamNotes) -> Iterator[str]:
+    yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
+    yield ""
+    yield from map(entry, (*notes.asked(), *notes.phases(), *notes.setting()))
+    yield ""
+
+
+def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
+    """Tell every numbered position."""
+    yield word(drafting.language, "report.cam_values", name=found.cam.name)
+    yield ""
+    yield from header([_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ")])
+    yield from (row([str(k), *cells]) for k, cells in enumerate(_cells(found, drafting)))
+
+
+def _head(name: str, found: CamFound, drafting: Drafting) -> str:
+    """Head a column: the first bears the number of the position beside the turn, or the travel."""
+    turn = letters(found.cam)[1]
+    ways = dict(zip(("S", "S'", "S''"), ways_told(found.cam), strict=True))
+    units = {"φ": "mm" if found.cam.translates else "°", "α": "°", **{one: ways[one].unit for one in ways}}
+    unit = units.get(name, "mm")
+    said = f"{name.replace('φ', turn)}, {drafting.word(unit)}" if unit else name
+    return f"i | {said}" if name == "φ" else said
+
+
+def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
+    contour, cam = found.contour, found.cam
+    columns = (
+        contour.turned * (MM if cam.translates else DEGREES),
+        *(way.size * one for way, one in zip(ways_told(cam), contour.travel, strict=True)),
+        MM * contour.pitch.real,
+        MM * contour.pitch.imag,
+        DEGREES * contour.pressure,
+        MM * _radius(contour.radius),
+    )
+    for values in zip(*map(without_rounding, columns), strict=True):
+        yield [drafting.number(value, DIGITS) if math.isfinite(value) else "∞" for value in map(float, values)]
+
+
+def without_rounding(values: Floats) -> Floats:
+    """Give a column with 0 for what is nothing but rounding beside its largest number."""
+    finite = np.abs(values[np.isfinite(values)])
+    return np.asarray(np.where(np.abs(values) <= ROUNDING * np.max(finite, initial=0.0), 0.0, values))
+
+
+def _radius(radius: Floats) -> Floats:
+    """Give radii of curvature, infinite where 1/ρ is nothing but rounding."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(1 / without_rounding(1 / radius))
+
+
+def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[str]:
+    """Tell sizes, angles, roller, shocks, flaws; of diagrams that are asked for what their chords leave out."""
+    language = notes.drafting.language
+    yield word(language, "report.cam_found", name=notes.cam.name)
+    yield ""
+    parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
+    told = (line for part in parts for line in part())
+    yield from map(entry, told)
+    if laws:
+        yield f"- {_chords(drawing, notes.drafting)}"
+
+
+def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
+    """Say by how much the chords of S' and S are off."""
+    shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
+    slope, travel = (drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
+    strips = len(drawing.diagrams.strips.edges) - 1
+    return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)

@@ -1,0 +1,135 @@
+"""Admission of cams: their names can be lettered (допуск кулачков)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+from drawings.cam import charts, column, law_diagrams, law_frame, pressure_graph, size_diagram, size_view
+from drawings.cam import profile as profile_figure
+from drawings.cam.notes import CamNotes
+from drawings.cam.pressure_graph import PressureView, pressure_view
+from drawings.cam.profile_view import profile_view
+from drawings.cam.size_view import SizeView
+from drawings.layout import value_table
+from drawings.layout.contents import EVEN, Panel
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.report.report import agreed
+from drawings.sheets.documents import letter
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
+from plans.cam.numbers import cam_by_hand, readings
+from plans.cam.quantities import of_cam
+from plans.cam.reading.form import CamForm
+from plans.cam.study import CYCLOGRAM, CamDrawing
+from plans.checks.comparison import Finding
+from plans.model.cam import Cam
+from plans.model.cam_motion import CamFound
+from plans.scene.scene import Scene
+from plans.study import Study
+
+
+def of_cams(scene: Scene) -> None:
+    """See that the names of a scene's cams can be lettered; whatever else is read of them can be shown."""
+    letter(scene, [(("cam", k, "name"), one.name) for k, one in enumerate(scene.of(CamForm).cam)])
+
+
+LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
+FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
+JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axis; both apart with one scale of the turn
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's cams, each on sheets of its own (row of the table of sheets)."""
+    scene, cams = study.scene, study["cam"].drawings.values()
+    comparison, drafting = study.comparison("cam"), drafting_of(scene)
+    pairs = [
+        (one, exact, of_cam(comparison, one.cam.name))
+        for one, exact in zip(cams, comparison.analysis.cams, strict=True)
+    ]
+    shared = [] if CYCLOGRAM in scene.sheets else charts.drafts([one.cam for one in cams], drafting)
+    return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
+
+
+class _Contents(NamedTuple):
+    """What a sheet shows of a cam however its figures are laid out."""
+
+    drawing: CamDrawing
+    angle: PressureView
+    profile: Exhibit
+    table: RuledTable
+    notes: tuple[str, ...]
+
+
+def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> Draft:
+    """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
+    ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
+    contents = _contents(drawing, exact, compared, drafting)
+    first, *further = (_told(contents, drafting, way) for way in ways)
+    return first._replace(instead=tuple(further))
+
+
+def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> _Contents:
+    """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
+    by_hand = any(readings(drawing))
+    return _Contents(
+        drawing,
+        pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
+        _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
+        _results(drawing, exact, by_hand, drafting),
+        (*CamNotes(drawing.found, drafting).all, *agreed(compared, drafting, by_hand)),
+    )
+
+
+def _told(contents: _Contents, drafting: Drafting, way: str) -> Draft:
+    cam = contents.drawing.cam
+    shows = (*_shows(contents, way, drafting), contents.profile)
+    title = drafting.word("cam sheet title", name=cam.name)
+    facts, later = partial(_facts, cam, way == JOINED), partial(_later, contents.drawing, drafting)
+    return Draft("cam", title, shows, (contents.table,), contents.notes, facts, later=later)
+
+
+def _later(drawing: CamDrawing, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+    """Write what a hand may be out in the sizes, at the scale of their diagram."""
+    scales = {name: spot.scale.mu for name, spot in spots.items()}
+    return value_table.by_hand(cam_by_hand(drawing, scales), drafting.language)
+
+
+def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which cam it is of, and which figures it shows."""
+    under = [pressure_graph.NAME] if joined and law_frame.name_of(cam) in figures else []
+    return {"cam": cam.name, "figures": [*figures, *under]}
+
+
+def _shows(contents: _Contents, way: str, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the law, and the sizes that follow from it."""
+    drawing, angle = contents.drawing, contents.angle
+    if way == JOINED:
+        yield _exhibit(column, (drawing.diagrams, angle), drafting)
+    else:
+        yield _exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
+    if not drawing.cam.translates:
+        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, scale=LENGTHS)
+    if _pressed(drawing.cam) and way != JOINED:
+        yield _exhibit(pressure_graph, angle, drafting, scale=way)
+
+
+def _pressed(cam: Cam) -> bool:
+    """Tell whether a cam has a pressure angle: under a flat face that translates there is none."""
+    return cam.rocks or not cam.flat
+
+
+def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, scale: str = "") -> Exhibit:
+    """Show a figure, given by its module and by what it shows."""
+    room = figure.measure(shown, drafting)
+    return Exhibit(Panel(room, weight, "", scale), partial(figure.draw, shown, room, drafting=drafting))
+
+
+def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
+    """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
+    own, other = (size_view.quantities(one) for one in (drawing.found, exact))
+    return size_view.sizes(own, other, by_hand, drafting)

@@ -1,0 +1,286 @@
+"""The figure of the main sizes: S over S' with its tangents, the region hatched, O, R0, e, L (figures 5.49-5.51)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from drawings.cam.size_marks import offset_seen, region, rulers
+from drawings.cam.size_view import NAME, QUANTITY, SizeView, direction
+from drawings.kinds.axes import Letter, arrow
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Phrase, Slot, joined, telling
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.symbols.dashes import fit
+from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.symbols import HINGE, TICK, hinge, pole
+from plans.cam.sizing import Tangent
+
+MARGINS = Margins(3.4, 4.6, 2.0)  # paper around it for letters, in their sizes
+LETTERS, MOST = 22.0, 64.0  # it is drawn at least so many letters large, and at most
+AXIS = 8.0  # mm that an axis goes past what is drawn on it
+DOT, TOUCH = 0.6, 1.1  # mm, radius of a numbered point, and of one that a ruler touches
+APART = 1.5  # sizes of a number from one numbered point to the next
+BESIDE = 1.0  # mm
+OFF, OFF_BELOW = 2.6, 1.4  # letters from the drawing to a dimension; from the region to that of e
+LEAST = 3.0  # mm: a shorter distance, but e, is told by the table alone
+SHOWN = 0.25  # rad to either side of O: of the arc of L
+SUBJECT = Subject(NAME, QUANTITY, None)
+
+
+@dataclass(frozen=True)
+class SizeFigure:
+    """The diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    view: SizeView
+    place: Place
+    lines: tuple[Stroke, ...]
+    letters: tuple[Letter, ...]
+    sizes: tuple[Dimension, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its points numbered, its sizes and angles lettered."""
+        hand = self.drafting.hand
+        sizes = [
+            labels.along(*one.lines[0], one.letter, hand.number, BESIDE, cmath.phase(one.off)) for one in self.sizes
+        ]
+        ranked = sorted(self.letters, key=lambda one: -one.size)
+        letters = [labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked]
+        return (Group((*self.lines, Group(tuple(telling(NAME, one) for one in (*sizes, *letters)))), NAME),)
+
+
+def measure(view: SizeView, drafting: Drafting) -> Picture:
+    """Measure the room that the diagram needs: its points, the tangents, the region below O."""
+    hand = drafting.hand
+    title = text_width(Text(0j, _title(view, drafting), hand.title))
+    side, below, above = (share * hand.letter for share in MARGINS)
+    margins = Margins(side + AXIS, below, above + AXIS + 2 * hand.title + hand.text)
+    corners = [*view.box, *(end for one in view.sizing.tangents for end in view.ruler(one))]
+    found = picture(NAME, corners, ("l", "m"), margins, title, LETTERS * hand.letter)
+    return found._replace(most=MOST * hand.letter)
+
+
+def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> SizeFigure:
+    """Draw the diagram in its spot: region and construction thin, the curve thick, rulers between, O over all."""
+    place, hand = room.place(*spot), drafting.hand
+    title = heading(spot.box, _title(view, drafting), drafting.scale(spot.scale), hand)
+    drawn, angles = rulers(view, place, drafting)
+    sizes = tuple(_sizes(view, place, drafting))
+    lines = (
+        title,
+        *region(view, place, hand),
+        *_axes(view, place, hand),
+        *_construction(view, place, hand),
+        *_curves(view, place, hand),
+        *drawn,
+        *(stroke for one in sizes for stroke in one.draw(hand)),
+        *_lengths(view, place, drafting),
+        *_points(view, place, hand),
+    )
+    letters = (*angles, *_letters(view, place, drafting), *_numbers(view, place, hand))
+    return SizeFigure(view, place, lines, letters, sizes, drafting)
+
+
+def _title(view: SizeView, drafting: Drafting) -> str:
+    kind = "flat" if view.cam.flat else view.cam.follower.motion
+    return drafting.word(f"cam sizes by {kind}")
+
+
+def _axes(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the axes of S and S' through A; of a rocker what S is laid off along."""
+    if view.cam.rocks:
+        yield from _beside_face(view, place, hand) if view.faced else _arc(view, place, hand)
+        return
+    low, high, zero = (place.on(one) for one in (*view.box, 0j))
+    foot = complex(zero.real, min(place.on(view.centre).imag, zero.imag))
+    yield from arrow(foot, complex(zero.real, high.imag + AXIS), hand)
+    yield from arrow(complex(low.real - AXIS / 2, zero.imag), complex(high.real + AXIS, zero.imag), hand)
+
+
+def _arc(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the arc of a rocker's end, and the arm at both ends of it."""
+    zero = place.on(0j)
+    start, end = (place.on(one) - zero for one in (view.start, _top(view)))
+    low, high = (start, end) if view.cam.rising > 0 else (end, start)
+    yield Arc(zero, abs(start), cmath.phase(low), cmath.phase(high), hand.other)
+    for arm in (start, end):
+        yield Line(zero, zero + arm, hand.other)
+
+
+def _beside_face(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw a piece of the arc of L, and the face of a rocker at the start."""
+    away = cmath.phase(view.centre)
+    yield Arc(place.on(0j), place.length(abs(view.centre)), away - SHOWN, away + SHOWN, hand.drafted)
+    root, end, _ = (place.on(one) for one in view.face)
+    yield Line(root, end, hand.result)
+
+
+def _top(view: SizeView) -> complex:
+    """Give K where the follower is highest."""
+    return max((complex(one) for one in view.tips), key=lambda one: one.imag)
+
+
+def _construction(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw K with its tick, and KD."""
+    for tip, end in zip(view.tips.tolist(), view.ends.tolist(), strict=True):
+        one, other = place.on(tip), place.on(end)
+        if abs(other - one) > LEAST / 10:
+            yield Line(one, other, hand.drafted)
+        across = tip / abs(tip) if view.cam.rocks else 1 + 0j
+        yield Line(one - TICK * hand.symbol * across, one + TICK * hand.symbol * across, hand.drafted)
+
+
+def _curves(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    curves = (Polyline(tuple(place.on(one) for one in curve.tolist()), False, hand.result) for curve in view.curves)
+    yield from (stating(Statement(Kind.CURVE, NAME, "D"), *curves),) if view.curves else ()
+
+
+def _points(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the points that can be measured: D of each position, where rulers touch, A or O1, O."""
+    numbered = _numbered(view, place, hand)
+    for k, end in enumerate(view.ends.tolist()):
+        dot = Circle(place.on(end), DOT * hand.symbol, INK)
+        yield _titled(point(SUBJECT._replace(position=k), "D", end, place, dot), str(k)) if k in numbered else dot
+    for one in _touched(view, place):
+        spot = complex(one.point.point)
+        yield point(SUBJECT, one.point.name, spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
+    chord = view.sizing.chord
+    if chord is not None:
+        spot = complex(chord.centre.point)
+        yield point(SUBJECT, "O'", spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
+    zero = hinge(place.on(0j), hand)[0] if view.cam.rocks else pole(place.on(0j))
+    yield point(SUBJECT, "O_1" if view.cam.rocks else "A", 0j, place, zero, "pole")
+    yield point(SUBJECT, "O", view.centre, place, hinge(place.on(view.centre), hand)[0])
+
+
+def _lengths(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Draw R0 from O, and L of a rocker, as vectors that can be measured."""
+    centre, hand = place.on(view.centre), drafting.hand
+    for name, end, text in _reaches(view, drafting):
+        style = hand.relative if name == "R_0" else fit(hand.axis, abs(place.on(end) - centre))
+        data = SUBJECT.data("vector", name, end - view.centre, place.scale)
+        yield Group((Line(centre, place.on(end), style),), "", data, text)
+
+
+def _reaches(view: SizeView, drafting: Drafting) -> Iterator[tuple[str, complex, str]]:
+    """Give what reaches from O: its name, its end, its letter with the value."""
+    own = view.sizing.sizes
+    if not view.bent:
+        end = view.face[2] if view.faced else view.start
+        yield "R_0", end, _told("R_0", own.base, drafting)
+    if view.cam.rocks:
+        yield "L", 0j, _told("L", own.centre, drafting)
+
+
+def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimension]:
+    """Dimension e below O and S0 beside the axis of S; under a flat face R0 and the least radius of curvature."""
+    if view.cam.rocks:
+        return
+    centre, zero, off = place.on(view.centre), place.on(0j), OFF * drafting.hand.letter
+    foot = complex(zero.real, centre.imag)
+    left = -view.cam.sense
+    if view.bent:
+        yield from _long("R_0", view.sizing.sizes.base, (zero, centre), off + 0j, place, drafting)
+        cut = complex(view.sizing.board["B"].point)
+        yield from _long("ρ_{min}", (cut - view.centre).imag, (place.on(cut), centre), -off + 0j, place, drafting)
+        return
+    level = abs(view.centre.imag)
+    side = left * (1 if view.sizing.sizes.offset < 0 else -1)
+    yield from _long("S_0", level, (foot, zero), side * off + 0j, place, drafting)
+    below = OFF_BELOW * drafting.hand.letter + place.length(view.centre.imag - view.box[0].imag)
+    own = view.sizing.sizes
+    if offset_seen(own):
+        yield _dimension("e", own.offset, (centre, foot), -1j * below, place, drafting)
+
+
+Ends: TypeAlias = tuple[complex, complex]
+
+
+def _long(letter: str, size: float, ends: Ends, off: complex, place: Place, drafting: Drafting) -> Iterator[Dimension]:
+    if abs(ends[1] - ends[0]) >= LEAST:
+        yield _dimension(letter, size, ends, off, place, drafting)
+
+
+def _dimension(letter: str, size: float, ends: Ends, off: complex, place: Place, drafting: Drafting) -> Dimension:
+    said = Statement(Kind.LENGTH, NAME, letter, scale=place.scale.mu)
+    return Dimension(_told(letter, size, drafting), *ends, off, said)
+
+
+def _told(letter: str, size: float, drafting: Drafting) -> Phrase:
+    return joined(" = ", (letter, drafting.slot(Slot(letter, 1000 * size))))
+
+
+def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
+    """Letter A or O1, O, the axes, R0 and L."""
+    size, number = drafting.hand.letter, drafting.hand.number
+    gap = BESIDE + HINGE * drafting.hand.symbol
+    zero, centre = place.on(0j), place.on(view.centre)
+    chord = view.sizing.chord
+    beside = complex(1, -1) if chord is None else view.centre - complex(chord.centre.point)
+    yield Letter(centre, "O", size, cmath.phase(beside), gap)
+    yield Letter(zero, "O_1" if view.cam.rocks else "A", size, -math.pi / 4, gap if view.cam.rocks else BESIDE)
+    if chord is not None:
+        yield Letter(place.on(complex(chord.centre.point)), "O'", size, cmath.phase(-beside), BESIDE + TOUCH)
+    yield from _arm(view, place, drafting) if view.cam.rocks else _named(view, place, drafting)
+    for name, end, text in _reaches(view, drafting):
+        side = direction(centre, place.on(end)) + (math.pi / 2 if name == "R_0" else -math.pi / 2)
+        yield Letter((centre + place.on(end)) / 2, text, number, side)
+
+
+def _named(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
+    """Name the axes at their ends."""
+    size, zero, high = drafting.hand.letter, place.on(0j), place.on(view.box[1])
+    yield Letter(complex(zero.real, high.imag + AXIS), "S", size, 0.0)
+    yield Letter(complex(high.real + AXIS, zero.imag), "S''" if view.bent else "S'", size, math.pi / 2)
+
+
+def _arm(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
+    """Letter the start of the rocker's arc, and its arm."""
+    if len(view.tips):
+        hand, text = drafting.hand, _told("l", abs(view.start), drafting)
+        yield Letter(place.on(view.start), "A", hand.letter, math.pi / 2 * (1 - view.cam.rising), BESIDE)
+        yield Letter((place.on(0j) + place.on(_top(view))) / 2, text, hand.number, math.pi / 2)
+
+
+def _numbers(view: SizeView, place: Place, hand: Hand) -> Iterator[Letter]:
+    """Number the points of the diagram outward, and letter those that rulers touch."""
+    for k in _numbered(view, place, hand):
+        side = direction(complex(view.tips[k]), complex(view.ends[k]))
+        yield Letter(place.on(complex(view.ends[k])), str(k), hand.number, side, BESIDE)
+    for one in _touched(view, place):
+        spot = complex(one.point.point)
+        yield Letter(place.on(spot), one.point.name, hand.number, direction(view.centre, spot), BESIDE + TOUCH)
+
+
+def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
+    """Give the positions whose numbers have room."""
+    kept: list[int] = []
+    spots = [place.on(one) for one in view.ends.tolist()]
+    for k, apart in enumerate(np.abs(view.ends - view.tips).tolist()):
+        if apart and all(abs(spots[k] - spots[other]) >= APART * hand.number for other in kept):
+            kept.append(k)
+    return tuple(kept)
+
+
+def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
+    """Give the tangents that touch the diagram elsewhere than at A; of a rocker all."""
+    for one in () if view.faced else view.sizing.tangents:
+        if view.cam.rocks or place.length(abs(complex(one.point.point))) >= LEAST:
+            yield one
+
+
+def _titled(group: Group, title: str) -> Group:
+    return group._replace(title=title)

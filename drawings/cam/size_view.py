@@ -1,0 +1,328 @@
+"""What the figure of the main sizes shows: the diagram, its tangents, the region left to O (определение размеров)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.cam.notes import ACCELERATION, VELOCITY, letters, units
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.layout.value_table import BY_HAND, row_by_hand
+from drawings.page.drafting import Drafting
+from geometry.board import Line as Ruler
+from geometry.board import Mark
+from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches
+from plans.cam.dimensions import RATIO
+from plans.cam.sizing import Sizing, Tangent
+from plans.checks.comparison import Finding
+from plans.model.cam import RETURN, RISE, Cam
+from plans.model.cam_motion import CamFound, Points, Shock
+
+NAME, QUANTITY = "sizes", "l"
+DEPTH = 0.3  # of the diagram's height: how far the region is shown below O
+SIDE = 0.25  # of the distance of centres: how far a rocker's face and the region under it are shown past O
+PAST = 0.12  # of the diagram's height: how far a tangent goes past the point that it touches
+
+
+@dataclass(frozen=True)
+class SizeView:
+    """The construction of the main sizes, in its own frame: from A, or from O1 of a rocker."""
+
+    sizing: Sizing
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.sizing.cam
+
+    @property
+    def bent(self) -> bool:
+        """Whether S is drawn over S'', as under a flat face that translates."""
+        return self.cam.flat and not self.cam.rocks
+
+    @property
+    def centre(self) -> complex:
+        """O."""
+        return _spot(self.sizing.centre)
+
+    @property
+    def start(self) -> complex:
+        """A; of a rocker K0, and under its face O1."""
+        return _spot(self.sizing.start)
+
+    @property
+    def tips(self) -> Points:
+        """K of the numbered positions, (N,); none under the face of a rocker."""
+        return _spots(self.sizing.tip)
+
+    @property
+    def ends(self) -> Points:
+        """D of the numbered positions, (N,)."""
+        return _spots(self.sizing.end)
+
+    @cached_property
+    def curves(self) -> tuple[Points, ...]:
+        """The diagram densely, a row a smooth stretch; none under the face of a rocker."""
+        if self.faced:
+            return ()
+        diagram = SlopeDiagram(self.cam)
+        motions = [sampled(one)[1] for one in stretches(self.cam, (RISE, RETURN))]
+        if self.bent:
+            return tuple(np.asarray(one.bend + 1j * one.s) for one in motions)
+        return tuple(diagram.end(one) for one in motions)
+
+    @property
+    def faced(self) -> bool:
+        """Whether it is under the face of a rocker."""
+        return self.cam.flat and self.cam.rocks
+
+    @property
+    def face(self) -> tuple[complex, complex, complex]:
+        """The face of a rocker at the start: its ends, and the foot on it of the perpendicular from O."""
+        arm = self.cam.rising * complex(SlopeDiagram(self.cam).leaning(np.zeros(1))[0])
+        up = 1j * self.cam.rising * arm
+        root = self.cam.follower.face * up
+        foot = self.centre + self.sizing.sizes.base * up
+        return root, foot + SIDE * (foot - root), foot
+
+    @property
+    def points(self) -> list[complex]:
+        """All that must be on the paper, but the ends of the tangents."""
+        own = [self.centre, self.start, *self.tips.tolist(), *self.ends.tolist()]
+        own += [0j] if self.cam.rocks else []
+        own += [*self.face, self.centre + SIDE * abs(self.centre)] if self.faced else []
+        own += [one for curve in self.curves for one in curve.tolist()]
+        chord = self.sizing.chord
+        return own + ([_spot(chord.centre)] if chord else [])
+
+    @cached_property
+    def box(self) -> tuple[complex, complex]:
+        """The corners of what is shown, with room below O for the region."""
+        xs, ys = [one.real for one in self.points], [one.imag for one in self.points]
+        spare = DEPTH * max(max(ys) - min(ys), max(xs) - min(xs))
+        low = self.centre.imag - (spare if self.shaded else spare / 4)
+        return complex(min(xs), min(*ys, low)), complex(max(xs), max(ys) + spare / 4)
+
+    @property
+    def shaded(self) -> bool:
+        """Whether limits leave a region to be shown."""
+        return bool(self.sizing.bounds) and not self.bent
+
+    @cached_property
+    def region(self) -> tuple[complex, ...]:
+        """The corners of the part of the region that is shown."""
+        if not self.shaded:
+            return ()
+        low, high = self.box
+        outline = [low, complex(high.real, low.imag), high, complex(low.real, high.imag)]
+        for bound in self.sizing.bounds:
+            for stretch in bound.along:
+                lines = bound.lines(sampled(stretch)[1])
+                for normal, reach in zip(lines.normals.tolist(), lines.bounds.tolist(), strict=True):
+                    outline = cut(outline, normal, reach)
+        return tuple(outline)
+
+    def ends_at(self, start: complex, end: complex) -> bool:
+        """Tell whether an edge of the region lies where no more of it is shown."""
+        low, high = self.box
+        levels = ((start.real, end.real, low.real, high.real), (start.imag, end.imag, low.imag, high.imag))
+        return any(one == other and one in sides for one, other, *sides in levels)
+
+    def ruler(self, one: Tangent) -> tuple[complex, complex]:
+        """Give the ends of a tangent: past the point that it touches, and down to the region's end."""
+        touched, line = _spot(one.point), one.line.value
+        assert isinstance(line, Ruler)
+        along = complex(line.direction)
+        along *= math.copysign(1.0, along.imag) / abs(along)
+        low, high = self.box
+        past = touched + PAST * (high.imag - low.imag) * along
+        level = low.imag if one.binding and not self.bent else min(self.centre.imag, touched.imag)
+        foot = touched + (level - touched.imag) / along.imag * along
+        return past, _within(foot, along, low, high)
+
+
+def _within(foot: complex, along: complex, low: complex, high: complex) -> complex:
+    """Give the lower end of a line, no farther aside than the box is."""
+    wide = high.real - low.real
+    left, right = low.real - wide / 4, high.real + wide / 4
+    if left <= foot.real <= right:
+        return foot
+    edge = left if foot.real < left else right
+    return foot + (edge - foot.real) / along.real * along
+
+
+def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[complex]:
+    """Cut off what of a convex outline is beyond a line.
+
+    >>> cut([0j, 2 + 0j, 2 + 2j, 2j], 1 + 0j, 1.0)
+    [0j, (1+0j), (1+2j), 2j]
+    """
+    beyond = [(normal.conjugate() * one).real - reach for one in outline]
+    return [
+        spot for k in range(len(outline)) for spot in _corner((outline[k - 1], outline[k]), (beyond[k - 1], beyond[k]))
+    ]
+
+
+def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Iterator[complex]:
+    (start, end), (first, last) = side, beyond
+    if (first > 0) != (last > 0):
+        yield start + (end - start) * (first / (first - last))
+    if last <= 0:
+        yield end
+
+
+def leaning(one: Tangent, view: SizeView) -> complex | None:
+    """Give the direction from which the angle of a tangent is counted; None of one at 45 degrees."""
+    if not isinstance(one.bound, PressureBound):
+        return None
+    diagram = SlopeDiagram(view.cam)
+    return 1j * complex(diagram.leaning(one.touch.instant.s)[0])
+
+
+def lower(one: Tangent) -> bool:
+    """Tell whether a tangent is at the limit below 0 of a rise, which is held to both of its limits then."""
+    own = one.bound
+    return isinstance(own, PressureBound) and own.kind == RISE and own.side < 0
+
+
+def direction(start: complex, end: complex) -> float:
+    """Give the direction from one place to another, rad."""
+    return cmath.phase(end - start)
+
+
+def _spot(mark: Mark | None) -> complex:
+    return 0j if mark is None else complex(mark.point)
+
+
+def _spots(mark: Mark | None) -> Points:
+    return np.zeros(0, dtype=complex) if mark is None else np.asarray(mark.point, dtype=np.complex128)
+
+
+MM = 1000.0  # of a metre
+NOTHING = "—"
+
+
+class Quantity(NamedTuple):
+    """A row of the table by one road: its letters, its unit, its value in that unit; whether the scene gives it."""
+
+    letter: str
+    unit: str
+    value: float
+    given: bool = False
+    where: str = ""  # the word for the place of a value, of one that is a place
+
+
+def quantities(found: CamFound) -> tuple[Quantity, ...]:
+    """List what one road found."""
+    return (*_sizes(found), *_curvature(found), *_pressure(found), *_motion(found), *_shocks(found))
+
+
+def sizes(own: tuple[Quantity, ...], exact: tuple[Quantity, ...], by_hand: bool, drafting: Drafting) -> RuledTable:
+    """Tell what both roads found, and what a hand may be out; of what is given that it is.
+
+    Without `by_hand` nothing is read off a construction in which a hand might err.
+    """
+    heads = tuple(drafting.word(key) for key in (BY_HAND if by_hand else BY_HAND[:-1]))
+    lines = [_line(one, other, drafting) for one, other in zip(own, exact, strict=True)]
+    lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME)
+
+
+def title(one: Quantity, drafting: Drafting) -> str:
+    """Write the name of a row."""
+    letter = drafting.letter(one.letter)
+    named = drafting.word(one.where, letter=letter) if one.where else letter
+    return f"{named}, {drafting.word(one.unit)}" if one.unit else named
+
+
+def _line(own: Quantity, exact: Quantity, drafting: Drafting) -> TableRow:
+    name = title(own, drafting)
+    values = np.array([own.value]), np.array([exact.value])
+    largest = float(np.abs(values[1]).max()) or 1.0
+    finding = Finding(NAME, own.letter, own.unit, *values, abs(values[0] - values[1]), np.zeros(1), largest)
+    line = row_by_hand(finding, name, (0,), drafting.language)
+    if own.given:
+        return TableRow(name, (line.cells[0], drafting.word("cam given"), NOTHING))
+    return line._replace(cells=(*line.cells[:-1], NOTHING)) if own.where else line
+
+
+def _sizes(found: CamFound) -> Iterator[Quantity]:
+    cam, own = found.cam, found.sizes
+    if not cam.translates:
+        yield Quantity("R_0", "mm", MM * own.base, cam.given.base is not None)
+    if not (cam.rocks or cam.flat or cam.translates):
+        yield Quantity("e", "mm", MM * own.offset, cam.given.offset is not None)
+        yield Quantity("S_0", "mm", MM * math.sqrt(own.base**2 - own.offset**2))
+    if cam.rocks:
+        yield Quantity("L", "mm", MM * own.centre, cam.given.centre is not None)
+        yield Quantity("ψ_0", "°", math.degrees(own.initial))
+    if found.roller:
+        yield Quantity("r_{rol}", "mm", MM * found.roller, cam.roller is not None)
+    yield Quantity("Ψ", "°", math.degrees(cam.lift), True) if cam.rocks else Quantity("H", "mm", MM * cam.lift, True)
+
+
+def _curvature(found: CamFound) -> Iterator[Quantity]:
+    """Give the least radii of curvature of the pitch curve, convex and hollow; the breadth of a face."""
+    for letter, one in (("ρ_{min}", found.sharpest), ("ρ_{hol}", found.hollow)):
+        if one is not None:
+            yield Quantity(letter, "mm", MM * one.value)
+            yield _where(found.cam, letter, one.turned)
+    if found.cam.flat:
+        yield from (Quantity(f"b_{side + 1}", "mm", MM * abs(far)) for side, far in enumerate(found.face))
+
+
+def _pressure(found: CamFound) -> Iterator[Quantity]:
+    """Give the largest pressure angles; under a flat face that does not rock there is none."""
+    for kind in () if found.cam.flat and not found.cam.rocks else (RISE, RETURN):
+        if kind in found.pressure:
+            letter = f"α_{{{kind}}}"
+            yield Quantity(letter, "°", math.degrees(found.pressure[kind].value))
+            yield _where(found.cam, letter, found.pressure[kind].turned)
+
+
+def _where(cam: Cam, letter: str, turned: float) -> Quantity:
+    """Give the place of a value: the cam's turn in degrees, or its travel in millimetres."""
+    if cam.translates:
+        return Quantity(letter, "mm", MM * turned, where="cam travel at")
+    return Quantity(letter, "°", math.degrees(turned), where="cam angle at")
+
+
+def _motion(found: CamFound) -> Iterator[Quantity]:
+    """Give the follower's largest velocity and acceleration; at a hard shock the acceleration has no largest value."""
+    if found.cam.speed is not None:
+        letters = ("ω_{max}", "ε_{max}") if found.cam.rocks else ("v_{max}", "a_{max}")
+        for order, peak in enumerate(found.peaks.values(), 1):
+            yield Quantity(letters[order - 1], _units(found.cam)[order - 1], abs(peak.value) * found.cam.speed**order)
+
+
+def _shocks(found: CamFound) -> Iterator[Quantity]:
+    """Give the shocks, each by its jump: of the velocity a hard one, of the acceleration a soft one."""
+    for number, one in enumerate(found.shocks):
+        letter = f"Δ{_jumps(found.cam, one)}_{{{number + 1}}}"
+        yield Quantity(letter, _unit(found.cam, one), one.jump * (found.cam.speed or 1.0) ** one.order)
+        yield _where(found.cam, letter, one.turned)
+
+
+def _jumps(cam: Cam, shock: Shock) -> str:
+    """Name what jumps."""
+    if cam.speed is None:
+        return letters(cam)[0] + "'" * shock.order
+    return ("ωε" if cam.rocks else "va")[shock.order - 1]
+
+
+def _unit(cam: Cam, shock: Shock) -> str:
+    if cam.speed is None:
+        bare = units(cam)[VELOCITY if shock.order == 1 else ACCELERATION]
+        return "" if bare == RATIO else bare
+    return _units(cam)[shock.order - 1]
+
+
+def _units(cam: Cam) -> tuple[str, str]:
+    """Give the units of velocity and acceleration."""
+    return ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")

@@ -1,0 +1,1 @@
+"""A cyclogram on its sheet: bars, rings, characteristic positions, report, what is due (циклограмма)."""

@@ -1,0 +1,238 @@
+"""What is drawn of a span: its course between two levels, its letters with its angle (участок циклограммы)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Picture, Spot
+from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import text_width
+from drawings.linkage import position_letters, position_plan
+from drawings.linkage.pairs import Pairs
+from drawings.linkage.position_letters import clearest, length, stroke
+from drawings.linkage.skeleton import Skeletons, skeletons
+from drawings.page.drafting import Drafting
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Arc, Circle, Group, LineStyle, Polyline, Stroke, Text
+from drawings.paper.ties import tied
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject
+from drawings.symbols.trimming import trim
+from geometry.board import Arc as Notch
+from geometry.board import Mark
+from plans.cyclogram import rows as r
+from plans.cyclogram.study import CyclogramStudy
+from plans.linkage.travel import frame_slide
+from plans.model.cam import DWELL, RETURN, RISE
+from plans.model.cyclogram import BEGIN, END, ENTRY, EXIT, Cyclogram, Row, Span, pieces, within
+from plans.model.mechanism import FRAME
+
+DIGITS = 5
+
+
+class Course(NamedTuple):
+    """From which level of a row to which a span leads, 0 the lower, and the line of the hand that draws it."""
+
+    start: float
+    end: float
+    style: str = "result"
+
+
+COURSES: Final = {
+    RISE: Course(0.0, 1.0),
+    DWELL: Course(1.0, 1.0),
+    RETURN: Course(1.0, 0.0),
+    r.REST: Course(0.0, 0.0),
+    r.WORK: Course(0.0, 1.0),
+    r.IDLE: Course(1.0, 0.0, "other"),
+    r.CUT: Course(1.0, 1.0),
+    r.OVERRUN: Course(0.0, 0.0, "other"),
+    r.BACK_OVER: Course(0.0, 0.0, "other"),
+    r.FREE: Course(1.0, 0.0, "path"),
+}
+
+
+class Stretch(NamedTuple):
+    """A part of a span, counted from where the chart begins to a whole turn, with the levels at its ends."""
+
+    span: Span
+    start: float
+    end: float
+    low: float  # level at its start
+    high: float  # level at its end
+
+
+def stretches(span: Span, begin: float = 0.0) -> tuple[Stretch, ...]:
+    """Cut a span where a turn from `begin` starts anew."""
+    course, whole, found, gone = COURSES[span.kind], span.end - span.start, list[Stretch](), 0.0
+    for piece in pieces(span, begin):
+        ends = gone, gone + piece.end - piece.start
+        levels = (course.start + (course.end - course.start) * end / whole for end in ends)
+        found.append(Stretch(span, piece.start, piece.end, *levels))
+        gone = ends[1]
+    return tuple(found)
+
+
+def style_of(span: Span, hand: Hand) -> LineStyle:
+    """Give the line that draws a span."""
+    style: LineStyle = getattr(hand, COURSES[span.kind].style)
+    return style
+
+
+def moves(span: Span) -> bool:
+    """Whether something is done in a span: a main line draws it."""
+    return COURSES[span.kind].style == "result" and span.kind != r.REST
+
+
+def doing(span: Span, drafting: Drafting) -> str:
+    """Write what is done in a span: the letter of a phase, or a word."""
+    return drafting.letter(f"φ_{{{span.label}}}") if span.label else drafting.word(f"cyclogram {span.kind}")
+
+
+def angle(span: Span, drafting: Drafting) -> str:
+    """Write the angle of a span in degrees."""
+    return f"{drafting.number(math.degrees(span.end - span.start), DIGITS)}°"
+
+
+def label(span: Span, drafting: Drafting) -> str:
+    """Write what is done in a span with its angle."""
+    return f"{doing(span, drafting)}{' = ' if span.label else ' '}{angle(span, drafting)}"
+
+
+def name(row: Row, drafting: Drafting) -> str:
+    """Write the name of a row: that of a cam as the scene gives it."""
+    if row.name in (r.STROKES, r.TOOL, r.FEED):
+        return drafting.word(f"cyclogram {row.name}")
+    return drafting.word("cyclogram cam", name=row.name)
+
+
+def setting(row: Row, drafting: Drafting) -> str:
+    """Write the setting angle of a row."""
+    assert row.setting is not None  # only what has one is asked
+    return f"{drafting.number(math.degrees(within(row.setting)), DIGITS)}°"
+
+
+NAME = "characteristic"
+TITLE = "characteristic positions"
+OVERRUNS, STROKE, NOTCHES, PINS = "overruns", "stroke", "notches", "pins"  # the names of its groups
+LONG = 6.0  # mm of a notch arc kept on each side of its meeting
+DOT = 0.8  # mm, radius of a crank pin
+LETTERS = 30.0  # it is drawn at least so many of its letters large: its angles are read from it
+
+
+@dataclass(frozen=True)
+class CharacteristicFigure:
+    """The plan placed on paper: its lines, and the letters and numbers still to be placed."""
+
+    pairs: Pairs
+    lines: tuple[Group, ...]
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its points lettered and its positions numbered."""
+        return *self.lines, position_letters.letters(self.pairs, labels)
+
+
+def bones_of(study: CyclogramStudy) -> Skeletons:
+    """Gather the poses of the characteristic positions; that where the tool meets the work is in full lines."""
+    pictured = study.pictured
+    return skeletons(pictured, pictured.motion(0), shown_of(study.cyclogram))
+
+
+def shown_of(found: Cyclogram) -> int:
+    """Give the number of the position in full lines: where the tool comes to the work, or leaves it."""
+    return found.number(ENTRY if found.of(ENTRY) else EXIT)
+
+
+def measure(bones: Skeletons, drafting: Drafting) -> Picture:
+    """Measure the room that it needs."""
+    room = position_plan.measure(bones, NAME, drafting)
+    heading = text_width(Text(0j, drafting.word(TITLE), drafting.hand.heading))
+    return room._replace(heading=heading, least=LETTERS * drafting.hand.letter)
+
+
+def draw(
+    study: CyclogramStudy, bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting
+) -> CharacteristicFigure:
+    """Draw it in its spot, its title and its scale over it."""
+    pairs = Pairs(bones, room.place(*spot), drafting.hand)
+    layers = [one for one in position_plan.layers(pairs, drafting.language) if one.name not in (NOTCHES, STROKE)]
+    own = Group(tuple(fit_dashes(trim(_notches(study, pairs), pairs.masks))), NOTCHES)
+    ink = Ink()
+    ink.draw([line for layer in layers for line in layer.strokes])
+    overruns = Group(tuple(_overruns(study.cyclogram, pairs, drafting, ink)), OVERRUNS)
+    whole = Group(tuple(stroke(bones, pairs.place, pairs.hand, drafting.language, ink)), STROKE)
+    pins = Group(tuple(_pins(bones, pairs)), PINS)  # under the hinges
+    lines = Group((own, pins, *layers, overruns, whole), NAME)
+    return CharacteristicFigure(pairs, (_heading(spot.box, spot, drafting), lines))
+
+
+def _heading(box: Field, spot: Spot, drafting: Drafting) -> Group:
+    hand = drafting.hand
+    at = complex(box.centre.real, box.top - hand.heading)
+    under = at - 1j * (0.6 * hand.heading + hand.title)
+    title = Text(at, drafting.word(TITLE), hand.heading, "middle", True)
+    return Group((title, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
+
+
+def _notches(study: CyclogramStudy, pairs: Pairs) -> Iterator[Stroke]:
+    """Keep the notch arcs struck from points that move with the tool; an arc about a fixed hinge is a path already."""
+    for board in study.boards:
+        for mark in board:
+            if mark.step.op == "meet":
+                yield from _arcs(mark, pairs)
+
+
+def _arcs(mark: Mark, pairs: Pairs) -> Iterator[Stroke]:
+    for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
+        centres, rays = np.broadcast_arrays(np.atleast_1d(source.point), np.atleast_1d(ray))
+        if not isinstance(locus.value, Notch) or np.ptp(centres.real) + np.ptp(centres.imag) == 0:
+            continue
+        for centre, arm in zip(centres.tolist(), rays.tolist(), strict=True):
+            radius, turn = pairs.place.length(abs(arm)), cmath.phase(arm)
+            half = min(LONG * pairs.hand.symbol / radius, math.pi)
+            yield Arc(pairs.place.on(centre), radius, turn - half, turn + half, pairs.hand.drafted)
+
+
+def _pins(bones: Skeletons, pairs: Pairs) -> Iterator[Group]:
+    """Mark the crank's end in every position but the one in full lines, to be measured by its number from the pivot."""
+    drive, place = bones.mechanism.drive, pairs.place
+    pivot = bones.mechanism.links[FRAME].points[drive.pivot]
+    data = Subject(NAME, "r", None).data("pole", drive.pivot, pivot, place.scale)
+    yield Group((Circle(place.on(pivot), DOT * pairs.hand.symbol, INK),), "", data, drive.pivot)
+    for k in range(len(bones.numbered)):
+        if k != bones.shown:
+            value, subject = bones.drive_end(k), Subject(NAME, "r", k)
+            data = subject.data("point", f"{drive.end}_{k}", value, place.scale)
+            yield Group((Circle(place.on(value), DOT * pairs.hand.symbol, INK),), "", data, str(k))
+
+
+def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> Iterator[Stroke]:
+    """Dimension how far the tool goes past the work, of one that slides."""
+    slide = frame_slide(pairs.bones.mechanism, found.output.link)
+    if slide is None:
+        return
+    places = pairs.bones.numbered.points[found.output.point or slide.point]
+    for role, extreme in ((ENTRY, BEGIN), (EXIT, END)):
+        if found.of(role):
+            ends = [pairs.place.on(complex(places[found.number(one)])) for one in (extreme, role)]
+            first, last = sorted(ends, key=lambda pin: (tied(pin.real), pin.imag))
+            one, other = found.of(role)[0], found.of(extreme)[0]
+            text = length(abs(one.place - other.place), drafting.language)
+            strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
+            ink.draw([*strokes, *(_frame(one) for one in strokes if isinstance(one, Text))])
+            yield from strokes
+
+
+def _frame(text: Text) -> Stroke:
+    """Give the box of a lettering: no other dimension runs through it."""
+    left, bottom, right, top = bounds(text)
+    return Polyline((complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top)), True)

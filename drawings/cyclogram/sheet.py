@@ -1,0 +1,106 @@
+"""The table of characteristic positions: where the tool is, the turn of the main shaft by both roads (таблица)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator
+from functools import partial
+from typing import Any
+
+from drawings.cyclogram import bar_chart, characteristic_plan, circular_chart
+from drawings.cyclogram.bar_chart import Chart
+from drawings.cyclogram.report import CyclogramNotes
+from drawings.layout.contents import Panel
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.words import fixed
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit
+from plans.cyclogram.quantities import CyclogramComparison
+from plans.cyclogram.rows import rows_of
+from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
+from plans.model.cyclogram import BEGIN, END, Cyclogram, Position
+from plans.study import Study
+
+NAME = "stations"
+PLACES = 5  # decimals of a degree: what is left of an angle by any protractor, and a thousand times more
+LENGTHS = 3  # decimals of a millimetre, or of a degree of a swing
+TIMES = 3  # digits of a condition
+HEADS = ("S, mm", "φ by plan, °", "φ by analysis, °", "condition")
+SWINGS = ("ψ, °", "φ by plan, °", "φ by analysis, °", "condition")
+INFINITE = "∞"
+
+
+def characteristic(comparison: CyclogramComparison, drafting: Drafting) -> RuledTable:
+    """Tell all characteristic positions by both roads."""
+    found, other = comparison.construction, comparison.analysis
+    pairs = zip(found.positions, other.positions, strict=True)
+    lines = [_row(k, one, theirs, found, drafting) for k, (one, theirs) in enumerate(pairs)]
+    heads = tuple(drafting.word(head) for head in (HEADS if found.sliding else SWINGS))
+    return table(lines, drafting.word("characteristic position"), heads, drafting.hand.text)._replace(name=NAME)
+
+
+def _row(k: int, one: Position, other: Position, found: Cyclogram, drafting: Drafting) -> TableRow:
+    language = drafting.language
+    gone = one.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
+    turned = (fixed(round(math.degrees(road.turned), PLACES) % 360, language, PLACES) for road in (one, other))
+    cells = fixed(gone, language, LENGTHS), *turned, condition(one, drafting)
+    return TableRow(name(k, one, drafting), cells)
+
+
+def name(k: int, one: Position, drafting: Drafting) -> str:
+    """Write the number of a position and what it is."""
+    return f"{k}  {drafting.word(f'role {one.role}')}"
+
+
+def condition(one: Position, drafting: Drafting) -> str:
+    """Write how many times a share of the stroke moves a share of the turn: without bound where the tool stands."""
+    return INFINITE if one.role in (BEGIN, END) else drafting.number(one.condition, TIMES)
+
+
+FOREMOST = 1.5  # the plan is the figure from which angles are read
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's cyclogram (row of the table of sheets)."""
+    return sheets(study[CYCLOGRAM], study.comparison(CYCLOGRAM))
+
+
+def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a cyclogram whose two roads are compared."""
+    drafting = drafting_of(study.scene)
+    figures = _plan(study, drafting), *_charts(study, drafting)
+    said = CyclogramNotes(study.cyclogram, study.cams, drafting).all
+    title = drafting.word("cyclogram sheet title")
+
+    def facts(names: Collection[str]) -> dict[str, Any]:
+        shown = characteristic_plan.shown_of(study.cyclogram)
+        return {"figures": list(names), "characteristic": shown}
+
+    return lay_out(study.scene, [Draft(CYCLOGRAM, title, (*figures, _table(comparison, drafting)), (), said, facts)])
+
+
+def chart_of(study: CyclogramStudy) -> Chart:
+    """Give what the charts show; the turn begins at the first extreme."""
+    turned = tuple(one.turned for one in study.cyclogram.positions)
+    return Chart(rows_of(study.cyclogram, study.cams), turned, turned[0])
+
+
+def _plan(study: CyclogramStudy, drafting: Drafting) -> Exhibit:
+    bones = characteristic_plan.bones_of(study)
+    room = characteristic_plan.measure(bones, drafting)
+    return Exhibit(Panel(room, FOREMOST), partial(characteristic_plan.draw, study, bones, room, drafting=drafting))
+
+
+def _charts(study: CyclogramStudy, drafting: Drafting) -> Iterator[Exhibit]:
+    chart, sense = chart_of(study), study.cyclogram.sense
+    room = bar_chart.measure(chart, drafting)
+    yield Exhibit(Panel(room), partial(bar_chart.draw, chart, room, drafting=drafting))
+    room = circular_chart.measure(chart, drafting)
+    yield Exhibit(Panel(room), partial(circular_chart.draw, chart, sense, room, drafting=drafting))
+
+
+def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:
+    table = characteristic(comparison, drafting)
+    return Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))

@@ -1,0 +1,1 @@
+"""Kinematic diagrams: rows over the turn, their table, report, what is due (кинематические диаграммы)."""

@@ -1,0 +1,195 @@
+"""What a sheet says of the diagrams: how they are drawn, how far chords are out, or why there are none (пояснения)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from drawings.diagrams.frame import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.thinning import every
+from drawings.lettering.words import decimal, fixed, number
+from drawings.page.drafting import Drafting
+from drawings.report.formula import Chapters
+from drawings.report.table import chapter, header, heading, row
+from plans.checks.comparison import Finding
+from plans.diagrams.study import DiagramsStudy
+from plans.model.diagrams import Course, Diagrams, chord_error
+from plans.model.motion import Floats
+from plans.study import Study
+from plans.words.words import Message, said, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+PER_CENT = 2  # digits of an error
+
+
+def diagram_notes(own: DiagramsStudy, drafting: Drafting) -> list[str]:
+    """Write the notes on the diagrams; nothing where they are not wanted."""
+    if not own.wanted:
+        return []
+    if own.left_out is not None:
+        return [drafting.word("diagrams left out", why=said(own.left_out, drafting.language))]
+    return [" ".join(_drawn(own, drafting)), *_read_off(own, drafting)]
+
+
+def _drawn(own: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
+    """Say how the diagrams are drawn and counted, and what of a crank that gathers speed is left aside."""
+    s, v, a = letters_of(own)
+    keys = ("diagrams by chords", f"diagrams {own.counted}", *(("diagrams even",) if own.course.lead else ()))
+    yield from (drafting.word(key, s=s, v=v, a=a) for key in keys)
+
+
+def _read_off(own: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
+    """Tell how far the chords are out at the most, where, and why."""
+    told = [_error(row, own, drafting) for row in rows_of(own)[1:] if row.off is not None and not row.flat]
+    if told:
+        yield drafting.word("diagrams off", told=",  ".join(told))
+
+
+def _error(row: DiagramRow, own: DiagramsStudy, drafting: Drafting) -> str:
+    assert row.off is not None  # asked only where chords are judged
+    numbers, k = own.axis.numbers, row.off.at
+    place = f"{numbers[k]}–{numbers[k + 1]}" if row.key == VELOCITY else str(numbers[k])
+    off = drafting.number(100 * row.off.share, PER_CENT)
+    return drafting.word("diagram off", letter=row.letter, off=off, place=place)
+
+
+NAME = "output"
+MOST = 36  # positions that are told: of more every so many
+ABSENT = "—"
+NOUGHT = 1e-9  # of the largest: a rounding
+DIGITS = 4  # of the largest of a column, whose numbers all have its decimals
+PLACES = range(-3, 8)  # decimals of a column; of none below 0; of other sizes each number has its own digits
+
+
+def output_table(own: DiagramsStudy, drafting: Drafting) -> RuledTable:
+    """Rule the table of the output's course."""
+    found = own.drawn
+    letters = SLIDING if own.course.travel.sliding else TURNING
+    units = [drafting.word(unit) for unit in own.units]
+    heads = ("φ, °", *(f"{letter}, {unit}" for letter, unit in zip(letters, units, strict=True)))
+    told = table(list(_rows(own, found, drafting)), drafting.word("position head"), heads, drafting.hand.text)
+    return told._replace(name=NAME)
+
+
+def told_positions(found: Diagrams) -> tuple[int, ...]:
+    """Choose the places of the axis that the table tells, rising by their positions' numbers."""
+    count = len(found.axis.numbers) - found.axis.closed
+    step = every(count / MOST, count)
+    return tuple(sorted(range(0, count, step), key=lambda k: found.axis.numbers[k]))
+
+
+def _rows(own: DiagramsStudy, found: Diagrams, drafting: Drafting) -> Iterator[TableRow]:
+    columns = tuple(_columns(whole(found, own.course.omega), own.course.omega))
+    for k in told_positions(found):
+        cells = (_shown(column, k, drafting) for column in columns)
+        yield TableRow(
+            str(found.axis.numbers[k]), (fixed(math.degrees(found.axis.turned[k]), drafting.language), *cells)
+        )
+
+
+class _Column(NamedTuple):
+    """A column's values, the largest that the one before it can make of them, and its own largest."""
+
+    values: list[float]
+    could: float
+    largest: float
+
+    @property
+    def places(self) -> int | None:
+        """Decimals of all its numbers; None where each has its own digits."""
+        if self.largest <= NOUGHT * self.could or not math.isfinite(self.largest):
+            return None
+        places = DIGITS - 1 - math.floor(math.log10(self.largest))
+        return max(places, 0) if places in PLACES else None
+
+
+def _columns(course: Course, omega: float) -> Iterator[_Column]:
+    """Give the columns of S, v, a."""
+    could = 0.0
+    for column in course:
+        largest = float(np.nanmax(np.abs(column), initial=0.0))
+        could = max(largest, omega * could)
+        yield _Column(column.tolist(), could, largest)
+
+
+def whole(found: Diagrams, omega: float) -> Course:
+    """Give S, v and a at the positions; of an output that turns fully with its even turn, (M,) each."""
+    s, v, a = found.at
+    return Course(s + found.count.turns * found.axis.turned, v + found.count.turns * omega, a)
+
+
+def _shown(column: _Column, k: int, drafting: Drafting) -> str:
+    value, places = column.values[k], column.places
+    if math.isnan(value):
+        return ABSENT
+    told = 0.0 if abs(value) <= NOUGHT * column.could else value
+    return drafting.number(told, DIGITS) if places is None else fixed(told, drafting.language, places)
+
+
+TOLD = (0, 1, 2, 3, 5)  # of the findings: S, v, a by the plans, v and a by chords
+FULL = 10
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the output's course at all positions with the chords; why there are no diagrams, if they are wanted."""
+    own: DiagramsStudy = study["diagrams"]
+    language = study.scene.sheet.language
+    if own.diagrams is not None:
+        return Chapters(values=_values(own.diagrams, study.comparison("diagrams").findings, language))
+    if own.left_out is None or not own.wanted:
+        return Chapters()
+    return Chapters(left_out=(word(language, "report.no_diagrams", why=own.left_out),))
+
+
+def headline(study: Study) -> str:
+    """Say nothing: the output is told with the motion."""
+    return ""
+
+
+def remarks(study: Study) -> list[Message]:
+    """Warn of nothing: diagrams that are left out are told on the sheet and in the report."""
+    return []
+
+
+def _values(found: Diagrams, findings: Sequence[Finding], language: str) -> Iterator[str]:
+    """Tabulate the course; v by a chord stands with the position from which it goes on."""
+    yield chapter(language, "diagrams")
+    told = [findings[k] for k in TOLD]
+    heads = (word(language, "table.position"), "φ, °", *(heading(one, language) for one in told))
+    yield from header(heads)
+    for k, position in enumerate(found.axis.numbers):
+        cells = (_cell(one, k, language) for one in told)
+        yield row([str(position), decimal(f"{math.degrees(found.axis.turned[k]):.4f}", language), *cells])
+    yield ""
+    yield from _errors(found, told, language)
+
+
+def _cell(finding: Finding, k: int, language: str) -> str:
+    """Write a value by construction; what is but a rounding of the largest is 0."""
+    if k == len(finding.construction):  # no step goes on from the last position
+        return ""
+    value = float(finding.construction[k])
+    if math.isnan(value):
+        return word(language, "table.gap")
+    return number(0.0 if abs(value) <= float(finding.allowed[k]) else value, language, FULL)
+
+
+def _errors(found: Diagrams, told: Sequence[Finding], language: str) -> Iterator[str]:
+    """Tell how far the chords are out at the most, and where."""
+    numbers = found.axis.numbers
+    pairs: tuple[tuple[Floats, Floats], ...] = (
+        (found.speeds, found.true_speeds),
+        (found.growths, found.true_growths),
+    )
+    for one, (values, true), fast in zip(told[3:], pairs, (True, False), strict=True):
+        error = chord_error(values, true)
+        if error is not None:
+            place = f"{numbers[error.at]}–{numbers[error.at + 1]}" if fast else str(numbers[error.at])
+            off = number(100 * error.share, language, 3)
+            yield word(language, "report.chords", name=one.name.split(" ")[0], off=off, place=place)

@@ -1,1 +1,0 @@
-"""What must stand on the sheets of each kind, by the analysis alone (что должно быть на листах)."""

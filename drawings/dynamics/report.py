@@ -1,0 +1,327 @@
+"""The motion of a machine in the report: task, reduction, works, flywheel, motion, other fluctuations (отчёт)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from drawings.dynamics import report_tables
+from drawings.dynamics import report_tables as tables
+from drawings.dynamics.report_tables import listed, plain
+from drawings.forces.report import counted_strokes
+from drawings.lettering.phrase import Phrase, Slot, joined
+from drawings.lettering.words import decimal
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.report.formula import Chapters
+from drawings.report.table import chapter, header, row
+from plans.dynamics.cycle import methods, rim_of
+from plans.dynamics.loop import loop
+from plans.model.dynamics import TURN, Cycle, Flywheel, Task, Wheel, settled
+from plans.model.run import Account
+from plans.study import Study
+from plans.words.words import Message, message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+RPM = 30 / math.pi  # of a rad/s
+OTHERS = (2.0, 0.5)  # times the fluctuation that is asked for
+PER_CENT = 3  # digits of a share
+NOTES_NOISE = 1e-9  # of J0: what of it is less is rounding, whose digits differ from machine to machine
+
+
+class DynamicsNotes(NamedTuple):
+    """The notes on a machine's motion by one road, with so many digits.
+
+    `flywheel_at` gives the flywheel for another fluctuation; `exact` is J kg*m2 of the flywheel without the error of
+    the strips.
+    """
+
+    task: Task
+    account: Account
+    flywheel_at: Callable[[float], Flywheel]
+    drafting: Drafting
+    rim: Wheel | None = None
+    exact: float | None = None
+    digits: int = 4
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """What is asked, what the loads take, why the flywheel is so big, what else it could be, what it achieves."""
+        return (
+            *self.asked(),
+            *self.works(),
+            *self.stopping(),
+            *self.reasons(),
+            *self.other(),
+            *self.achieved(),
+            *self.sizes(),
+        )
+
+    def asked(self) -> Iterator[str]:
+        """Say what is asked of the motion."""
+        speed = {"n": self._slot("n", self.task.speed * RPM), "omega": self._slot("ω_m", self.task.speed)}
+        if self.task.delta is None:
+            yield self.drafting.phrase("dynamics asked speed", **speed)
+        else:
+            yield self.drafting.phrase("dynamics asked", **speed, delta=self.fluctuation(self.task.delta))
+
+    def works(self) -> Iterator[str]:
+        """Say what the loads take in a turn, and by what moment the drive gives it."""
+        cycle = self.account.cycle
+        if cycle is None:
+            return
+        if not cycle.net:
+            yield self.drafting.word("no work of turn")
+        else:
+            key = "work of turn" if cycle.net < 0 else "work given"
+            moment = self._slot("M_dr", abs(cycle.driving))
+            yield self.drafting.phrase(key, work=self._slot("A_us(2π)", abs(cycle.net)), moment=moment)
+
+    def stopping(self) -> Iterator[str]:
+        """Say that the machine would stop without a flywheel where none is asked for."""
+        if self.stops:
+            yield self.drafting.word("stops without flywheel")
+
+    @property
+    def stops(self) -> bool:
+        """Whether a machine that no flywheel is asked for would stop under a constant moment of the drive."""
+        cycle, before = self.account.cycle, self.account.before
+        if cycle is None or self.task.delta is not None or self.account.run is not None:
+            return False
+        massive = cycle.inertia[0] + self.task.present > 0  # else nothing is said of its energy
+        return massive and (before is None or not all(map(math.isfinite, before.extremes)))
+
+    def reasons(self) -> Iterator[str]:
+        """Say why the flywheel is as big as it is: where the excess work is taken, what divides it, what is there."""
+        wheel, cycle = self.account.flywheel, self.account.cycle
+        if wheel is None or cycle is None or not self.task.delta:
+            return
+        low, high = wheel.touches
+        excess = high.surplus - low.surplus
+        share = excess / (self.task.speed**2 * self.task.delta)
+        said = {"fast": self._angle("φ fastest", high.turned), "slow": self._angle("φ slowest", low.turned)}
+        said |= {"excess": self._slot("A excess", excess), "whole": self._slot("J_0", wheel.whole)}
+        said |= {"most": self._slot("M_us most", resisting(cycle, high.turned, low.turned))}
+        if abs(wheel.whole - share) <= NOTES_NOISE * wheel.whole:  # the links have one inertia at both angles
+            yield self.drafting.phrase("why loads alone", **said)
+        else:
+            key = "why loads" if share > wheel.whole / 2 else "why masses"
+            links = self._signed("J_0 of links", wheel.whole - share)
+            yield self.drafting.phrase(key, **said, share=self._slot("J_0 of loads", share), links=links)
+        yield from self.missing()
+
+    def missing(self) -> Iterator[str]:
+        """Say what of J0 is there, and what the flywheel must add."""
+        wheel = self.account.flywheel
+        if wheel is None:
+            return
+        told = {"own": self._slot("J_0^* of links", wheel.own), "present": self._slot("J_0^* of shafts", wheel.present)}
+        told |= {"bare": self._slot("J_0^*", wheel.own + wheel.present), "whole": self._slot("J_0", wheel.whole)}
+        key = "flywheel adds" if wheel.needed > 0 else "heavy enough"
+        yield self.drafting.phrase(key, **told, inertia=self._slot("J_fly", wheel.inertia))
+
+    def other(self) -> Iterator[str]:
+        """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
+        wheel, cycle = self.account.flywheel, self.account.cycle
+        if wheel is None or cycle is None or not self.task.delta or wheel.needed <= 0:
+            return
+        deltas = [times * self.task.delta for times in OTHERS]
+        more, less = (self.flywheel_at(delta).inertia for delta in deltas)
+        said = {"more": self._slot("J_fly at 2δ", more), "less": self._slot("J_fly at δ/2", less)}
+        twice, half = (self.fluctuation(delta, of) for delta, of in zip(deltas, ("2δ", "δ/2"), strict=True))
+        yield self.drafting.phrase("other fluctuation", **said, twice=twice, half=half)
+        if self.exact:
+            off = Slot("J_fly off", 100 * self._less(wheel.inertia, self.exact) / self.exact, PER_CENT)
+            exact = self._slot("J_fly exact", self.exact)
+            yield self.drafting.phrase("error of strips", count=len(cycle.means), exact=exact, off=off)
+
+    def achieved(self) -> Iterator[str]:
+        """Say how evenly the machine runs with the flywheel, and how it would run without."""
+        speeds, before, wheel = self.account.speeds, self.account.before, self.account.flywheel
+        if speeds is None:
+            return
+        low, high = map(self._slot, ("ω_min", "ω_max"), speeds.extremes)
+        yield self.drafting.phrase("achieved motion", delta=self._slot("δ", speeds.delta), low=low, high=high)
+        if wheel is not None and wheel.needed > 0:
+            stops = before is None or not all(map(math.isfinite, before.extremes))
+            if stops or before is None:
+                yield self.drafting.phrase("without flywheel", own=self.drafting.word("would stop"))
+            else:
+                own = joined("", ("δ = ", self.drafting.slot(self._slot("δ without flywheel", before.delta))))
+                yield self.drafting.phrase("without flywheel", own=own)
+
+    def sizes(self) -> Iterator[str]:
+        """Say the sizes of the rim; of one that is too thick, what would do."""
+        rim, slot, phrase = self.rim, self._slot, self.drafting.phrase
+        if rim is None:
+            return
+        if not rim.fits:
+            least = slot("rim D least", 1000 * rim.least_diameter)
+            yield phrase("rim too thick", diameter=slot("rim D", 1000 * rim.diameter), least=least)
+            return
+        said = {"mass": slot("rim m", rim.mass), "diameter": slot("rim D", 1000 * rim.diameter)}
+        said |= {"breadth": slot("rim b", 1000 * rim.breadth), "thickness": slot("rim t", 1000 * rim.thickness)}
+        said |= {"speed": slot("rim v", rim.at_speed(self.task.speed * self.task.rim.ratio))}
+        yield phrase("rim sizes", **said, added=Slot("rim added", 100 * rim.added, PER_CENT))
+
+    def fluctuation(self, delta: float, of: str = "δ") -> Phrase:
+        """Write a coefficient of fluctuation as tables of permitted ones do."""
+        return joined("", ("1/", self.drafting.slot(self._slot(f"1/{of}", 1 / delta))))
+
+    def _less(self, one: float, other: float) -> float:
+        """Subtract; nothing is left where that is but rounding."""
+        return float(settled(np.array([one - other]), abs(other))[0])
+
+    def _angle(self, quantity: str, turned: float) -> Slot:
+        return self._slot(quantity, math.degrees(turned))
+
+    def _signed(self, quantity: str, value: float) -> Phrase:
+        """Write a number after its sign, which is a part of what it is called."""
+        sign = "−" if value < 0 else "+"
+        return joined(" ", (sign, self.drafting.slot(self._slot(f"{quantity} {sign}", abs(value)))))
+
+    def _slot(self, quantity: str, value: float) -> Slot:
+        return Slot(quantity, value, self.digits)
+
+
+def resisting(cycle: Cycle, start: float, end: float) -> float:
+    """Give the greatest moment of resistance N*m between two angles, rad, in the sense of rotation."""
+    middles = (cycle.turned[1:] + cycle.turned[:-1]) / 2
+    within = np.mod(middles - start, TURN) <= np.mod(end - start, TURN)
+    rows = np.column_stack([cycle.moments, cycle.means])[within]
+    return float(np.max(-rows, initial=-np.inf)) if rows.size else 0.0
+
+
+DIGITS = 10
+NOISE = 1e-9  # per cent: a smaller difference is rounding, whose digits differ from machine to machine
+
+
+def headline(study: Study) -> str:
+    """Say what flywheel the machine needs."""
+    notes = notes_of(study, digits=5)
+    return "; ".join(map(plain, (*notes.works(), *notes.missing())))
+
+
+def remarks(study: Study) -> list[Message]:
+    """Say that the machine would stop, or where a run ends before its time; gaps are told with the positions."""
+    found = study.comparison("dynamics").construction.run
+    if found is not None and found.failure is not None:
+        return [found.failure.message]
+    return [message("dynamics.stops")] if notes_of(study).stops else []
+
+
+def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
+    """Give the notes on what the construction finds, with the exact flywheel beside it."""
+    own, comparison = study["dynamics"], study.comparison("dynamics")
+    account, exact = comparison.construction, comparison.exact.flywheel
+    rim = rim_of(account.flywheel.inertia, own.task.rim) if account.flywheel is not None else None
+    true = exact.inertia if exact is not None else None
+    return DynamicsNotes(own.task, account, _at(account.cycle, own.task), drafting_of(study.scene), rim, true, digits)
+
+
+def _at(cycle: Cycle, task: Task) -> partial[Flywheel]:
+    """Give the flywheel of another fluctuation by the same loop."""
+    return partial(_flywheel, cycle, task)
+
+
+def _flywheel(cycle: Cycle, task: Task, delta: float) -> Flywheel:
+    return loop(cycle, task._replace(delta=delta)).flywheel
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the motion of a machine."""
+    language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
+    account: Account = study.comparison("dynamics").construction
+    return Chapters(
+        subject=[*listed(chapter(language, "dynamics"), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
+        values=[
+            *_reduction(account, notes),
+            *_works(account, notes),
+            *_wheel(study, notes),
+            *_motion(notes),
+            *_run(study, notes),
+        ],
+        left_out=[word(language, "report.dynamics_left_out")],
+    )
+
+
+def _ways(study: Study) -> Iterator[str]:
+    """Tell how the crank turns, and the strokes that loads count where no chapter of forces does."""
+    statics, language = study["forces"], study.scene.sheet.language
+    way = "clockwise" if statics.study.mechanism.drive.omega < 0 else "counter-clockwise"
+    yield word(language, "report.crank_turns", way=message(f"way.{way}"))
+    if "forces" not in study.techniques:
+        yield from counted_strokes(statics, language)
+
+
+def _shafts(notes: DynamicsNotes) -> Iterator[str]:
+    """Tell each rotating mass beside the linkage, reduced to the crank."""
+    for one in notes.task.shafts:
+        numbers = {"inertia": one.inertia, "ratio": one.ratio, "reduced": one.reduced}
+        told = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
+        yield word(notes.drafting.language, "report.shaft", name=one.name, **told)
+
+
+def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:
+    yield chapter(notes.drafting.language, "reduction")
+    yield from tables.reduction(account.reduced, notes.drafting)
+
+
+def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
+    if account.cycle is not None:
+        yield from listed(chapter(notes.drafting.language, "works"), [*notes.works(), *notes.stopping()])
+        yield ""
+        yield from tables.works(account.cycle, account.speeds, notes.drafting)
+
+
+def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
+    """Tell the tangents, the flywheel by every method, and what other fluctuations ask for."""
+    wheel, language, drafting = notes.account.flywheel, notes.drafting.language, notes.drafting
+    if wheel is None:
+        return
+    exact = study.comparison("dynamics").exact.flywheel
+    yield from listed(chapter(language, "flywheel"), [*notes.reasons(), *notes.other(), *notes.sizes()])
+    yield ""
+    yield from tables.tangents(wheel, exact, drafting)
+    yield ""
+    yield from _methods(notes, wheel, exact)
+    yield chapter(language, "other_fluctuations")
+    yield from tables.others(notes.task, notes.flywheel_at, notes.fluctuation, drafting)
+
+
+def _methods(notes: DynamicsNotes, wheel: Flywheel, exact: Flywheel | None) -> Iterator[str]:
+    """Tell J0 by Wittenbauer, Mertsalov, Gutyar and the book's formula, and how far each is off the first."""
+    language, drafting = notes.drafting.language, notes.drafting
+    assert notes.account.cycle is not None  # there is a flywheel
+    found = methods(notes.account.cycle, notes.task)
+    if found is None or not wheel.whole:
+        return
+    yield from header([word(language, f"table.{head}") for head in ("method", "whole", "off_loop")])
+    values = {"loop": wheel.whole, "mertsalov": found.mertsalov, "gutyar": found.gutyar, "book": found.book}
+    if exact is not None:
+        values["exact"] = exact.whole
+    for name, whole in values.items():
+        share = 100 * (whole / wheel.whole - 1)
+        off = "—" if abs(share) < NOISE else decimal(f"{share:.2e}", language)
+        yield row([word(language, f"report.method_{name}"), drafting.number(whole, DIGITS), off])
+    yield f"\n{word(language, 'report.energy', energy=drafting.number(wheel.energy, DIGITS))}"
+
+
+def _motion(notes: DynamicsNotes) -> list[str]:
+    return listed(chapter(notes.drafting.language, "motion"), notes.achieved())
+
+
+def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
+    """Tell the run from rest by the table and by the solver, of a machine with a motor."""
+    comparison, language = study.comparison("dynamics"), notes.drafting.language
+    pairs = {"report.by_table": comparison.construction.run, "report.by_solver": comparison.exact.run}
+    runs = {name: run for name, run in pairs.items() if run is not None}
+    if runs:
+        yield from listed(chapter(language, "run"), report_tables.told(runs, notes.drafting))
+        yield ""
+        yield from report_tables.stages(runs, notes.drafting)

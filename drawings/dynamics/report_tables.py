@@ -1,0 +1,166 @@
+"""The motion of a machine in tables of the report: reduction, works, tangents (таблицы динамики)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+
+import numpy as np
+
+from drawings.lettering.phrase import Phrase, template_of
+from drawings.lettering.words import decimal
+from drawings.page.drafting import Drafting
+from drawings.report.table import header, row
+from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
+from plans.model.motion import Floats
+from plans.model.run import Run, Stage
+from plans.words.words import word
+
+DIGITS = 10
+OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
+NOISE = 1e-9  # of the largest of a column: digits of what is less differ from machine to machine
+LARGEST = 1.0  # fluctuation: a machine that comes to rest once in a turn has 2
+
+
+def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
+    """Tell moment, inertia and its slope at the positions of the scene."""
+    heads = ("φ, °", "M_red, N*m", "J_red, kg*m2", "dJ/dφ, kg*m2")
+    columns = [np.degrees(found.phi), found.moment, found.inertia, found.slope]
+    yield from _table([word(drafting.language, "table.position"), *_units(heads, drafting)], columns, drafting)
+
+
+def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
+    """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
+    heads = ["φ, °", "M-, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
+    before = np.roll(cycle.moments[:, 1], 1)
+    sides = np.append(before, before[0]), np.append(cycle.moments[:, 0], cycle.moments[0, 0])
+    columns = [np.degrees(cycle.turned), *sides, -cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
+    if speeds is not None:
+        heads.append("ω, rad/s")
+        columns.append(speeds.omega)
+    yield from _table([word(drafting.language, "table.edge"), *_units(heads, drafting)], columns, drafting)
+
+
+def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
+    """Tell both tangents: slope, where they touch, what they cut off, as drawn and exactly."""
+    heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_1l, J", "o_1k, J"]
+    yield from header(_units(heads, drafting))
+    roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
+    numbers = np.array([_tangent(one, k) for _, one in roads for k in range(2)])
+    rows = np.column_stack([without_rounding(column) for column in numbers.T])
+    for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
+        name = f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}"
+        yield row([name, *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
+    yield f"\n{word(drafting.language, 'report.slopes')}"
+
+
+def _tangent(wheel: Flywheel, k: int) -> list[float]:
+    """Give the numbers of a tangent; NaN for what the other one cuts off."""
+    touch, cuts = wheel.touches[k], [math.nan, math.nan]
+    cuts[k] = wheel.cuts[k]
+    return [wheel.slopes[k], math.degrees(touch.turned), touch.varying, touch.surplus, *cuts]
+
+
+def others(
+    task: Task, at: Callable[[float], Flywheel], written: Callable[[float], str], drafting: Drafting
+) -> Iterator[str]:
+    """Tell what flywheel other fluctuations would ask for."""
+    yield from header(_units(["δ", "J_0, kg*m2", "J_fly, kg*m2"], drafting))
+    for times in OTHERS:
+        delta = times * (task.delta or 0.0)
+        if delta <= LARGEST:
+            found = at(delta)
+            yield row([written(delta), *(drafting.number(one, DIGITS) for one in (found.whole, found.inertia))])
+
+
+def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
+    """Write the units of the heads of columns in the language of the report."""
+    parts = (head.partition(", ") for head in heads)
+    return [
+        f"{name}, {drafting.word(unit)}" if unit not in ("", "°") else f"{name}{comma}{unit}"
+        for name, comma, unit in parts
+    ]
+
+
+def without_rounding(column: Floats) -> Floats:
+    """Give a column as it is told: what is nothing but for rounding is 0."""
+    largest = np.nanmax(np.abs(column), initial=0.0)
+    return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
+
+
+def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
+    yield from header(heads)
+    for k, cells in enumerate(zip(*map(without_rounding, columns), strict=True)):
+        yield row([str(k), *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
+
+
+def plain(note: str) -> str:
+    """Write a note without the braces of its indices.
+
+    >>> plain("r_{C1} = 12  mm^2")
+    'r_C1 = 12 mm²'
+    """
+    return " ".join(note.replace("{", "").replace("}", "").replace("^2", "²").split())
+
+
+def listed(title: str, notes: Iterable[str]) -> list[str]:
+    """Write a chapter as a list; one without notes is left out."""
+    told = [*map(entry, notes)]
+    return [title, *told] if told else []
+
+
+def entry(note: str) -> Phrase:
+    """Give a note as a line of a list, its numbers still those of their quantities."""
+    return Phrase(f"- {plain(note)}", f"- {plain(template_of(note))}")
+
+
+FEW = 6
+STAGES = ("stage", "from", "to", "driving", "useful_work", "braking", "weights", "energy", "closing")
+
+
+def stages(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
+    """Tell each stage by each road: its instants, works, kinetic energy, and by how much the account does not close."""
+    yield from header([word(drafting.language, f"table.{head}") for head in STAGES])
+    for said, run in runs.items():
+        for stage in run.stages:
+            yield row([f"{_named(stage, drafting)}, {word(drafting.language, said)}", *_cells(run, stage, drafting)])
+
+
+def _named(stage: Stage, drafting: Drafting) -> str:
+    return word(drafting.language, f"run.{stage.name.replace('-', '_')}")
+
+
+def _cells(run: Run, stage: Stage, drafting: Drafting) -> Iterator[str]:
+    write, works = partial(drafting.number, digits=FEW), stage.works
+    yield from (write(float(run.t[at])) for at in (stage.first, stage.last))
+    yield from (write(one) for one in (works.driving, works.useful, works.braking, works.weights))
+    yield " → ".join(write(one) for one in stage.energies)
+    noise = NOISE * max(map(abs, (works.driving, works.braking, *stage.energies)))
+    yield "—" if abs(stage.closing) <= noise else decimal(f"{stage.closing:.1e}", drafting.language)
+
+
+def told(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
+    """Say how the run ends, how even its steady turn is, and by what method and at what cost it was found."""
+    say = partial(word, drafting.language)
+    for key, run in runs.items():
+        by = say(key)
+        if run.failure is not None:
+            yield f"{by}: {run.failure.message.worded(drafting.language)}"
+        if run.steady is not None:
+            turn, write = run.steady, partial(drafting.number, digits=FEW)
+            share = turn.works.efficiency if turn.repeats else None  # else the flywheel gives or takes a part
+            useful = "—" if share is None else write(share)
+            numbers = {"mean": write(turn.mean), "delta": write(turn.delta), "period": write(turn.period)}
+            yield say("report.steady_turn", by=by, **numbers, efficiency=useful)
+        yield _method(run, by, drafting)
+
+
+def _method(run: Run, by: str, drafting: Drafting) -> str:
+    """Tell the method: the step of a table, the tolerance and the cost of a solver."""
+    how, write = run.method, partial(drafting.number, digits=3)
+    if how.step is not None:
+        return word(drafting.language, "report.run_table", by=by, step=write(how.step), rows=len(run.t))
+    tolerance = decimal(f"{how.tolerance or 0.0:.0e}", drafting.language)
+    cost = {"evaluations": how.evaluations, "jacobians": how.jacobians, "stiffness": write(how.stiffness)}
+    return word(drafting.language, "report.run_solver", by=by, name=how.name, tolerance=tolerance, **cost)

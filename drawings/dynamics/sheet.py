@@ -1,0 +1,359 @@
+"""The tables of a machine's motion: results by both roads and by other methods, values at the edges (таблицы)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from drawings.dynamics import flywheel_sketch, plate, plate_frame, tachogram, working
+from drawings.dynamics.graphs import BEFORE, Strips, strips
+from drawings.dynamics.plate import Content, bare_speeds
+from drawings.dynamics.report import notes_of
+from drawings.dynamics.report_tables import NOISE, without_rounding
+from drawings.forces import load_diagram
+from drawings.forces.load_diagram import LoadCourse, courses
+from drawings.kinds import curve_graph
+from drawings.layout.contents import Panel
+from drawings.layout.picture import SMALLER
+from drawings.layout.room import room_of
+from drawings.layout.slicing import GAP
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.words import fixed
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.page import Page, page_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
+from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
+from plans.model.motion import Floats
+from plans.model.run import Account
+from plans.scene.scene import Scene
+from plans.study import Study
+
+RESULTS, POSITIONS = "results", "positions"
+COLUMNS = ("by plan", "by analysis", "true error")  # strips and chords are out by what the exact curve is not
+QUANTITIES = (
+    ("φ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
+    ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
+)  # fmt: skip
+REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
+MOST = 36  # positions that are told
+DIGITS = 5
+NOTHING = "—"
+
+
+def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST) -> RuledTable:
+    """Tell the values at so many positions at most and at jumps, at these the moment before and behind.
+
+    ε is that in the middle of the strip that begins there.
+    """
+    cycle = account.cycle
+    assert cycle is not None  # else nothing is told of a turn
+    named = strips(cycle, task.divisions)
+    chosen = named.told(named.every(task.divisions / most))
+    columns = _columns(cycle, account.speeds)
+    lines = [row for k in chosen for row in _edge(named, columns, k, drafting)]
+    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
+    return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
+
+
+def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
+    """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
+    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
+    rows = zip(
+        np.degrees(reduced.phi), *map(without_rounding, (reduced.moment, reduced.inertia, reduced.slope)), strict=True
+    )
+    lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
+    return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
+
+
+class _Columns(NamedTuple):
+    """What the table tells at the edges, in its order, and the moment before each."""
+
+    rows: Floats  # (7, n + 1)
+    before: Floats  # (7, n + 1): the moment and the acceleration alone
+
+
+def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
+    nothing = np.full(len(cycle.turned), np.nan)
+    after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
+    motion, last = [nothing, nothing], nothing
+    if speeds is not None:
+        motion = [speeds.omega, np.append(speeds.epsilon[:, 0], speeds.epsilon[-1, 1])]
+        last = np.append(np.nan, speeds.epsilon[:, 1])
+    angles = np.degrees(cycle.turned)
+    rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
+    sides = [angles, -before, nothing, nothing, nothing, nothing, last]
+    return _Columns(*(np.array([without_rounding(row) for row in one]) for one in (rows, sides)))
+
+
+def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
+    """Give the row of an edge, two of one at which a load jumps."""
+    name, jumps = named.names[k], k in named.jumps
+    own = columns.rows[:, k].tolist()
+    if jumps:
+        before = columns.before[:, k].tolist()
+        yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
+    yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
+
+
+def _cell(value: float, drafting: Drafting) -> str:
+    return NOTHING if not np.isfinite(value) else drafting.number(float(value) + 0.0, DIGITS)
+
+
+def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
+    """Tell what both roads found, and by how much the strips are out; then the inertia by other methods."""
+    pairs = zip(_values(own, drafting), _values(exact, drafting), strict=True)
+    lines = [_compared(one, two, drafting) for one, two in pairs]
+    lines += _others(exact, methods, drafting)
+    heads = tuple(drafting.word(head) for head in COLUMNS)
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
+
+
+class _Value(NamedTuple):
+    """What is compared: letter, unit, value, and of what its difference is told; without that, of itself."""
+
+    letter: str
+    unit: str
+    value: float
+    whole: float | None = None
+
+
+def _values(account: Account, drafting: Drafting) -> Iterator[_Value]:
+    """Give what is compared; segments are parts of one length, however small one of them is."""
+    cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
+    if cycle is not None:
+        lost = np.abs(cycle.work[-1]) <= NOISE * np.abs(cycle.work).max()  # all that a turn of weights leaves over
+        yield _Value("M_{dr}", "N*m", 0.0 if lost else cycle.driving)
+        yield _Value("A_{us}(2π)", "J", 0.0 if lost else -float(cycle.work[-1]))
+    if wheel is not None:
+        both = sum(map(abs, wheel.cuts))
+        yield from (
+            _Value(drafting.true("o_1k", "T"), "J", wheel.cuts[1], both),
+            _Value(drafting.true("o_1l", "T"), "J", wheel.cuts[0], both),
+        )
+        yield from (_Value("J_0", "kg*m2", wheel.whole), _Value("T_0", "J", wheel.energy))
+        yield from (_Value("J_0^*", "kg*m2", wheel.own + wheel.present), _Value("J_{fly}", "kg*m2", wheel.inertia))
+    if speeds is not None:
+        yield from (
+            _Value("ω_{max}", "rad/s", speeds.extremes[1]),
+            _Value("ω_{min}", "rad/s", speeds.extremes[0]),
+            _Value("δ", "", speeds.delta),
+        )
+
+
+def _compared(own: _Value, exact: _Value, drafting: Drafting) -> TableRow:
+    named = drafting.letter(own.letter) + (f", {drafting.word(own.unit)}" if own.unit else "")
+    numbers = (drafting.number(one.value, DIGITS + 1) for one in (own, exact))
+    return TableRow(named, (*numbers, _share(own.value, exact.value, exact.whole, drafting)))
+
+
+def _share(own: float, exact: float, whole: float | None, drafting: Drafting) -> str:
+    """Write a difference in per cent of the exact value, or of what it is a part of."""
+    size = abs(exact) if whole is None else whole
+    return fixed(100 * (own - exact) / size, drafting.language, 3) if size else NOTHING
+
+
+def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequence[TableRow]:
+    """Give the rows of other methods, each with its difference from the exact value."""
+    if methods is None or exact.flywheel is None:
+        return ()
+    named = {"by Mertsalov": methods.mertsalov, "by Gutyar": methods.gutyar, "without δ²": methods.book}
+    whole = exact.flywheel.whole
+    cells = (
+        (key, ("", drafting.number(value, DIGITS + 1), _share(value, whole, None, drafting)))
+        for key, value in named.items()
+    )
+    return tuple(TableRow(f"J_0 {drafting.word(key)}", row) for key, row in cells)
+
+
+TOLD = (MOST, 12, 8)  # positions that the table of values tells at most, as the paper takes them
+LARGEST = 2.0  # times the least size at which it is legible: a load is not drawn larger than the graphs
+
+
+class Machine(NamedTuple):
+    """What is asked of a machine's motion, and what was found of it: by construction, exactly, by other methods."""
+
+    task: Task
+    own: Account
+    exact: Account
+    methods: Methods | None = None
+    loads: tuple[LoadCourse, ...] = ()
+    rim: Wheel | None = None
+    notes: tuple[str, ...] = ()
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of the motion of a scene's machine (row of the table of sheets)."""
+    found, statics, said = study.comparison("dynamics"), study["forces"], notes_of(study)
+    loads = tuple(courses(statics.machine, statics.strokes))
+    own = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
+    return sheets(study.scene, own)
+
+
+def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a machine whose motion is found."""
+    return lay_out(scene, [_DynamicsSheet(scene, machine).draft])
+
+
+class Way(NamedTuple):
+    """A way to show it: graphs and loop in line or not, how many positions the table tells at most, how many plates."""
+
+    whole: bool
+    most: int
+    apart: bool = False  # whether the graphs stand on two plates
+
+    @property
+    def plates(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """The plates of the graphs, each with what it shows."""
+        if self.apart:
+            return (plate.UPPER, plate.OVER_TURN[:2]), (plate.LOWER, plate.OVER_TURN[2:])
+        return ((plate.GRAPHS, plate.OVER_TURN),)
+
+
+@dataclass(frozen=True)
+class _DynamicsSheet:
+    """What the sheets are drawn from."""
+
+    scene: Scene
+    machine: Machine
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.scene)
+
+    @cached_property
+    def page(self) -> Page:
+        return page_of(self.scene)
+
+    @property
+    def draft(self) -> Draft:
+        """The draft that tells most, and those that need less room."""
+        first, *further = (self._drafted(way) for way in self._ways())
+        return first._replace(instead=tuple(further))
+
+    def _ways(self) -> tuple[Way, ...]:
+        """List the ways: in line wherever the paper takes that."""
+        whole = self.machine.own.cycle is not None and self._least is not None
+        ways = tuple(Way(whole, most) for most in TOLD)
+        return ways if whole else (*ways, Way(False, TOLD[-1], True))
+
+    def _drafted(self, way: Way) -> Draft:
+        title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
+        return Draft("dynamics", title, shows, (), self.machine.notes, partial(_facts, way.most))
+
+    def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
+        """Show the graphs with what they rest on, the loop, what follows from both."""
+        plates = tuple(self._plates(way))
+        yield from plates[:1]
+        yield from self._loads()
+        yield self._caption(self._values(way.most))
+        yield from plates[1:]
+        if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
+            yield self._caption(self._results())
+        yield from self._wheel()
+        yield from self._bare()
+        yield from self._run()
+        yield from captions(working.working(one, self.drafting) for one in self._contents(way))
+
+    def _contents(self, way: Way) -> Iterator[Content]:
+        """Give what stands on the plates: on none of a machine whose crank cannot turn fully."""
+        if self.machine.own.cycle is None:
+            return
+        if way.whole:
+            yield self._whole
+            return
+        yield from (self._plate(name, graphs) for name, graphs in way.plates)
+        yield self._plate(plate.ENERGY, (), loop=True)
+
+    def _plates(self, way: Way) -> Iterator[Exhibit]:
+        """Give the plates."""
+        yield from (self._exhibit(one, self._least if way.whole else None) for one in self._contents(way))
+
+    @cached_property
+    def _whole(self) -> Content:
+        """Graphs and loop in line, the results under the loop if they have room there."""
+        bare = self._plate(plate.WHOLE, plate.OVER_TURN, loop=True)
+        largest = self._largest(bare)
+        return (
+            bare
+            if largest is None
+            else replace(bare, told=plate.told(self._results(), plate.plate_of(bare, self.drafting), largest))
+        )
+
+    @cached_property
+    def _least(self) -> float | None:
+        """The size mm of graphs and loop in line as large as they stand beside the title block; None: not legible."""
+        return self._largest(self._whole)
+
+    def _largest(self, shown: Content) -> float | None:
+        room, picture = room_of(self.page), plate_frame.measure(shown, self.drafting)
+        width = room.width - self.page.block.width - GAP
+        extents = [rung.extent for rung in picture.ladder(width, room.height, self.page.standard).rungs]
+        return extents[0] if extents and extents[0] >= picture.least else None
+
+    def _loads(self) -> Iterator[Exhibit]:
+        """Show each load that changes over a stroke."""
+        for course in self.machine.loads:
+            room = load_diagram.measure(course, self.drafting)
+            room = room._replace(most=LARGEST * room.least)
+            draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
+
+    def _wheel(self) -> Iterator[Exhibit]:
+        """Show the flywheel, if there is one whose sizes are known."""
+        rim = self.machine.rim
+        if rim is not None and rim.fits:
+            room = flywheel_sketch.measure(rim, self.drafting)
+            draw = partial(flywheel_sketch.draw, rim, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
+
+    def _bare(self) -> Iterator[Exhibit]:
+        """Show the speeds without the flywheel, where they swing too far to stand among the others."""
+        machine = self.machine
+        curve = bare_speeds(machine.task, machine.own, self.drafting)
+        if curve is not None:
+            room = curve_graph.measure(curve, BEFORE, self.drafting)
+            room = room._replace(most=LARGEST * room.least)
+            draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
+
+    def _run(self) -> Iterator[Exhibit]:
+        """Show the run from rest to rest, where there is a motor."""
+        run = self.machine.own.run
+        if run is not None and len(run.t) > 1:
+            room = tachogram.measure(run, self.drafting)
+            draw = partial(tachogram.draw, run, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
+
+    def _values(self, most: int) -> RuledTable:
+        """Tell the values at the edges of the strips, or of the reduction alone at the positions."""
+        own = self.machine.own
+        if own.cycle is None:
+            return reduction(own.reduced, self.drafting)
+        return positions(self.machine.task, own, self.drafting, most)
+
+    def _results(self) -> RuledTable:
+        """Tell what both roads found."""
+        machine = self.machine
+        return results(machine.own, machine.exact, machine.methods, self.drafting)
+
+    def _caption(self, table: RuledTable) -> Caption:
+        return Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
+
+    def _plate(self, name: str, graphs: tuple[str, ...], loop: bool = False) -> Content:
+        return Content(name, self.machine.task, self.machine.own, graphs, loop)
+
+    def _exhibit(self, shown: Content, least: float | None = None) -> Exhibit:
+        room = plate_frame.measure(shown, self.drafting)
+        room = room if least is None else room._replace(least=least * SMALLER)
+        return Exhibit(Panel(room), partial(plate_frame.draw, shown, drafting=self.drafting))
+
+
+def _facts(most: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows, and how many positions its table tells at most."""
+    return {"figures": list(names), "positions": most}

@@ -1,1 +1,0 @@
-"""Figures: what a sheet shows, one figure a file (фигуры листа)."""

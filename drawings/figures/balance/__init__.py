@@ -1,1 +1,0 @@
-"""Figures of balancing: schemes, static moments, hodographs, main moment, share, tables (фигуры уравновешивания)."""

@@ -1,1 +1,0 @@
-"""Figures of a bank of equal mechanisms: its shaft, star of cranks, polygons, graphs, compensators (фигуры блока)."""

@@ -1,1 +1,0 @@
-"""Figures of a cam: its laws, sizes, profile, tables (фигуры кулачка)."""

@@ -1,1 +1,0 @@
-"""Figures of the cyclogram: the plan of characteristic positions, the bar chart, the circular chart (циклограмма)."""

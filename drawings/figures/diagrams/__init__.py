@@ -1,1 +1,0 @@
-"""Kinematic diagrams on paper (кинематические диаграммы)."""

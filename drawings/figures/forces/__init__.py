@@ -1,1 +1,0 @@
-"""Figures of forces: loading schemes, force plans, the lever (силовые планы)."""

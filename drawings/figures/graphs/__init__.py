@@ -1,1 +1,0 @@
-"""Graphs: curves over the turn, hodographs (графики)."""

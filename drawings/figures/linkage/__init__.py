@@ -1,1 +1,0 @@
-"""Figures of a linkage: positions, velocity and acceleration plans (планы механизма)."""

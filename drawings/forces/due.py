@@ -1,0 +1,328 @@
+"""What must stand on force sheets, by the analysis alone: polygons, schemes, equations, tables (силовой лист)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+
+from drawings.checks.expected import NOTES, Expected, by_hand
+from drawings.checks.expected import NOTHING as DASH
+from drawings.checks.hold import stated_keys
+from drawings.forces.due_acting import Acting, DueArm, forces_of, moments_of, named, unbraced
+from drawings.forces.due_lever import lever
+from drawings.forces.due_loads import diagrams
+from drawings.layout.table import cell_name
+from drawings.lettering.words import word
+from drawings.paper.limits import SEEN
+from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Leaf, Text
+from plans.analytic.kinetostatics import kinetostatics
+from plans.forces.bill import ActingForce, Bearing, ForceBill
+from plans.forces.cut import indices
+from plans.forces.friction_quantities import forces_by_hand
+from plans.forces.primary import balancing_quantity
+from plans.forces.quantities import ForceComparison
+from plans.forces.statics import Statics
+from plans.linkage.primaries import stroke
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import NOTHING, Floats
+from plans.study import Study
+
+BALANCING = "balancing"
+TURN, STEPS = 360.0, 720  # degrees; places of a curve
+FAR, FAINT = 1e-9, 0.01  # of the greatest: no road is further off; a smaller ordinate may be a point
+
+
+def curves(statics: Statics, comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expected]:
+    """Give the graph of what balances the drive, and the hodographs of the reactions that are asked for."""
+    own = _Curves(statics, comparison, shown)
+    yield from (*own.ordinates(), own.graph())
+    for key in statics.form.sheet.hodographs:
+        yield from own.hodograph(key)
+
+
+@dataclass(frozen=True)
+class _Curves:
+    """The forces of a machine over its positions."""
+
+    statics: Statics
+    comparison: ForceComparison
+    shown: Sequence[int]
+
+    @cached_property
+    def slack(self) -> float:
+        """What the two roads may differ by in what balances the drive."""
+        name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
+        found = self.comparison.analysis
+        bounds = [found.counted(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name)]
+        return 2 * float(max(map(np.nanmax, bounds))) + max(share * found.nothing[1], found.nothing[0])
+
+    @cached_property
+    def sizes(self) -> Floats:
+        """What balances the drive in the positions."""
+        found, motion = self.comparison.analysis, self.comparison.motion
+        given = self.statics.given(found, motion.analysis, self.statics.over(motion.road.extremes))
+        return np.asarray(found.counted(given))
+
+    def ordinates(self) -> Iterator[Expected]:
+        """Give the ordinates of the positions; where numbers have no room, or beside a jam, some have none."""
+        faint = self.slack + FAINT * float(np.nanmax(np.abs([*self.sizes, *self.turned[2]])))
+        for k, size in enumerate(self.sizes):
+            if np.isfinite(size):
+                lost = k not in self.shown or abs(size) <= faint
+                yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=lost)
+
+    @cached_property
+    def turned(self) -> tuple[Floats, Kinetostatics, Floats]:
+        """The abscissas of a whole turn, degrees, or of a stroke, m; the forces there, and what balances the drive."""
+        study, road = self.statics.study, self.comparison.motion.road
+        first, last = study.turn.phi[0], study.turn.phi[-1]
+        whole = study.sense * math.tau if study.mechanism.drive.turns else last - first
+        phi = first + whole * np.arange(STEPS + 1) / STEPS
+        motion, strokes = road.around(phi), self.statics.over(road.extremes)
+        with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
+            loads = self.statics.loading_over(motion, strokes)
+            found = kinetostatics(road, self.statics.machine, motion, loads, self.statics.pairs)
+            given = self.statics.given(found, motion, strokes)
+        ways = stroke.ways(study.mechanism, phi)
+        along = np.arange(STEPS + 1) * TURN / STEPS if ways is None else np.abs(ways - ways[0])
+        return along, found, np.asarray(given)
+
+    def graph(self) -> Expected:
+        """Give the graph; over less than a turn its positions alone hold it."""
+        x, _, y = self.turned
+        allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
+        name = balancing_quantity(self.statics.study.mechanism.drive).name
+        return Expected(
+            Kind.CURVE, BALANCING, name, lambda at: np.asarray(np.interp(at, x, y)), allowed, ends=(0.0, float(x[-1]))
+        )
+
+    def hodograph(self, key: str) -> Iterator[Expected]:
+        """Give the points of the positions and the vectors of the shown ones."""
+        plan, one = f"hodograph-{key}", self.comparison.analysis.reactions[key]
+        slack = 2 * float(
+            np.nanmax([np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"])
+        )
+        for k, value in enumerate(one.force):
+            if np.isfinite(value):
+                yield Expected(Kind.POINT, plan, str(k), complex(value), slack, k, may_lack=True)
+        for k in self.shown:
+            acting = Acting(self.statics, self.comparison, k)
+            name = f"R_{indices(one.giver, one.taker)}"
+            value, letter = complex(one.force[k]), acting.letter(name)
+            yield Expected(Kind.VECTOR, plan, acting.name(name), value, slack, k, may_lack=True, letter=letter)
+
+
+def notes(comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expected]:
+    """Give the powers and the efficiency in the shown positions, the efficiency over the cycle, the shares of wear."""
+    if comparison.friction is None:
+        return
+    found, slack = comparison.friction[1], {one.name: one.allowed for one in comparison.of("friction")}
+    pairs = {key: indices(*map(int, key.split("-"))) for key in found.powers}
+    none = NOTHING * max(float(np.nanmax(np.abs(row), initial=0.0)) for row in (found.lost, found.useful))
+    row = Expected(Kind.PHRASE, NOTES, "", 0.0)
+    for k in (k for k in shown if np.isfinite(found.lost[k])):
+        off = none + sum(float(slack[f"N_{own}"][k]) for own in pairs.values())
+        yield row._replace(name=f"friction index {k}", value=float(found.lost[k]), allowed=off, digits=4)
+        off = none + float(slack["N_us"][k])
+        yield row._replace(name=f"useful index {k}", value=float(found.useful[k]), allowed=off, digits=4)
+        own = row._replace(name=f"η {k}", value=float(found.efficiency[k]), allowed=float(slack["η"][k]), digits=3)
+        yield own._replace(may_lack=not np.isfinite(found.efficiency[k]))
+    own = row._replace(digits=3, may_lack=True)
+    if found.cycle is not None:
+        yield own._replace(name="η", value=found.cycle, allowed=_one(slack, "η cycle"))
+    for key, share in found.wear.items():
+        off = 100 * _one(slack, f"wear {pairs.get(key, key)}")
+        yield own._replace(name=f"wear {key}", value=100 * share, allowed=off)
+
+
+def _one(slack: Mapping[str, Floats], name: str) -> float:
+    return float(slack[name][0]) if name in slack else math.inf
+
+
+TABLE, MM, DIGITS = "values", 1000.0, 5
+LEAST = 0.5  # mm: a shorter arm, or distance along a guide, is a point on paper
+TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the force sheets of a scene (row of the table of sheets)."""
+    comparison, statics = study.comparison("forces"), study["forces"]
+    shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))
+    for k in shown:
+        own = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]
+        scales, keys = own[0].metadata["scales"], [stated_keys(leaf) for leaf in own]
+        sheet = _Sheet(Acting(statics, comparison, k), scales, frozenset(chain(*keys)))
+        yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
+        yield from lever(sheet.acting, scales, keys)
+    yield from curves(statics, comparison, shown)
+    yield from diagrams(statics.machine.loads, statics.over(comparison.motion.road.extremes))
+    yield from notes(comparison, shown)
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """The sheets of one position: the scales of their figures, and the keys of all that sheets state."""
+
+    acting: Acting
+    scales: Mapping[str, float]
+    keys: frozenset[Key]
+
+    @property
+    def k(self) -> int:
+        return self.acting.k
+
+    @cached_property
+    def floor(self) -> float:
+        """The force below which there may be none, N."""
+        return self.acting.none[0]
+
+    def polygons(self) -> Iterator[Expected]:
+        """Give the vectors of the force plans and of their details; parts may stand for a whole reaction."""
+        expected, groups = self.acting.expected, self.acting.statics.study.groups
+        for label, bill in self.acting.bills.items():
+            parts, plan = expected.parts(bill.group), f"forces-{label}"
+            details = {key[1] for key in self.keys if key[1].startswith(f"detail-{label}-")}
+            for name, value in {**parts, **expected.polygon(groups, bill.group)}.items():
+                faint = abs(value) <= SEEN * self.scales.get(plan, 0.0) + self.floor
+                row = Expected(Kind.VECTOR, plan, name, value, self.acting.slack, self.k, name in parts or faint)
+                row = row._replace(letter=self.acting.letter(name))
+                yield row
+                yield from (row._replace(figure=one, may_lack=True) for one in details)
+
+    def schemes(self) -> Iterator[Expected]:
+        """Give the forces, moments and arms on the loading schemes."""
+        for label, bill in self.acting.bills.items():
+            plan = f"scheme {label}"
+            driving = [] if bill.driving is None else [bill.driving]
+            yield from (self._arrow(plan, one) for one in (*bill.known, *driving))
+            yield from (self._sense(plan, one.name, one.moment) for one in bill.couples)
+            for one in bill.bearings:
+                yield from self._bearing(plan, one)
+            mu = self.scales.get(f"scheme-{label}", 0.0)
+            for arm in (one for one in self.acting.arms[label] if one.letter.startswith("h")):
+                row = self._arm(plan, arm, mu)
+                off = math.inf if self.acting.doubtful else 2 * self.acting.off
+                yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - self._zero(bill), allowed=off))
+
+    def _zero(self, bill: ForceBill) -> complex:
+        """Give the place from which those of a scheme are told: that of its first point."""
+        links = self.acting.statics.study.mechanism.links
+        return bill.place(min(name for link in bill.links for name in links[link].points))
+
+    def _arrow(self, plan: str, one: ActingForce, lost: bool = False) -> Expected:
+        """Give the direction of a force; of one that is none rounding decides."""
+        size = abs(one.value)
+        row = Expected(Kind.DIRECTION, plan, self.acting.name(one.name), 0j, math.inf, self.k, may_lack=True)
+        if size <= self.floor:
+            return row
+        return row._replace(value=one.value / size, allowed=TURNED + self.acting.slack / size, may_lack=lost)
+
+    def _sense(self, plan: str, name: str, moment: float, lost: bool = False) -> Expected:
+        none = abs(moment) <= self.acting.none[1]
+        allowed = math.inf if none else 0.0
+        sense = math.copysign(1.0, moment)
+        return Expected(Kind.DIRECTION, plan, self.acting.name(name), sense, allowed, self.k, may_lack=lost or none)
+
+    def _bearing(self, plan: str, one: Bearing) -> Iterator[Expected]:
+        """Give a reaction, whole or in parts, and of a guide how far it acts, or its moment."""
+        split = any(self._stands(plan, part.name) for part in one.parts)
+        yield self._arrow(plan, one.whole, split)
+        yield from (self._arrow(plan, part, True) for part in one.parts)
+        if one.along is not None:
+            far, shift = one.along * one.arm, self.acting.name(one.name.replace("R", "x", 1))
+            off = self.acting.none[1] / max(abs((one.along.conjugate() * one.value).imag), self.floor)
+            lost = not LEAST * self.scales.get(plan.replace(" ", "-"), 0.0) + off < abs(one.arm) < math.inf
+            apart = self._stands(plan, one.couple)
+            off = math.inf if not math.isfinite(abs(one.arm)) else off * (1 + abs(one.arm))
+            yield Expected(Kind.VECTOR, plan, shift, far, off, self.k, may_lack=lost or apart)
+            yield self._sense(plan, one.couple, one.moment, True)
+
+    def _stands(self, plan: str, name: str) -> bool:
+        return (Kind.DIRECTION, plan, self.acting.name(name), self.k) in self.keys
+
+    def _arm(self, plan: str, arm: DueArm, mu: float) -> Expected:
+        """Give an arm as it is drawn, from the point of moments to the foot on the line of action."""
+        value, off = arm.foot - arm.pivot, self._off(arm)
+        lost = self.acting.doubtful or arm.length <= LEAST * mu + off
+        allowed = math.inf if self.acting.doubtful else off
+        return Expected(Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
+
+    def _off(self, arm: DueArm) -> float:
+        """Give how far off an arm may be, m: by its places and by the direction of its force."""
+        return self.acting.off + abs(arm.force.at - arm.pivot) * self.acting.slack / abs(arm.force.value)
+
+    def equations(self) -> Iterator[Expected]:
+        """Give the numbers of the equations beside the cuts."""
+        for label, bill in self.acting.bills.items():
+            row = Expected(Kind.PHRASE, f"equations-{label}-{self.k}", "", 0.0, position=None, digits=DIGITS)
+            must = self._must(bill)
+            for name, force in forces_of(bill).items():
+                size, lost = abs(force.value), name not in must or abs(force.value) <= self.floor
+                yield row._replace(name=name, value=size, allowed=self.floor, may_lack=lost)
+            for name, moment in moments_of(bill).items():
+                lost = name not in must or abs(moment) <= self.acting.none[1]
+                yield row._replace(name=name, value=moment, allowed=self.acting.none[1], may_lack=lost)
+            for arm in self.acting.arms[label]:
+                off = math.inf if self.acting.doubtful else MM * self._off(arm)
+                own = row._replace(value=MM * arm.length, allowed=off, may_lack=self.acting.doubtful)
+                yield own._replace(name=arm.letter)
+
+    def terms(self) -> Iterator[Expected]:
+        """Give the terms of the equations of moments: sign, force and arm; what the equation gives stands first."""
+        drive = self.acting.statics.study.mechanism.drive
+        for cut in self.acting.statics.drafts().plans.plan.cuts:
+            bill, figure = self.acting.bills[cut.label], f"equations-{cut.label}-{self.k}"
+            for one in cut.equations:
+                about, found = one.about.name, one.found.name
+                own = {load.name for load in one.loads} | {found}
+                arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
+                terms = {
+                    arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms
+                }
+                moments = moments_of(bill)
+                couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
+                terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
+                first = [] if cut.group is None and drive.ram is not None else [found]
+                terms = {name: terms.get(name, (1.0, self.acting.letter(name))) for name in (*first, *terms)}
+                least = self.acting.none[1]
+                alone = all(abs(moment) <= least for name, (moment, _) in terms.items() if name != found)
+                for name, (moment, product) in terms.items():
+                    sign = "+ " if moment > 0 else "− "
+                    sign = "" if sign == "+ " and name == next(iter(terms)) else sign
+                    none = abs(moment) <= least
+                    allowed = math.inf if self.acting.doubtful or none else 0.0
+                    text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
+                    lost = none or self.acting.doubtful or alone
+                    yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost)
+
+    def _must(self, bill: ForceBill) -> set[str]:
+        """Name what the equations of a cut must tell: what is given, and the reactions from outside."""
+        own = [one.name for one in bill.known if one.name[0] != "R"]
+        own += [one.name for one in bill.couples if one.name[1:2] == "^"]
+        return {*own, *(one.name for one in bill.bearings)}
+
+    def table(self) -> Iterator[Expected]:
+        """Give the cells of the table: by plan, by analysis, by hand; what is none all the turn may lack."""
+        comparison, language = self.acting.comparison, self.acting.statics.study.language
+        nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
+        slips = forces_by_hand(self.acting.statics, self.k, self.scales)
+        for letters, one in named(self.acting.statics, comparison):
+            head = f"{letters}, {word(language, one.unit)}"
+            told = np.abs(comparison.analysis.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed
+            found, slack = one.analysis[self.k], float(one.allowed[self.k])
+            value = float(abs(found) if np.iscomplexobj(found) else found)
+            rows = [
+                Expected(Kind.NUMBER, TABLE, cell_name(head, column), value, slack, self.k)
+                if math.isfinite(value)
+                else Expected(Kind.NUMBER, TABLE, cell_name(head, column), DASH, position=self.k)
+                for column in range(2)
+            ]
+            error = slips.get((one.name, self.k), math.nan) if math.isfinite(value) else math.nan
+            rows.append(by_hand(TABLE, cell_name(head, 2), error, one.largest, self.k))
+            yield from (row._replace(may_lack=not np.any(told)) for row in rows)

@@ -1,0 +1,218 @@
+"""The lever's equation of moments in letters and in numbers, its arms in millimetres as drawn (уравнение рычага)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.forces.letters import letter_of
+from drawings.forces.lever_layout import POLE, UNIT, Leverage, LeverTerm, leverages, statements
+from drawings.layout.equation import (
+    DIRECTION,
+    FULL,
+    UNKNOWN,
+    Passage,
+    Term,
+    WrittenEquation,
+    forces,
+    listed,
+    moments,
+    plain,
+)
+from drawings.layout.picture import Spot, TextBlock
+from drawings.lettering.phrase import Phrase, Slot, joined
+from drawings.page.drafting import Drafting
+from drawings.page.page import Field
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Group
+from geometry.board import Mark, at
+from plans.forces.cut import CLOSING, REACTION, Couple, Cut, Equation, ForcePlan
+from plans.forces.primary import BALANCING, DRIVING
+
+DIGITS = 5
+
+
+class Equations:
+    """What a sheet writes beside a cut in one position."""
+
+    def __init__(
+        self, plan: ForcePlan, cut: Cut, column: int, drafting: Drafting, nothing: tuple[float, float]
+    ) -> None:
+        self.plan, self.cut, self.column, self.drafting = plan, cut, column, drafting
+        self.nothing = nothing  # force N and moment N*m below which there is none
+        self.arms = leverages(plan, cut, column)
+
+    def passage(self, name: str) -> Passage:
+        """Write arms, equations of moments with what they give, and the equation of forces."""
+        lines = [*self._given(), *self._slotted(), *(line for one in self.cut.equations for line in self._moments(one))]
+        lines += [*self._forces(), *self._found()]
+        return Passage(name, tuple(lines), self.drafting.hand.text, figure=f"{name}-{self.column}")
+
+    def letter(self, name: str) -> str:
+        """Write a force's name as the sheet does."""
+        return letter_of(name, self.drafting)
+
+    def statement(self, name: str, value: float, unit: str) -> Phrase:
+        """Write what a quantity is: R_34 = 1644.1 N."""
+        number = self.drafting.slot(Slot(name, value, DIGITS))
+        return joined("", (f"{self.letter(name)} = ", number, f" {self.drafting.word(unit)}"))
+
+    def _size(self, mark: Mark) -> float:
+        return abs(self._value(mark))
+
+    def _value(self, mark: Mark) -> complex:
+        """Give a force or a moment; one that is but rounding is none."""
+        value = at(mark.point, self.column)
+        return value if abs(value) > self.nothing[mark.is_moment] else 0j
+
+    def _given(self) -> Iterator[WrittenEquation]:
+        """Tell the known forces and moments, and the arms."""
+        own = [one for one in self.cut.loads if one.kind != REACTION and self._size(one.force) > 0]
+        loads = [self.statement(one.name, self._size(one.force), "N") for one in own]
+        turning = [one for one in self.cut.couples if one.kind != REACTION and self._size(one.moment) > 0]
+        couples = [self._couple(one) for one in turning]
+        given = [*loads, *couples]
+        if given:
+            yield listed(*given)
+        arms = {arm.letter: arm.length for arm in self.arms}
+        if arms:
+            slots = {letter: self.drafting.slot(Slot(letter, 1000 * arm, DIGITS)) for letter, arm in arms.items()}
+            *parts, last = (joined(" = ", pair) for pair in slots.items())
+            yield listed(*parts, joined(" ", (last, self.drafting.word("mm"))))
+
+    def _slotted(self) -> Iterator[WrittenEquation]:
+        """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
+        for part in (part for one in self.cut.supports for part in one.parts if part.name.startswith("R^u")):
+            terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
+            yield plain(
+                f"{self.letter(part.name)} = −({' + '.join(terms)})_u,",
+                self.statement(part.name, self._size(part), "N"),
+            )
+
+    def _couple(self, one: Couple) -> Phrase:
+        return self.statement(one.name, self._value(one.moment).real, "N*m")
+
+    def _moments(self, one: Equation) -> Iterator[WrittenEquation]:
+        """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
+        unknown = one.found.name
+        named = {load.name for load in one.loads} | {unknown}
+        armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
+        terms = {arm.name: self._term(arm) for arm in armed if arm.name != unknown}
+        terms |= {couple.name: self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0}
+        force = next((arm for arm in armed if arm.name == unknown), None)
+        if one.line is None:
+            value, unit, own = self._value(one.found).real, "N*m", ("+", self.letter(unknown))
+        else:
+            value, unit = self._size(one.found), "N"
+            own = ("+", self.letter(unknown)) if force is None else self._term(force)
+        given = self.cut.group is None and self.plan.mechanism.drive.ram is not None  # it drives: no moment is left
+        if terms:
+            every = terms if given else {unknown: own, **terms}
+            yield moments(self._about(one), [*every.values()], states=[self._said(one, name) for name in every])
+        yield from () if given else (plain(self.statement(unknown, value, unit)),)
+
+    def _said(self, one: Equation, name: str) -> Statement:
+        """Say whose a term is: by its force or moment, the point, and what the equation gives."""
+        figure = f"equations-{self.cut.label}-{self.column}"
+        return Statement(Kind.LETTER, figure, f"{name} about {one.about.name} for {one.found.name}")
+
+    def _about(self, one: Equation) -> str:
+        """Name the point of an equation, and the link where both leads have equations about one point."""
+        links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
+        several = len(self.cut.equations) > 1
+        return f"{one.about.name}({min(links)})" if several and links else one.about.name
+
+    def _term(self, arm: Leverage) -> tuple[str, str]:
+        return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"
+
+    def _turning(self, couple: Couple) -> tuple[str, str]:
+        """Write a moment by its size, its sense in the sign."""
+        return "+" if at(couple.moment.point, self.column).real > 0 else "−", f"|{self.letter(couple.name)}|"
+
+    def _forces(self) -> Iterator[WrittenEquation]:
+        """Write that the forces of the cut balance: known ones underlined twice, of known direction once."""
+        closers = [side for side in self.cut.sides if side.kind == CLOSING]
+        known = DIRECTION if len(closers) > 1 else UNKNOWN
+        terms = [
+            Term(self.letter(side.name), known if side.kind == CLOSING else FULL)
+            for side in self.cut.sides
+            if side.kind == CLOSING or self._seen(side.name)
+        ]
+        if len(terms) > 1:
+            yield forces(terms)
+
+    def _seen(self, name: str) -> bool:
+        """Tell whether a force acts in this position."""
+        side = next(one for one in self.cut.sides if one.name == name)
+        return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
+
+    def _found(self) -> Iterator[WrittenEquation]:
+        """Tell the reactions that the polygon gives."""
+        found = [one.force for one in self.cut.reactions]
+        if self.cut.group is None and not self.cut.equations and self.plan.drive is not None:
+            found.insert(0, self.plan.drive)  # of a slide the polygon gives the driving force too
+        statements = [self.statement(one.name, self._size(one), "N") for one in found]
+        moments = [one.moment for one in self.cut.reactions if one.moment is not None]
+        statements += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
+        yield listed(*statements)
+
+
+NAME = "equations-lever"
+ARM = 4  # digits of an arm
+NARROWEST = 20.0  # sizes of the letters: in a narrower column every term has a line of its own
+WIDEST = "0,08888"  # of an arm before it is known how large the lever is drawn
+
+
+class LeverEquation(NamedTuple):
+    """What is written beside a lever: its terms, and the balancing moment N*m, where a moment drives."""
+
+    told: tuple[LeverTerm, ...]
+    moment: float | None
+    drafting: Drafting
+    column: int = 0
+
+    def block(self) -> TextBlock:
+        """Measure it with the widest numbers, for the scale of the lever is not known yet."""
+        name, sizes = self._passage(None).block()
+        broad = [one for one in sizes if one[0] >= NARROWEST * self.drafting.hand.text]
+        return TextBlock(name, tuple(broad) or sizes[-1:])
+
+    def write(self, box: Field, spot: Spot | None = None) -> Group:
+        """Write it with the arms in mm at the lever's scale; without a lever on its sheet, in true units."""
+        return self._passage(1.0 if spot is None else spot.scale.mu, "mm" if spot is not None else UNIT).write(
+            box, self.drafting.hand
+        )
+
+    def _passage(self, mu: float | None, unit: str = "mm") -> Passage:
+        arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}
+        figure = f"{NAME}-{self.column}"
+        said = [Statement(Kind.LETTER, figure, one.letter) for one in self.told]
+        letters = moments(POLE, [one.written for one in self.told], states=said)
+        lines = (self._arms(arms, unit), letters, self._numbers(arms), *self._found())
+        return Passage(NAME, lines, self.drafting.hand.text, figure=figure)
+
+    def _arm(self, letter: str, length: float, mu: float | None) -> str:
+        return WIDEST if mu is None else self.drafting.slot(Slot(letter, length / mu, ARM))
+
+    def _arms(self, arms: dict[str, str], unit: str) -> WrittenEquation:
+        """Tell all arms once."""
+        *parts, last = (joined(" = ", pair) for pair in arms.items())
+        return listed(*parts, joined(" ", (last, self.drafting.word(unit))))
+
+    def _numbers(self, arms: dict[str, str]) -> WrittenEquation:
+        """Write the equation with its numbers: newtons by arms."""
+        sizes = [self.drafting.slot(Slot(one.letter, one.size, DIGITS)) for one in self.told]
+        products = (joined("·", (size, arms[one.arm])) for one, size in zip(self.told, sizes, strict=True))
+        return moments(POLE, [(one.written[0], product) for one, product in zip(self.told, products, strict=True)])
+
+    def _found(self) -> Iterator[WrittenEquation]:
+        """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
+        drafting, driving = self.drafting, [one for one in self.told if one.force == DRIVING]
+        parts = [self._statement(one.letter, one.size, "N") for one in driving]
+        if self.moment is not None:
+            parts.append(self._statement(letter_of(BALANCING, drafting), self.moment, "N*m"))
+        yield listed(*parts)
+
+    def _statement(self, letter: str, value: float, unit: str) -> Phrase:
+        number = self.drafting.slot(Slot(letter, value, DIGITS))
+        return joined("", (f"{letter} = ", number, f" {self.drafting.word(unit)}"))

@@ -1,0 +1,359 @@
+"""The course of a load over its stroke: its corners on the way out and back, as a load diagram shows it (нагрузка)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from string import ascii_lowercase
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from drawings.kinds.axes import BEYOND, Axes
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined, telling
+from drawings.lettering.thinning import numbered
+from drawings.lettering.words import letter as lettered
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale, fitting
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.symbols import TICK, arrowhead
+from plans.forces.loading import size_of, working_of
+from plans.forces.stroke import Stroke as Way
+from plans.forces.stroke import asks
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.motion import Motion
+
+Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
+
+STRAIGHT = 1e-3  # of the products whose difference is the bend: less than what a table of a diagram rounds away
+
+
+class LoadCourse(NamedTuple):
+    """A load over its stroke: how long that is, m or degrees, and the load on the working and on the idle stroke.
+
+    A load against the motion is positive on the working stroke and negative on the idle one, any other one positive
+    in its own direction. A stroke on which it rests has no branch.
+    """
+
+    name: str
+    turning: bool  # whether the stroke is that of a link that swings
+    couple: bool  # whether the load is a moment
+    length: float
+    overrun: tuple[float, float]
+    out: Branch
+    back: Branch
+    places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps; those of `back` below
+    returning: tuple[int, ...] = ()  # the positions of the idle stroke
+    shown: tuple[int, ...] = ()  # those that always bear their numbers
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest load, zero among them."""
+        sizes = [corner.imag for corner in (*self.out, *self.back)]
+        return min(0.0, *sizes), max(0.0, *sizes)
+
+    @property
+    def corners(self) -> tuple[complex, ...]:
+        """The ends of branches and their bends where the load is not zero, each once: out, then back."""
+        return tuple(dict.fromkeys(corner for corner in (*_bends(self.out), *_bends(self.back)) if corner.imag))
+
+
+def _bends(branch: Branch) -> Iterator[complex]:
+    """Give both ends of a branch, and the corners at which it does not go straight on."""
+    for k, corner in enumerate(branch):
+        if k in (0, len(branch) - 1):
+            yield corner
+            continue
+        before, after = corner - branch[k - 1], branch[k + 1] - corner
+        across, along = (before.conjugate() * after).imag, abs(before.real * after.imag) + abs(before.imag * after.real)
+        if abs(across) > STRAIGHT * along or (before.conjugate() * after).real < 0:
+            yield corner
+
+
+def courses(machine: Machine, strokes: Mapping[Track, Way], motion: Motion | None = None) -> Iterator[LoadCourse]:
+    """Give the course of every load that changes over a stroke, with its places at the positions of a motion."""
+    for load in machine.loads:
+        if asks(load):
+            bare = course_of(load, strokes[load.stroke])
+            yield bare if motion is None else _placed(bare, load, strokes, motion)
+
+
+def _placed(bare: LoadCourse, load: Force | Moment, strokes: Mapping[Track, Way], motion: Motion) -> LoadCourse:
+    """Give where a load is on its course in each position of a motion."""
+    stroke = strokes[load.stroke]
+    back = ~working_of(load, stroke, motion)
+    sense = np.where(back & _opposing(load), -1.0, 1.0)
+    places = bare.length * stroke.share(motion) + 1j * (sense * size_of(load, motion, strokes) + 0.0)
+    return bare._replace(places=tuple(places.tolist()), returning=tuple(np.flatnonzero(back).tolist()))
+
+
+def course_of(load: Force | Moment, stroke: Way) -> LoadCourse:
+    """Give the course of a load over its stroke."""
+    low, high = stroke.reach
+    length = abs(high - low) if stroke.sliding else math.degrees(abs(high - low))
+    out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING, FORWARD) else ()
+    back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE, BACKWARD) else ()
+    return LoadCourse(load.name, not stroke.sliding, isinstance(load, Moment), length, load.overrun, out, back)
+
+
+def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[complex]:
+    """Give the corners of a branch from the beginning of the working stroke on, with the jumps at the overruns."""
+    begin, end = load.overrun[0], 1 - load.overrun[1]
+    sense = -1.0 if idle and _opposing(load) else 1.0
+    if begin > 0:
+        yield from (0j, complex(length * begin))
+    travel = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
+    for share in sorted({begin, end, *(place for place in travel if begin < place < end)}):
+        yield complex(length * share, sense * _size(load, share, idle) + 0.0)
+    if end < 1:
+        yield from (complex(length * end), complex(length))
+
+
+def _opposing(load: Force | Moment) -> bool:
+    """Tell whether a load turns over with the motion."""
+    if isinstance(load, Moment):
+        return load.against
+    return load.resists or (load.direction is None and load.line is None)
+
+
+def _size(load: Force | Moment, share: float, idle: bool) -> float:
+    if isinstance(load, Moment) or load.diagram is None:
+        return load.size
+    travel, there, back, _ = load.diagram
+    return load.size * float(np.interp(share, travel, back or there if idle else there))
+
+
+NAME = "load_diagram"
+RATIO = 1.6  # it is drawn so many times as long as it is high, where there is room up to as high as long
+MARGINS = Margins(3.2, 1.6, 1.0)  # paper around it for letters, in their sizes
+LETTERS, MOST = 12.0, 20.0  # it is drawn at least so many letters long, and at most
+LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
+DOT = 0.7  # mm, radius of a corner
+FEW = 12  # corners that are lettered a, b, c; more are numbered
+APART = 2.6  # sizes of a number from one numbered corner to the next
+SPARE = 0.5  # sizes of a number that stay free between those of two positions
+ABOVE = 1.2  # mm from a dimension line to its letters
+DIGITS = 4
+SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "ψ")  # letters of the way and of the whole stroke, unit of the way
+LEAST = 0.05  # mm: a shorter line is a point
+
+
+class LoadMark(NamedTuple):
+    """A corner of a load diagram: its letter or number, and the true place."""
+
+    letter: str
+    at: complex
+
+
+def name_of(course: LoadCourse) -> str:
+    """Name the figure of a load."""
+    return f"{NAME}-{course.name}"
+
+
+def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
+    """Letter the corners that are no zero; of many, number those that have room for it."""
+    corners = course.corners
+    if len(corners) <= FEW:
+        return tuple(map(LoadMark, ascii_lowercase, corners))
+    kept = dict[complex, complex]()
+    for corner in (corners[0], corners[-1], *corners):
+        place = axes.on(corner.real, corner.imag)
+        if all(abs(place - other) >= APART * hand.number for other in kept):
+            kept[place] = corner
+    chosen = sorted(kept.values(), key=corners.index)
+    return tuple(LoadMark(str(k + 1), corner) for k, corner in enumerate(chosen))
+
+
+@dataclass(frozen=True)
+class LoadFigure:
+    """A load diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    name: str
+    lines: tuple[Stroke, ...]
+    corners: tuple[tuple[str, complex, float], ...]  # letter, place, side of the letter; so of positions' numbers
+    axes: tuple[tuple[str, complex, float], ...]
+    sizes: tuple[Dimension, ...]
+    hand: Hand
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure: axes, corners and dimensions lettered."""
+        hand = self.hand
+        letters = [
+            telling(self.name, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, math.pi / 2))
+            for one in self.sizes
+        ]
+        letters += [labels.beside(end, text, hand.letter, 1.2, side) for text, end, side in self.axes]
+        letters += [labels.beside(at, text, hand.number, DOT + 0.6, side) for text, at, side in self.corners]
+        return (Group((*self.lines, Group(tuple(letters))), self.name),)
+
+
+def measure(course: LoadCourse, drafting: Drafting) -> Picture:
+    """Measure the room of a load diagram: its scale is that of the way, the load's own follows from the height."""
+    hand, (symbol, unit, _) = drafting.hand, _way(course)
+    side, below, above = (size * hand.letter for size in MARGINS)
+    under = below + (LEVELS[-1] + 2) * hand.symbol
+    margins = Margins(side + BEYOND / 2, under, above + BEYOND + 2 * hand.title + hand.text)
+    high, title = course.length / RATIO, text_width(Text(0j, _title(course, drafting), hand.title))
+    middle = complex(course.length, high) / 2
+    return Picture(
+        name_of(course),
+        course.length,
+        high,
+        middle,
+        symbol,
+        unit,
+        margins,
+        title,
+        LETTERS * hand.letter,
+        MOST * hand.letter,
+        taller=RATIO,
+    )
+
+
+def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:
+    """Draw the diagram in its spot: axes, both branches with their arrows, corners, the stroke and its overruns."""
+    room = room.filling(spot)
+    hand, scale = drafting.hand, scale_of(course, room, spot, drafting.standard)
+    axes, (low, high) = _axes(course, room, spot, scale), course.span
+    said = f"{drafting.scale(spot.scale)};  {drafting.scale(scale)}"
+    lines: list[Stroke] = [heading(spot.box, _title(course, drafting), said, hand)]
+    lines += axes.lines((0.0, course.length), (low, high), hand, room.name)
+    sizes = tuple(_sizes(course, axes, drafting))
+    lines += [_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)]
+    shown = marks(course, axes, hand)
+    lines += [stroke for one in shown for stroke in _ordinate(one, course, axes, hand)]
+    lines += _branches(course, axes, hand)
+    corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in shown)
+    numbers, dots = _positions(course, axes, hand)
+    corners += numbers
+    lines += dots
+    return LoadFigure(room.name, tuple(lines), corners, _ends(course, axes, scale, drafting), sizes, hand)
+
+
+def scale_of(course: LoadCourse, room: Picture, spot: Spot, standard: str) -> Scale:
+    """Choose the largest standard scale of the load for the height of the diagram."""
+    low, high = course.span
+    symbol, unit = ("M", "N*m") if course.couple else ("F", "N")
+    return fitting(high - low, room.high / spot.scale.mu, symbol, unit, standard)
+
+
+def spans(course: LoadCourse) -> tuple[tuple[str, float], ...]:
+    """Give what is dimensioned along the way, by its mark: the whole stroke, and each overrun."""
+    _, _, whole = _way(course)
+    shares = (("overrun_1", course.overrun[0]), ("overrun_2", course.overrun[1]))
+    return (whole, course.length), *((name, share * course.length) for name, share in shares if share)
+
+
+def _way(course: LoadCourse) -> tuple[str, str, str]:
+    return SWINGING if course.turning else SLIDING
+
+
+def _title(course: LoadCourse, drafting: Drafting) -> str:
+    return drafting.word("load diagram of", name=lettered(drafting.language, _marked_up(course.name)))
+
+
+def _marked_up(name: str) -> str:
+    head, _, index = name.partition("_")
+    return f"{head}_{{{index}}}" if index else head
+
+
+def _axes(course: LoadCourse, room: Picture, spot: Spot, scale: Scale) -> Axes:
+    """Put the load's zero so that the diagram stands in the middle of its height."""
+    low, high = course.span
+    spare = room.high / spot.scale.mu - (high - low) / scale.mu
+    place = room.place(*spot)
+    return Axes(place.on(0j) + 1j * (spare / 2 - low / scale.mu), spot.scale, scale)
+
+
+def _ends(course: LoadCourse, axes: Axes, scale: Scale, drafting: Drafting) -> tuple[tuple[str, complex, float], ...]:
+    """Give the letters of both axes, with their units."""
+    symbol, unit, _ = _way(course)
+    across, up = (f"{one}, {drafting.word(of)}" for one, of in ((symbol, unit), (scale.letter, scale.unit)))
+    top = axes.on(0.0, course.span[1]) + 1j * BEYOND
+    return (up, top, 0.0), (across, axes.on(course.length) + BEYOND, math.pi / 2)
+
+
+def _side(at: complex) -> float:
+    return math.pi / 2 if at.imag > 0 else -math.pi / 2
+
+
+def _ordinate(one: LoadMark, course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw the ordinate of a corner, which can be measured, and its point."""
+    foot, tip = axes.on(one.at.real), axes.on(one.at.real, one.at.imag)
+    yield Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted)
+    if abs(tip - foot) > LEAST:
+        data = Subject(name_of(course), axes.up.letter, None).data("vector", one.letter, 1j * one.at.imag, axes.up)
+        yield Group((Line(foot, tip, hand.drafted),), "", data, one.letter)
+    yield Circle(tip, DOT * hand.symbol, INK)
+
+
+def _positions(
+    course: LoadCourse, axes: Axes, hand: Hand
+) -> tuple[tuple[tuple[str, complex, float], ...], list[Stroke]]:
+    """Give the numbers of positions on the course of the load, and their points: as many as have room."""
+    spots = [axes.on(place.real, place.imag) for place in course.places]
+    length, wide = 2 * abs(axes.on(course.length) - axes.zero), text_width(Text(0j, str(len(spots)), hand.number))
+    told = numbered(spots, length, wide + SPARE * hand.number, course.shown)
+    dots = numbered(spots, length, 3 * DOT * hand.symbol, told)
+    sides = [-math.pi / 2 if k in course.returning else math.pi / 2 for k in range(len(spots))]
+    return tuple((str(k), spots[k], sides[k]) for k in told), [Circle(spots[k], DOT * hand.symbol, INK) for k in dots]
+
+
+def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw both branches, and what joins them at the ends of the stroke where the load changes there at once."""
+    for way, branch in (("out", course.out), ("back", course.back)):
+        for line in (drawn := tuple(_branch(branch, axes, hand)))[:1]:
+            yield stating(Statement(Kind.CURVE, name_of(course), way), line)
+        yield from drawn[1:]
+    if course.out and course.back:
+        for ends in zip(_tips(course.out), _tips(course.back)[::-1], strict=True):
+            yield from _branch(ends, axes, hand)
+
+
+def _tips(branch: Branch) -> tuple[complex, complex]:
+    return branch[0], branch[-1]
+
+
+def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw a branch with an arrowhead in the middle of its longest part: the sense of the motion."""
+    places = [axes.on(corner.real, corner.imag) for corner in branch]
+    parts = [(one, other) for one, other in pairwise(places) if abs(other - one) > LEAST]
+    if not parts:
+        return
+    yield Polyline(tuple(places), False, hand.result)
+    start, end = max(parts, key=lambda part: abs(part[1] - part[0]))
+    head = arrowhead(start, (start + end) / 2, hand.symbol)
+    if head is not None and len(branch) > 2:
+        yield head
+
+
+def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimension]:
+    """Dimension the whole stroke, and over it the overruns in shares of it."""
+    _, unit, whole = _way(course)
+    low = 1j * (axes.on(0.0, course.span[0]).imag - axes.zero.imag)
+    near, far = (low - 1j * level * drafting.hand.symbol for level in LEVELS)
+    told = drafting.slot(Slot(whole, course.length if course.turning else 1000 * course.length, DIGITS))
+    text = joined("", (f"{whole} = ", told, unit if course.turning else ""))
+    yield Dimension(text, axes.on(0.0), axes.on(course.length), far)
+    first, last = course.overrun
+    for share, start, end in ((first, 0.0, first), (last, 1 - last, 1.0)):
+        if share:
+            text = joined("", (drafting.slot(Slot(f"overrun_{1 if start == 0.0 else 2}", share)), whole))
+            yield Dimension(text, axes.on(start * course.length), axes.on(end * course.length), near)
+
+
+def _sized(course: LoadCourse, one: Dimension, span: tuple[str, float], scale: Scale, hand: Hand) -> Group:
+    """Draw a dimension; its line can be measured."""
+    name, length = span
+    data = Subject(name_of(course), scale.letter, None).data("vector", name, complex(length), scale)
+    return Group(one.draw(hand), "", data, one.letter)

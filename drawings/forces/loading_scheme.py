@@ -1,0 +1,361 @@
+"""The loading scheme of a group, or of the primary link, in one position: its links with all forces (схема нагружения).
+
+The links are to scale, the forces are not: an arrow is true in direction, a larger force has a longer arrow.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+
+from drawings.forces.fan import UNSIZED, coupled, fan, friction_circles, lengths, springs
+from drawings.forces.letters import KNOWN, PRESSING, letter_of
+from drawings.forces.lever_layout import Leverage, leverages
+from drawings.forces.scheme import Scheme, scheme
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels, free_side
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.extent import bounds
+from drawings.lettering.indices import with_index
+from drawings.lettering.lettering import text_width
+from drawings.linkage.guides import ties
+from drawings.linkage.numbering import link_numbers
+from drawings.linkage.pairs import Joints
+from drawings.page.drafting import Drafting
+from drawings.page.page import Field
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.symbols.arms import Arm, to_scale
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
+from drawings.symbols.polygon import ShownVector
+from drawings.symbols.symbols import BLOCK, MASS, POINT, mass_centre
+from drawings.symbols.transmission import Gear
+
+GUIDE = 16.0  # mm of a guide's axis on either side of its slider
+RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
+DIMENSION, LAYOUT_LEAST = 9.0, 0.5  # mm: from a guide to the dimension along it; the least shown
+FACINGS = 12  # directions that an arc may face
+BAR, ARROW, THIN = 3.0, 6.0, 1.0  # thin lines that a link, an arrow and an arm count as
+ZERO = "zero"  # of the mark from which the places of a scheme are told
+NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A scheme at its place on paper."""
+
+    shown: Scheme
+    place: Place
+    drafting: Drafting
+    box: Field | None  # None: as much room as is asked for
+
+    @cached_property
+    def joints(self) -> Joints:
+        """Links and pairs on paper."""
+        return Joints(self.shown.links, self.place, self.drafting.hand)
+
+    @property
+    def hand(self) -> Hand:
+        """The hand of the pairs' symbols."""
+        return self.joints.hand
+
+    def letter(self, name: str) -> str:
+        """Write a force's or a moment's letter as the sheet's language does."""
+        return letter_of(name, self.drafting)
+
+    @cached_property
+    def links(self) -> list[Stroke]:
+        """The links with their pairs; under them the axes of guides."""
+        joints = self.joints
+        under = [*self._axes(), *ties(joints)]
+        return [*under, *joints.bars(), *(block for _, block in joints.blocks), *joints.corners(), *joints.stands()]
+
+    def _axes(self) -> Iterator[Stroke]:
+        """Draw the axis of each guide about its slider, as far as the guide presses."""
+        ends = [self.place.on(shift.end) for shift in self.shown.acting.shifts]
+        for at, along in self.shown.links.guides:
+            spot = self.place.on(at)
+            reach = [((end - spot) * along.conjugate()).real for end in ends]
+            low, high = min([0.0, *reach]), max([0.0, *reach])
+            more = GUIDE * self.hand.symbol
+            yield from fit_dashes([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
+
+    @cached_property
+    def marks(self) -> list[Stroke]:
+        """Hinges, mass centres and other points, each under its letter."""
+        symbols: list[Stroke] = []
+        for name, value in self.shown.named.items():
+            at = self.place.on(value)
+            if name in self.joints.hinges:
+                symbol: tuple[Stroke, ...] = self.joints.hinges[name]
+            elif name in self.shown.centres or name in self.joints.centres:
+                symbol = mass_centre(at, self.hand)
+            else:
+                symbol = (Circle(at, POINT * self.hand.symbol, INK),)
+            symbols.append(Group(symbol, "", {}, name))
+        zero = Statement(Kind.AXIS, self._plan, ZERO, self.shown.column, self.place.scale.mu)
+        return [stating(zero, symbols[0]), *symbols[1:]] if symbols else []
+
+    @cached_property
+    def gear(self) -> Gear | None:
+        """The wheel that drives the crank."""
+        wheel = self.shown.wheel
+        if wheel is None:
+            return None
+        return Gear(self.place.on(wheel.centre), self.place.length(wheel.radius), wheel.at, wheel.action)
+
+    @property
+    def _plan(self) -> str:
+        return f"scheme {self.shown.cut.label}"
+
+    @cached_property
+    def arms(self) -> list[Arm]:
+        """The arms to scale, measurable."""
+        subject = Subject(self._plan, "h", self.shown.column)
+        on, scale = self.place.on, self.place.scale
+        return [
+            to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject)
+            for arm in self.shown.dimensioned
+        ]
+
+    @cached_property
+    def shifts(self) -> list[Dimension]:
+        """How far from their sliders' points guides press, beyond the block from where the reaction comes."""
+        dimensions = []
+        for shift in self.shown.acting.shifts:
+            start, end = self.place.on(shift.start), self.place.on(shift.end)
+            ahead = shift.value / abs(shift.value)
+            dimensions.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
+        return [one for one in dimensions if one.length >= LAYOUT_LEAST]
+
+    @cached_property
+    def arrows(self) -> list[ForceArrow]:
+        """The forces, placed among links and arms."""
+        forces = self.shown.acting.forces
+        known = iter(lengths([abs(force.value) for force in forces if force.kind == KNOWN]))
+        sizes = [next(known) if force.kind == KNOWN else UNSIZED for force in forces]
+        arrows = [self._arrow(force, size) for force, size in zip(forces, sizes, strict=True)]
+        box = self.box
+        if box is not None:
+            box = box.inset(self.drafting.hand.letter)
+        spots = [self.place.on(spot) for spot in self.shown.named.values()]
+        return fan(arrows, [self._reach(force) for force in forces], self._around, spots, box, self.hand)
+
+    def _arrow(self, force: ShownVector, length: float) -> ForceArrow:
+        """Give a force's arrow at its point; that of a guide presses on its slider."""
+        at, size = self.place.on(force.at), length * self.hand.symbol
+        letter = self.letter(force.name)
+        return not_to_scale(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
+
+    def _reach(self, force: ShownVector) -> float:
+        """Give how far from a force's point symbols reach."""
+        pressing = force.kind == PRESSING and self._on_block(force)
+        return BLOCK[1] / 2 * self.hand.symbol if pressing else self._rim(force.spot)
+
+    def _on_block(self, force: ShownVector) -> bool:
+        """Tell whether a guide's reaction meets its slider's block."""
+        at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
+        return any(abs(at - spot) <= reach for spot in self._blocks)
+
+    @property
+    def _blocks(self) -> list[complex]:
+        """The middles of the blocks."""
+        return [sum(block.points) / len(block.points) for _, block in self.joints.blocks]
+
+    def _rim(self, spot: str) -> float:
+        """Give how far the symbol of a point reaches."""
+        if spot in self.shown.centres and spot not in self.joints.hinges:
+            return MASS * self.hand.symbol
+        return self.joints.radius(spot) if spot in self.shown.named else 0.0
+
+    def clear(self, name: str) -> float:
+        """Give how far from a point letters stand clear of its symbols."""
+        return max(self.joints.clear(name), self._rim(name))
+
+    @property
+    def _around(self) -> list[tuple[Stroke, float]]:
+        """What arrows keep clear of, with what crossing it costs."""
+        thick = [(stroke, BAR) for stroke in self.links]
+        marks = [(mark, BAR) for mark in self.marks]
+        thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
+        thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
+        wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.draw(self.hand)[:1]]
+        return [*thick, *marks, *thin, *wheel, *((one, THIN) for one in self.attached)]
+
+    @cached_property
+    def attached(self) -> list[Group]:
+        """Springs and friction circles."""
+        return [*springs(self.shown, self.place, self.hand), *friction_circles(self.shown, self.place, self.hand)]
+
+    @cached_property
+    def coupling(self) -> tuple[Group, ...]:
+        """The coupling that drives the crank, among what is there."""
+        ink = Ink()
+        for stroke, weight in self._around:
+            ink.draw([stroke], weight)
+        ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
+        return tuple(coupled(self.shown, self.place, self.hand, ink))
+
+    @cached_property
+    def couples(self) -> list[CoupleArc]:
+        """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
+        ink = Ink()
+        for stroke, weight in self._around:
+            ink.draw([stroke], weight)
+        ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
+        arcs: list[CoupleArc] = []
+        for moment in self.shown.acting.moments:
+            at = self.place.on(moment.at)
+            before = [other for other in arcs if abs(other.at - at) < RADIUS]
+            least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
+            radius = (least + APART * len(before)) * self.hand.symbol
+            choices = self._facing(CoupleArc(self.letter(moment.name), at, moment.sense, radius))
+            arcs.append(min(choices, key=lambda one: (one.crowded(before), self._crossing(one, ink))))
+        return arcs
+
+    def _facing(self, arc: CoupleArc) -> Iterator[CoupleArc]:
+        """Turn an arc all ways, of three quarters of a turn and of half a turn."""
+        for sweep, k in product((THREE_QUARTERS, HALF), range(FACINGS)):
+            yield arc._replace(facing=2 * math.pi * k / FACINGS, sweep=sweep)
+
+    def _crossing(self, arc: CoupleArc, ink: Ink) -> float:
+        return ink.crossed_by([arc.draw(self.hand)]) + NARROW * (arc.sweep == HALF)
+
+    def _hidden(self, spot: complex) -> bool:
+        """Tell whether a block would hide the arrowhead of an arm that ends at a place."""
+        corners = [[abs(corner - spot) for corner in block.points] for _, block in self.joints.blocks]
+        sizes = (abs(block.points[0] - block.points[2]) for _, block in self.joints.blocks)
+        return any(max(reach) <= size for reach, size in zip(corners, sizes, strict=True))
+
+    def _arm(self, arm: Arm) -> tuple[Stroke, ...]:
+        """Draw an arm: its perpendicular, which comes last, says from which place it begins."""
+        said = Statement(Kind.POINT, self._plan, plain_name(arm.letter), self.shown.column, self.place.scale.mu)
+        *lines, last = arm.draw(self.hand)
+        return *lines, stating(said, last) if isinstance(last, Group) else last
+
+    def _stated(self, kind: Kind, mark: Dimension | ForceArrow | CoupleArc) -> Stroke:
+        """Draw what a force, a moment or a distance of the scheme is."""
+        said = Statement(kind, self._plan, plain_name(mark.letter), self.shown.column, self.place.scale.mu)
+        drawn = mark.draw(self.hand)
+        return stating(said, *((drawn,) if isinstance(drawn, Group) else drawn))
+
+    def strokes(self) -> Iterator[Stroke]:
+        """Draw everything but letters, from the thinnest lines to the arrows."""
+        hand = self.hand
+        over = [arm for arm in self.arms if any(self._hidden(end) for end in arm.ends)]
+        arms = tuple(stroke for arm in self.arms if arm not in over for stroke in self._arm(arm))
+        arms += tuple(self._stated(Kind.VECTOR, shift) for shift in self.shifts)
+        yield from [Group(arms)] if arms else []
+        if self.gear is not None and self.shown.wheel is not None:
+            yield Group(self.gear.draw(hand, self.shown.wheel.whole))
+        yield Group((*self.links, *self.attached, *self.coupling, *self.marks))
+        yield from [Group(tuple(stroke for arm in over for stroke in self._arm(arm)))] if over else []
+        leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
+        forces: tuple[Stroke, ...] = (*leads, *(self._stated(Kind.DIRECTION, arrow) for arrow in self.arrows))
+        yield from [Group(forces)] if forces else []
+        couples = tuple(self._stated(Kind.DIRECTION, couple) for couple in self.couples)
+        yield from [Group(couples)] if couples else []
+
+
+__all__ = ["Leverage", "Scheme", "SchemeFigure", "draw", "leverages", "measure", "scheme"]
+
+NEAR = 4.0  # mm beyond its letter: lines that end so near to a point are lines at it
+LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
+LETTERS, BESIDE = 1.6, 2.4  # letters' sizes below and above the lines of a scheme, and beside them
+
+
+@dataclass(frozen=True)
+class SchemeFigure:
+    """A scheme placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Scheme
+    layout: Layout
+    lines: tuple[Stroke, ...]
+    hand: Hand
+
+    @property
+    def place(self) -> Place:
+        """Where the scheme lies on paper."""
+        return self.layout.place
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its letters placed."""
+        letters = Group(tuple(_letters(self.layout, labels, self.hand)))
+        return (Group((*self.lines, letters), f"scheme-{self.shown.cut.label}-{self.shown.column}"),)
+
+
+def measure(shown: Scheme, name: str, drafting: Drafting) -> Picture:
+    """Measure the room that a scheme needs: its links to scale, and what of its arrows is outside them, in mm."""
+    hand = drafting.hand
+    least = LEAST * hand.letter
+    bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0)
+    solid = picture(name, shown.solid, ("l", "m"), Margins(0, 0, 0), 0.0)
+    extent, own = max(bare.wide, bare.high), max(solid.wide, solid.high)
+    least *= extent / own if own else 1.0  # the links are as large beside a long spring as without one
+    bare = bare._replace(least=least if extent else 0.0)  # a lone point is not drawn smaller at any scale
+    place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
+    left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, drafting, None).strokes())))
+    wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
+    around = LETTERS * hand.letter
+    side = max(-left - wide, right - wide, 0.0) + BESIDE * hand.letter
+    margins = Margins(side, max(-bottom - high, 0.0) + around, max(top - high, 0.0) + around + _head(hand))
+    return bare._replace(margins=margins, heading=text_width(Text(0j, _title(shown, drafting), hand.title)))
+
+
+def _head(hand: Hand) -> float:
+    return 1.6 * hand.title + 2 * hand.text
+
+
+def _title(shown: Scheme, drafting: Drafting) -> str:
+    key = "primary scheme" if shown.cut.group is None else "loading scheme"
+    return f"{drafting.word(key, group=shown.cut.label)}, {drafting.word('position', position=shown.column)}"
+
+
+def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
+    """Draw the scheme in its spot, with its title and its written scale above it."""
+    place, hand = room.place(*spot), drafting.hand
+    box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
+    laid = Layout(shown, place, drafting, box)
+    under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
+    title = heading(spot.box, _title(shown, drafting), under, hand)
+    return SchemeFigure(shown, laid, (title, *laid.strokes()), hand)
+
+
+def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
+    """Letter arms, points, forces and moments, and number the links."""
+    for arm in laid.arms:
+        yield arm.letter_beside(labels, hand)
+    for shift in laid.shifts:
+        yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
+    yield from _points(laid, labels, hand)
+    for arrow in laid.arrows:
+        yield arrow.letter_beside(labels, hand)
+    for couple in laid.couples:
+        yield couple.letter_beside(labels, hand)
+    if laid.gear is not None and laid.gear.slants(laid.hand):
+        middle, turn = laid.gear.angle(laid.hand)
+        yield labels.beside(middle, "α", hand.letter, 1.0, turn)
+    yield from link_numbers(laid.joints, laid.shown.links.links, labels, hand)
+
+
+def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
+    """Letter each point where the widest angle between the lines at it is free."""
+    lines = [*_lines(laid.links), *(arrow.shaft for arrow in laid.arrows)]
+    for name, value in laid.shown.named.items():
+        spot, gap = laid.place.on(value), laid.clear(name) + 1.0
+        yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
+
+
+def _lines(strokes: list[Stroke]) -> Iterator[Line]:
+    return (stroke for stroke in strokes if isinstance(stroke, Line))

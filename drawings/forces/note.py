@@ -1,0 +1,318 @@
+"""The chapters of a note on forces: the equations of the drawn positions, before the tables of all (силовой расчёт)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from drawings.forces import report
+from drawings.forces.letters import letter_of
+from drawings.forces.lever_layout import PLAN as LEVER
+from drawings.forces.lever_layout import Leverage, leverages
+from drawings.linkage.equations import in_position
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.walk import groups
+from drawings.report.formula import DIRECTION, FULL, Chapters, Formula, display, inline, total
+from drawings.report.table import chapter, header, row
+from geometry.board import Mark, at
+from geometry.meet import cross
+from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, Cut, Equation, ForcePlan, Side
+from plans.forces.lever import Lever
+from plans.forces.quantities import ForceComparison
+from plans.forces.statics import Statics
+from plans.model.motion import NOTHING
+from plans.study import Study
+from plans.words.words import word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+
+class ForceValues:
+    """What the forces, moments and places of a force plan are in one position, read off its record."""
+
+    def __init__(self, plan: ForcePlan, column: int) -> None:
+        self.plan, self.column = plan, column
+
+    @property
+    def rate(self) -> float:
+        """The angular velocity of the crank, rad/s."""
+        arm, turning = self.plan.velocities.readings[self.plan.mechanism.drive.link]
+        along, across = at(arm.point, self.column), at(turning.point, self.column)
+        return float(cross(along, across)) / abs(along) ** 2
+
+    def force(self, name: str, mark: Mark) -> complex:
+        """Give a force, N."""
+        return at(mark.point, self.column)
+
+    def side(self, side: Side) -> complex:
+        """Give a side of a polygon, N."""
+        return at(side.end.point, self.column) - at(side.start.point, self.column)
+
+    def moment(self, name: str, mark: Mark) -> float:
+        """Give a moment, N*m."""
+        return at(mark.point, self.column).real
+
+    def power(self, name: str, mark: Mark) -> float:
+        """Give the moment that a force or a couple has on the turned velocity plan: its power, W."""
+        return at(mark.point, self.column).real
+
+    def arm(self, arm: Leverage) -> float:
+        """Give the arm of a force about the point of its equation, m."""
+        return arm.length
+
+
+@dataclass(frozen=True)
+class CutEquations:
+    """Writes what a cut gives in one position: `nothing` are the force N and the moment N*m below which there is none.
+
+    `scale` is that of the cut's force plan, N/mm; None where it is not drawn.
+    """
+
+    values: ForceValues
+    formula: Formula
+    nothing: tuple[float, float]
+    usual: tuple[float, float] = (0.0, 0.0)  # N, N*m: below it what is given is none, also beside a jam
+    scale: float | None = None
+
+    def lines(self, cut: Cut) -> Iterator[str]:
+        """Write the equations of moments with what they give, the equation of forces, and the reactions."""
+        plan, k = self.values.plan, self.values.column
+        arms = leverages(plan, cut, k)
+        for equation in cut.equations:
+            yield from self._moments(equation, arms, cut)
+        yield from self._slotted(cut)
+        yield from self._forces(cut)
+        yield from self._reactions(cut)
+
+    def given(self, cut: Cut) -> Iterator[str]:
+        """Write the weights, inertia forces and couples of a cut's links, and its loads."""
+        for load in (load for load in cut.loads if load.kind != REACTION):
+            size = abs(self.values.force(load.name, load.force))
+            size = size if size > self.usual[0] else 0.0
+            if size or load.kind != LOAD:
+                source = self._source(load.name, load.link, size)
+                yield inline(self.letter(load.name), *source, self.formula.quantity(size, "N"))
+        for couple in (couple for couple in cut.couples if couple.kind != REACTION):
+            value = self._value(couple)
+            source = self._source(couple.name, couple.link, value)
+            yield inline(self.letter(couple.name), *source, self.formula.quantity(value, "N*m"))
+
+    def letter(self, name: str) -> str:
+        """Write a force's name in math."""
+        return self.formula.letter(letter_of(name, self.formula.drafting))
+
+    def _source(self, name: str, link: int, value: float) -> Iterator[str]:
+        """Write from what a weight, an inertia force or couple comes, in letters and numbers: G_3 = m_3 g."""
+        letter, number, machine = self.formula.letter, self.formula.number, self.values.plan.machine
+        body = machine.bodies.get(link)
+        if body is None:
+            return
+        mass, inertia = letter(f"m_{link}"), letter(f"J_{link}")
+        sources = {
+            f"G_{link}": (f"{mass} g", body.mass, abs(machine.gravity)),
+            f"Φ_{link}": (f"{mass} {letter(f'a_{{S_{{{link}}}}}')}", body.mass, value / (body.mass or 1.0)),
+            f"M^Φ_{link}": (f"-{inertia} {letter(f'ε_{link}')}", -body.inertia, -value / (body.inertia or 1.0)),
+        }
+        if name in sources:
+            letters, factor, other = sources[name]
+            yield letters
+            yield rf"{number(factor)} \cdot {self.formula.factor(other)}"
+
+    def _moments(self, one: Equation, arms: tuple[Leverage, ...], cut: Cut) -> Iterator[str]:
+        """Write an equation of moments, and the force or the moment that it gives."""
+        formula, unknown = self.formula, one.found.name
+        named = {load.name for load in one.loads} | {unknown}
+        about = next((arm.about for arm in arms if arm.name in named), one.about.name)
+        armed = [arm for arm in arms if arm.about == about and arm.name in named]
+        own = next((arm for arm in armed if arm.name == unknown), None)
+        loads = {load.name: load.force for load in one.loads}
+        seen = {name for name, mark in loads.items() if self._sized(abs(self.values.force(name, mark)))}
+        others = [arm for arm in armed if arm.name in seen]
+        couples = [pair for pair in one.couples if self._value(pair)]
+        letters = [_signed(arm.sense, f"{self.letter(arm.name)} {formula.letter(arm.letter)}") for arm in others]
+        letters += [self.letter(couple.name) for couple in couples]
+        if not letters:
+            return
+        found = self.letter(unknown)
+        first = found if own is None else _signed(own.sense, f"{found} {formula.letter(own.letter)}")
+        links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
+        where = f"{about}({min(links)})" if len(cut.equations) > 1 and links else about
+        yield rf"$$\sum M_{{{where}}} = {total([first, *letters])} = 0$$"
+        sign = -1 if own is None else -own.sense
+        numbers = [_signed(sign * arm.sense, self._product(arm, one)) for arm in others]
+        moments = [sign * self.values.moment(couple.name, couple.moment) for couple in couples]
+        numbers += [formula.number(value) for value in moments]
+        yield f"- {inline(found, self._solved(numbers, own), self._found(one))}"
+
+    def _product(self, arm: Leverage, one: Equation) -> str:
+        load = next(load for load in one.loads if load.name == arm.name)
+        size = abs(self.values.force(load.name, load.force))
+        return rf"{self.formula.number(size)} \cdot {self.formula.number(self.values.arm(arm))}"
+
+    def _solved(self, numbers: list[str], own: Leverage | None) -> str:
+        whole = total(numbers)
+        if own is None:
+            return whole
+        return f"({whole}) / {self.formula.number(self.values.arm(own))}"
+
+    def _found(self, one: Equation) -> str:
+        if one.line is None:
+            value = self._turned(self.values.moment(one.found.name, one.found))
+            return self.formula.quantity(value, "N*m")
+        return self.formula.quantity(self._sized(abs(self.values.force(one.found.name, one.found))), "N")
+
+    def _slotted(self, cut: Cut) -> Iterator[str]:
+        """Write the part along a slot, which holds nothing along it."""
+        for part in (part for one in cut.supports for part in one.parts if part.name.startswith("R^u")):
+            size = self._sized(abs(self.values.force(part.name, part)))
+            known = rf"-{self.formula.letter('Σ')} {self.formula.letter('F_u')}"
+            yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
+
+    def _forces(self, cut: Cut) -> Iterator[str]:
+        """Write that the forces of a cut balance, with what is known of each."""
+        closers = [side for side in cut.sides if side.kind == CLOSING]
+        known = DIRECTION if len(closers) > 1 else 0
+        terms = [
+            self.formula.vector(letter_of(side.name, self.formula.drafting), known if side.kind == CLOSING else FULL)
+            for side in cut.sides
+            if side.kind == CLOSING or self._sized(abs(self.values.side(side)))
+        ]
+        if len(terms) > 1:
+            yield f"$${' + '.join(terms)} = 0$$"
+
+    def _reactions(self, cut: Cut) -> Iterator[str]:
+        """Write the reactions: their lengths on the force plan by its scale, the moments of sliding pairs."""
+        formula = self.formula
+        for one in cut.reactions:
+            size = self._sized(abs(self.values.force(one.force.name, one.force)))
+            measured = []
+            if self.scale is not None and size:
+                measured = [rf"{formula.number(size / self.scale)} \cdot {formula.number(self.scale)}"]
+            yield f"- {inline(self.letter(one.force.name), *measured, formula.quantity(size, 'N'))}"
+            if one.moment is not None:
+                value = self._turned(self.values.moment(one.moment.name, one.moment))
+                if value:
+                    yield f"- {inline(self.letter(one.moment.name), formula.quantity(value, 'N*m'))}"
+
+    def _sized(self, force: float) -> float:
+        return force if force > self.nothing[0] else 0.0
+
+    def _value(self, couple: Couple) -> float:
+        """Give the moment of a couple; what is given is none only where it usually would be."""
+        value = self.values.moment(couple.name, couple.moment)
+        return self._turned(value) if couple.kind == REACTION or abs(value) <= self.usual[1] else value
+
+    def _turned(self, moment: float) -> float:
+        return moment if abs(moment) > self.nothing[1] else 0.0
+
+
+def _signed(sense: int, product: str) -> str:
+    return product if sense > 0 else f"-{product}"
+
+
+def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[str]:
+    """Write the moments of all forces about the pole of the turned plan, and the balancing moment that they ask for.
+
+    `mu` is the lever's scale, (m/s)/mm: the moments on paper, N*mm, times the scale are powers, W.
+    """
+    formula, drive = written.formula, written.values.plan.mechanism.drive
+    language, sigma = formula.drafting.language, formula.letter("Σ")
+    powers = _powers(lever, written)
+    yield word(language, "report.lever")
+    yield from display(rf"{sigma} M_{{p}}(F_{{i}}) + M_{{p}}({formula.letter('P_bal')}) = 0")
+    yield from header([word(language, f"table.{head}") for head in ("force", "size", "lever_arm", "lever_moment")])
+    forces = {one.name: one.force for one in lever.loads}
+    for name, power in powers.items():
+        yield _row(name, power / mu, forces.get(name), written)
+    whole, omega = _sum(powers), written.values.rate
+    yield row([f"${sigma}$", "", "", f"${formula.number(whole / mu)}$"])
+    yield ""
+    letters = f"-{formula.letter('μ_v')} {sigma} M_{{p}} / {formula.letter(f'ω_{drive.link}')}"
+    product = rf"-{formula.number(mu)} \cdot {formula.factor(whole / mu)} / {formula.factor(omega)}"
+    moment = formula.quantity(-whole / omega, "N*m")
+    yield f"- {inline(formula.letter('M_bal'), letters, product, moment)}"
+
+
+def _powers(lever: Lever, written: CutEquations) -> dict[str, float]:
+    """Give the powers of all forces and couples, W; one of a moment on the shaft that is none is none either."""
+    powers = {name: written.values.power(name, mark) for name, mark in lever.moments}
+    least = written.nothing[1] * abs(written.values.rate)
+    return {name: power if abs(power) > least else 0.0 for name, power in powers.items()}
+
+
+def _sum(powers: Mapping[str, float]) -> float:
+    """Add powers up; what is but rounding of the largest is none."""
+    whole = sum(powers.values())
+    return whole if abs(whole) > NOTHING * max(map(abs, powers.values())) else 0.0
+
+
+def _row(name: str, moment: float, force: Mark | None, written: CutEquations) -> str:
+    """Write a force with its arm, mm; a couple has its moment alone."""
+    formula = written.formula
+    size = 0.0 if force is None else abs(written.values.force(name, force))
+    cells = ["", ""]
+    if size > written.nothing[0]:
+        cells = [f"${formula.number(size)}$", f"${formula.number(abs(moment) / size)}$"]
+    return row([f"${written.letter(name)}$", *cells, f"${formula.number(moment)}$"])
+
+
+POLYGON = "forces-"  # before the links of a cut: the name of its force plan
+Scales = Mapping[int, Mapping[str, float]]  # of force plans and levers by their names, by position
+
+
+def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, float]]:
+    """Give the scales of the force plans and levers of the force sheets, by position."""
+    found: dict[int, dict[str, float]] = {}
+    for leaf in (leaf for own in leaves.values() for leaf in own if "position" in leaf.metadata):
+        own = found.setdefault(int(leaf.metadata["position"]), {})
+        for mark in groups(leaf.groups):
+            plan = mark.data.get("plan", "")
+            if plan == LEVER or plan.startswith(POLYGON):
+                own[plan] = float(mark.data["scale"])
+    return found
+
+
+def equations(
+    statics: Statics,
+    comparison: ForceComparison,
+    scales: Scales,
+    drafting: Drafting | None = None,
+) -> Iterator[str]:
+    """Write the equations of forces in the positions of the force sheets."""
+    language, plans = statics.study.language, statics.drafts().plans
+    formula = Formula(drafting or drafting_of_forces(statics))
+    if scales:
+        yield chapter(language, "force_equations")
+        yield word(language, "report.underlines")
+    for k, own in sorted(scales.items()):
+        told = ForceValues(plans.plan, k)
+        force, moment = (float(one.min()) for one in comparison.construction.nothing_over)
+        written = CutEquations(told, formula, comparison.construction.nothing_at(k), (force, moment))
+        yield in_position(statics.study, k).removesuffix("\n")
+        for cut in plans.plan.cuts:
+            yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))
+        if plans.lever is not None and LEVER in own and plans.plan.mechanism.drive.turns:
+            yield from lever_equation(plans.lever, written, own[LEVER])
+
+
+def drafting_of_forces(statics: Statics) -> Drafting:
+    """Letter reactions as the sheets do."""
+    return drafting_of(statics.study.scene)._replace(reactions=statics.form.sheet.reactions)
+
+
+def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:
+    """Write a cut: what is given of it, then its equations, each on a line of its own."""
+    language = written.formula.drafting.language
+    yield word(language, "report.cut" if cut.group is not None else "report.primary_cut", links=cut.label)
+    yield from (f"- {line}" for line in written.given(cut))
+    for line in written.lines(cut):
+        yield f"\n{line}\n" if line.startswith("$$") else line
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the forces of a linkage."""
+    own = report.chapters(study, leaves)
+    told = equations(study["forces"], study.comparison("forces"), drawn_scales(leaves))
+    return own._replace(values=[*told, *own.values])

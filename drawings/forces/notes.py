@@ -1,0 +1,144 @@
+"""What a force sheet says in words: masses, drive, agreement of the roads, friction and efficiency (пояснения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from drawings.forces.letters import force_letter
+from drawings.forces.report import least
+from drawings.lettering.phrase import Slot, joined, numbered, phrase
+from drawings.lettering.words import number, runs, word
+from drawings.linkage.notes import accord, driving, lengths
+from geometry.board import at
+from plans.checks.by_hand import SLIP
+from plans.forces.quantities import ForceComparison
+from plans.forces.statics import Statics, told_line
+from plans.model.machine import ALWAYS, GEAR, Force, Moment
+from plans.model.motion import NOTHING, Rates
+
+NBSP = "\N{NO-BREAK SPACE}"
+INDEX = ("friction index", "useful index")  # of powers
+
+
+def notes(statics: Statics, comparison: ForceComparison, position: int, language: str) -> list[str]:
+    """Write what the sheet says in words: what is given, what the lever carries, what friction takes, both roads."""
+    rates = Rates(*statics.study.rates.at(position))
+    given = [
+        driving(statics.study, rates, language),
+        *lengths(statics.study, language),
+        *_masses(statics, language),
+        *_loads(statics, language),
+    ]
+    return [
+        *given,
+        word(language, "known lines"),
+        *_lever(statics, position, language),
+        *_friction(statics, comparison, position, language),
+        *accord(comparison.exact, comparison.motion.kappa, language),
+        word(language, "force hand note", slip=number(SLIP, language)),
+    ]
+
+
+def _loads(statics: Statics, language: str) -> Iterator[str]:
+    """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
+    machine = statics.machine
+    told = [
+        _load(load, f"{number(load.size, language)}{NBSP}{word(language, 'N')}", language) for load in machine.forces
+    ]
+    told += [
+        _load(one, f"{number(one.size, language)}{NBSP}{word(language, 'N*m')}", language) for one in machine.moments
+    ]
+    for spring in machine.springs:
+        stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
+        free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
+        told.append(
+            word(language, "spring given", name=force_letter(spring.name, language), stiffness=stiffness, free=free)
+        )
+    how = machine.transmission
+    if how.kind == GEAR:
+        radius = f"{number(1000 * how.radius, language)}{NBSP}{word(language, 'mm')}"
+        angles = {
+            "at": number(float(np.degrees(how.at)), language),
+            "pressure": number(float(np.degrees(how.pressure)), language),
+        }
+        told.append(word(language, "gear given", radius=radius, **angles))
+    yield from told
+
+
+def _load(load: Force | Moment, size: str, language: str) -> str:
+    """Tell one load: its size and law, on which stroke, with what overrun."""
+    name = force_letter(load.name, language)
+    if isinstance(load, Force) and load.diagram is not None:
+        said = word(language, "load diagram", name=name)
+    elif isinstance(load, Force) and load.direction is None and load.line is None:
+        said = word(language, "load against", name=name, size=size, point=load.point)
+    else:
+        said = word(language, "load always", name=name, size=size)
+    during = list(_place(load, language)) if isinstance(load, Force) else []
+    during += [] if load.during == ALWAYS else [word(language, load.during)]
+    if load.overrun != (0.0, 0.0):
+        shares = dict.fromkeys(number(share, language) for share in load.overrun)
+        during.append(word(language, "overrun", share="; ".join(shares)))
+    return ", ".join([said, *during])
+
+
+def _place(force: Force, language: str) -> Iterator[str]:
+    """Tell the line of a force, and between which points of two links it acts."""
+    if force.other is not None:
+        yield word(language, "load between", start=force.point, end=force.other.point)
+    if force.line is not None and (force.other is None or told_line(force)):
+        yield word(language, "load along", line="".join(force.line))
+    if force.resists:
+        yield word(language, "load resisting")
+
+
+def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
+    """Tell in what the arms of the lever's equation are, and where it balances without a moment of the crank."""
+    lever = statics.drafts().plans.lever
+    if lever is None or not any(at(moment.point, position).real for _, moment in lever.moments):
+        return
+    yield word(language, "lever arms")
+    if statics.study.mechanism.drive.ram is not None:
+        yield word(language, "balanced lever")
+
+
+def _masses(statics: Statics, language: str) -> Iterator[str]:
+    told = []
+    for link, body in sorted(statics.machine.bodies.items()):
+        if body.mass:
+            told.append(f"m_{{{link}}} = {number(body.mass, language)}{NBSP}{word(language, 'kg')}")
+        if body.inertia:
+            told.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
+    if told:
+        yield ",  ".join(told)
+
+
+def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
+    """Tell powers, efficiency and wear, the most worn pairs first; and where the machine jams."""
+    found = statics.friction
+    if found is None or not np.isfinite(found.lost[position]):
+        return
+    none = least(comparison, found)[1:]
+    rows = zip((found.lost, found.useful), none, strict=True)
+    power = (float(row[position]) if abs(row[position]) > few[position] else 0.0 for row, few in rows)
+    told = list[str]()
+    for said, one in zip(INDEX, power, strict=True):
+        watts = joined(NBSP, (numbered(language, Slot(f"{said} {position}", one)), word(language, "W")))
+        told.append(phrase(language, said, power=watts))
+    if np.isfinite(found.efficiency[position]):
+        slot = Slot(f"η {position}", float(found.efficiency[position]), 3)
+        told.append(joined("", ("η = ", numbered(language, slot))))
+    if found.cycle is not None:
+        told.append(phrase(language, "cycle efficiency", eta=Slot("η", found.cycle, 3)))
+    coefficients = sorted({one.coefficient for one in statics.machine.friction.values()})
+    given = "; ".join(number(one, language) for one in coefficients)
+    yield joined("", (f"{word(language, 'coefficients', f=given)}: ", joined(", ", told)))
+    if found.wear:
+        slots = {key: Slot(f"wear {key}", 100 * share, 3) for key, share in found.wear.items() if share > NOTHING}
+        worn = (joined(NBSP, (key, numbered(language, slot), "%")) for key, slot in slots.items())
+        yield joined("", (f"{word(language, 'wear')}: ", joined(", ", worn)))
+    if found.jams:
+        pairs = ", ".join(dict.fromkeys(jam.pair for jam in found.jams))
+        yield word(language, "jams", pairs=pairs, positions=runs(sorted({jam.position for jam in found.jams})))

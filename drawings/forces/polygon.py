@@ -1,0 +1,272 @@
+"""Enlarged details of a force plan, of the forces that are too small to be lettered on it (выносной элемент)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from drawings.forces.letters import CLOSING, WHOLE, letter_of
+from drawings.forces.lever_layout import largest
+from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import Segment
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.linkage.vector_plan import BEYOND, LEAST
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import LEAN, Circle, Group, Line, Stroke, Text
+from drawings.symbols.figure import LINE, Subject, heading
+from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
+from geometry.board import Line as Direction
+from geometry.board import Mark, at, between
+from geometry.meet import EPS
+from plans.forces.cut import Cut, ForcePlan
+from plans.model.motion import NOTHING
+
+USUAL = 2.0  # times its least size: a plan is seldom drawn larger, and what is seen then needs no detail
+STUB = 0.2  # of a detail's size: how far the sides on either side of it are followed
+DETAIL_LETTERS, WIDEST = 9.0, 18.0  # a detail is drawn at least so many of its letters large, and at most
+
+
+def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int) -> tuple[ForcePolygon, ...]:
+    """Give the details of a force plan: of each run of sides that are not seen where it is drawn at its least size.
+
+    One in which all would be seen at the usual size has none.
+    `before` details of other plans have the first letters.
+    """
+    least = SEEN * max(room.wide, room.high) / room.least if room.least else 0.0
+    letters = drafting.word("detail letters")
+    sides = [one for one in shown.forces if one.kind != WHOLE]
+    runs = [run for run in _runs(sides, least) if min(abs(sides[k].value) for k in run) < least / USUAL]
+    named = zip(letters[before:], runs, strict=False)
+    return tuple(
+        shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)
+        for letter, run in named
+    )
+
+
+def _runs(sides: Sequence[ShownVector], least: float) -> Iterator[list[int]]:
+    """Give the runs of sides one after another that are smaller than a force, N."""
+    run: list[int] = []
+    for k, one in enumerate(sides):
+        if abs(one.value) < least:
+            run.append(k)
+        elif run:
+            yield run
+            run = []
+    if run:
+        yield run
+
+
+def _stubs(sides: Sequence[ShownVector], run: Sequence[int]) -> Iterator[Segment]:
+    """Follow the sides before and after a run a little."""
+    first, last = sides[run[0]], sides[run[-1]]
+    points = [end for k in run for end in (sides[k].at, sides[k].end)]
+    reach = STUB * max(abs(one - other) for one in points for other in points)
+    if run[0] > 0:
+        yield first.at - sides[run[0] - 1].direction * reach, first.at
+    if run[-1] + 1 < len(sides):
+        yield last.end + sides[run[-1] + 1].direction * reach, last.end
+
+
+SYMBOL, UNIT = "F", "N"
+DETAIL = "detail-"  # before a cut's links: the name of an enlarged detail of its force plan
+MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
+LETTERS, EACH = 12.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
+ROOM = 2.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
+AROUND, BESIDE = 2.5, 1.0  # mm from what a detail shows to the circle around it, and on to its letter
+# Rounding left where forces cancel, as a share of the greatest: a chain of some ten sides, each rounded a few times.
+ZERO = 256 * EPS
+
+
+class ForcePolygon(NamedTuple):
+    """What one position of a force plan shows: its vectors in the order of laying, diagonals last, and directions."""
+
+    label: str  # the links: "4-5"
+    grouped: bool  # False: the primary link
+    column: int  # place of the position among the constructed ones
+    forces: tuple[ShownVector, ...]
+    rays: tuple[Segment, ...]  # true ends of the lines of known direction: from their start to the meeting
+    detail: str = ""  # the letter of a detail, of which only some sides are shown
+
+    @property
+    def plan(self) -> str:
+        """The name of the plan that the vectors belong to."""
+        return f"{DETAIL}{self.label}-{self.detail}" if self.detail else f"forces-{self.label}"
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        ends = [end for one in self.forces for end in (one.at, one.end)]
+        return [*ends, *(end for ray in self.rays for end in ray)] if self.detail else [0j, *ends]
+
+    def faint(self, mu: float) -> tuple[str, ...]:
+        """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
+        return tuple(one.name for one in self.forces if abs(one.value) < SEEN * mu)
+
+
+def polygon(plan: ForcePlan, cut: Cut, column: int) -> ForcePolygon:
+    """Read a force polygon from its record; forces that are zero are left out, all where no force acts on the cut."""
+    named = {side.name: _vector(side.name, side.kind, side.start, side.end, column) for side in cut.sides}
+    for support in cut.reactions:
+        mark = support.force
+        if mark.step.op == "join":
+            named.setdefault(mark.name, _vector(mark.name, WHOLE, *_ends(mark), column))
+    greatest = max((abs(one.value) for one in named.values()), default=0.0)
+    least = math.inf if greatest <= NOTHING * largest(plan, column) else ZERO * greatest
+    kept = tuple(one for one in named.values() if not abs(one.value) <= least)  # what is unknown is kept
+    closing = {corner for side in cut.sides if side.kind == CLOSING for corner in (side.start, side.end)}
+    rays = tuple(ray for corner in cut.sides for ray in _rays(corner.start, column) if corner.start in closing)
+    return ForcePolygon(cut.label, cut.group is not None, column, kept, rays)
+
+
+def _ends(mark: Mark) -> tuple[Mark, Mark]:
+    start, end = mark.step.inputs
+    return start, end
+
+
+def _vector(name: str, kind: str, start: Mark, end: Mark, column: int) -> ShownVector:
+    return ShownVector(name, kind, at(start.point, column), at(between(start, end), column))
+
+
+def _rays(corner: Mark, column: int) -> list[Segment]:
+    """Give the lines that meet in a corner, each from where it was drawn."""
+    if corner.step.op != "meet":
+        return []
+    met = [line.value for line in corner.step.inputs if isinstance(line.value, Direction)]
+    return [(at(line.through, column), at(corner.point, column)) for line in met]
+
+
+@dataclass(frozen=True)
+class PolygonFigure:
+    """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: ForcePolygon
+    place: Place
+    lines: tuple[Stroke, ...]
+    arrows: tuple[LaidVector, ...]  # the vectors that are seen
+    faint: tuple[str, ...]  # names of forces that are not to be seen at this scale
+    circles: tuple[tuple[str, Circle], ...]  # around what is shown in details, with their letters
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure with the letter of each vector beside it, the shortest served first."""
+        size = self.drafting.hand.letter
+        beside = letters(self.arrows, self._mark, labels)
+        beside += [labels.beside(one.centre, name, size, one.radius + BESIDE) for name, one in self.circles]
+        return (Group((*self.lines, Group(tuple(beside))), f"{self.shown.plan}-{self.shown.column}"),)
+
+    def _mark(self, name: str) -> tuple[str, float]:
+        return letter_of(name, self.drafting), self.drafting.hand.letter
+
+
+def measure(shown: ForcePolygon, name: str, drafting: Drafting, details: Sequence[ForcePolygon] = ()) -> Picture:
+    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading.
+
+    There is room for the names of all forces that are neither to be seen at its least size nor shown in details.
+    """
+    hand = drafting.hand
+    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    least = hand.letter * max(LETTERS, EACH * len(shown.forces))
+    room = picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
+    mu = max(room.wide, room.high) / least
+    faint = _faint(shown, details, mu)
+    if not faint:
+        return room
+    wide = max(title, room.wide / mu + 2 * room.margins.side) if mu else title
+    lines = _under(shown, faint, Scale(mu, SYMBOL, UNIT), wide, drafting)
+    above = room.margins.above + (len(lines) - 1) * LINE * hand.text
+    return room._replace(heading=wide, margins=room.margins._replace(above=above))
+
+
+def draw(
+    shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting, details: Sequence[ForcePolygon] = ()
+) -> PolygonFigure:
+    """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above.
+
+    A thin circle stands around what a detail shows enlarged.
+    """
+    place, hand = room.place(*spot), drafting.hand
+    lengths = {one: place.length(abs(one.value)) for one in shown.forces}
+    order = sorted((one for one in lengths if lengths[one] >= SEEN), key=_rank)
+    arrows = lay(order, place, spot.box, ROOM, hand)
+    short = (LaidVector(one, ends(one, place)) for one, length in lengths.items() if LEAST <= length < SEEN)
+    sides = (_side(shown, one, place, drafting) for one in (*reversed(arrows), *short))
+    thin = [*_directions(shown, place, hand), *carriers(arrows, place, hand)]
+    faint = _faint(shown, details, place.scale.mu)
+    circles = tuple((one.detail, _circle(one, arrows, place, hand)) for one in details)
+    under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
+    title = heading(spot.box, _title(shown, drafting), under, hand, *further)
+    around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles)
+    lines = (title, *([Group(tuple(thin))] if thin else []), *sides, *around)
+    return PolygonFigure(shown, place, lines, arrows, faint, circles, drafting)
+
+
+def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, hand: Hand) -> Circle:
+    """Draw the circle around what a detail shows, where its vectors were laid."""
+    laid = {one.vector.name: one.ends for one in arrows}
+    spots = [end for one in detail.forces for end in laid.get(one.name, ends(one, place))]
+    middle = sum(spots) / len(spots)
+    return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
+
+
+def _side(shown: ForcePolygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
+    """Draw a side in a main line, a diagonal in a thinner one."""
+    hand, vector = drafting.hand, one.vector
+    style = hand.relative if vector.kind == WHOLE else hand.result
+    subject = Subject(shown.plan, SYMBOL, shown.column)
+    return one.draw(subject, letter_of(vector.name, drafting), place, style, hand.symbol)
+
+
+def _faint(shown: ForcePolygon, details: Sequence[ForcePolygon], mu: float) -> tuple[str, ...]:
+    """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail."""
+    enlarged = {side.name for one in details for side in one.forces}
+    return tuple(name for name in shown.faint(mu) if name not in enlarged)
+
+
+def _under(shown: ForcePolygon, faint: tuple[str, ...], scale: Scale, wide: float, drafting: Drafting) -> list[str]:
+    """Write the scale, and beside it, or on lines below, the forces that are too short to bear a letter."""
+    if not shown.forces:
+        return [drafting.word("unloaded")]
+    names = ", ".join(letter_of(name, drafting) for name in faint)
+    told = drafting.scale(scale)
+    return _broken(f"{told};  {drafting.word('unlettered', names=names)}", wide, drafting.hand) if faint else [told]
+
+
+def _broken(text: str, wide: float, hand: Hand) -> list[str]:
+    """Break a line at its spaces where it is wider than its place."""
+    lines = [""]
+    for part in text.split(" "):
+        longer = f"{lines[-1]} {part}" if lines[-1] else part
+        if lines[-1] and text_width(Text(0j, longer, hand.text)) + 2 * LEAN * hand.text > wide:
+            lines.append(part)
+        else:
+            lines[-1] = longer
+    return lines
+
+
+def _rank(one: ShownVector) -> tuple[bool, float]:
+    """Rank a vector by who keeps its place where several run along one another: sides, the longest first."""
+    return one.kind == WHOLE, -abs(one.value)
+
+
+def _directions(shown: ForcePolygon, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw each line of known direction from a little before its start to a little past the meeting."""
+    lines: list[Stroke] = []
+    for start, end in shown.rays:
+        first, last = place.on(start), place.on(end)
+        if abs(last - first) >= LEAST:
+            along = (last - first) / abs(last - first) * BEYOND * hand.symbol
+            lines.append(Line(first - along / 2, last + along, hand.drafted))
+    return lines
+
+
+def _title(shown: ForcePolygon, drafting: Drafting) -> str:
+    if shown.detail:
+        return drafting.word("detail", letter=shown.detail)
+    key = "force plan" if shown.grouped else "primary force plan"
+    return f"{drafting.word(key, group=shown.label)}, {drafting.word('position', position=shown.column)}"

@@ -1,0 +1,273 @@
+"""Which powers that friction takes are none: but rounding, also beside a position that all but jams (потери)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from drawings.lettering import words as lettering
+from drawings.lettering.words import number, runs
+from drawings.linkage.numbers import DIGITS as FEW_DIGITS
+from drawings.linkage.numbers import greatest, stroke_line
+from drawings.page.drafting import drafting_of
+from drawings.report.formula import Chapters, Formula
+from drawings.report.report import gap_line, gap_lines
+from drawings.report.table import chapter, header, row
+from plans.checks.comparison import Finding
+from plans.forces.cut import indices
+from plans.forces.primary import BalancingQuantity, balancing_quantity
+from plans.forces.quantities import ForceComparison
+from plans.forces.reversals import reversals
+from plans.forces.statics import Statics
+from plans.forces.stroke import asks
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.losses import Friction
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
+from plans.model.motion import FORCES, NOTHING, Floats
+from plans.study import Study
+from plans.words.words import Message, message, term, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+
+class Least(NamedTuple):
+    """The powers W over the positions up to which there are none: lost in each pair, in all, and of useful loads."""
+
+    pairs: tuple[Floats, ...]
+    lost: Floats
+    useful: Floats
+
+
+def least(comparison: ForceComparison, found: Friction) -> Least:
+    """Give what is but rounding.
+
+    Beside a position that all but jams much seems nothing: it is so only if the two roads cannot tell it from none.
+    """
+    most = NOTHING * max(float(np.nanmax(np.abs(one), initial=0.0)) for one in (found.lost, found.useful))
+    slack = {one.name: np.minimum(one.allowed, most) for one in comparison.of("friction")}
+    own = tuple(slack[f"N_{indices(*map(int, key.split('-')))}"] for key in found.powers)
+    return Least(own, np.minimum(np.sum(own, axis=0), most), slack["N_us"])
+
+
+TABLE_DIGITS = 6
+LEVER = "lever"
+
+
+def balancing_table(comparison: ForceComparison, told: BalancingQuantity, language: str) -> Iterator[str]:
+    """Tell the balancing moment, or force, by force plans and analysis, then by the lever, powers and energy."""
+    found = [one for one in comparison.of(FORCES) if one.name.partition(" ")[0] == told.name]
+    if not found:
+        return
+    unit = lettering.word(language, told.unit)
+    letter = lettering.letter(language, told.name)
+    first, *others = found
+    heads = [word(language, f"report.{key}", letter=letter, unit=unit) for key in ("by_plans", "by_equilibrium")]
+    heads += [f"{letter} {_way(one, language)}, {unit}" for one in others]
+    columns = [first.construction, first.analysis, *(_own(one) for one in others)]
+    yield word(language, "report.what_balances")
+    yield from header([word(language, "table.position"), *heads])
+    least = comparison.construction.nothing_over[1]
+    for k in range(len(comparison.construction.phi)):
+        yield row([str(k), *(_table_cell(float(np.real(column[k])), float(least[k]), language) for column in columns)])
+    yield ""
+
+
+def _way(one: Finding, language: str) -> str:
+    """Tell in words which way finds it; it has one letter in all columns."""
+    return term(language, "quantity_part", one.name.partition(" ")[2])
+
+
+def _own(one: Finding) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Give what a way finds: the lever is of the construction, powers and energy are of the analysis."""
+    return np.real(one.construction if one.name.endswith(LEVER) else one.analysis)
+
+
+def _table_cell(value: float, least: float, language: str) -> str:
+    if np.isnan(value):
+        return word(language, "table.gap")
+    return number(value if abs(value) > least else 0.0, language, TABLE_DIGITS)
+
+
+DIGITS = 10
+WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on its reversals too
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the forces of a linkage."""
+    shown = dict.fromkeys(
+        leaf.metadata["position"] for own in leaves.values() for leaf in own if "position" in leaf.metadata
+    )
+    shown_in = ", ".join(map(str, shown))
+    language = study.scene.sheet.language
+    comparison, statics = study.comparison("forces"), study["forces"]
+    return Chapters(
+        subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
+        values=forces(comparison, statics, language),
+        left_out=[word(language, "report.forces_drawn", positions=shown_in)],
+    )
+
+
+def headline(study: Study) -> str:
+    """Give the greatest balancing moment; say of loads of one stroke alone that their output reverses within it."""
+    language = study.scene.sheet.language
+    return "\n".join(
+        [
+            *_greatest(study["forces"], study.comparison("forces").construction, language),
+            *_reversals(study["forces"], language),
+        ]
+    )
+
+
+def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
+    """Tell the greatest of what balances the drive; what is but rounding is none."""
+    drive = statics.study.mechanism.drive
+    told = balancing_quantity(drive)
+    given = statics.given(found, statics.study.motion(2))
+    least = told.share * found.nothing_over[told.unit != "N" or drive.pushed]
+    largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
+    if largest is not None:
+        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
+        yield word(
+            language,
+            "report.greatest",
+            letter=lettering.letter(language, told.name),
+            size=size,
+            unit=unit,
+            position=largest[1],
+        )
+
+
+def remarks(study: Study) -> list[Message]:
+    """Say which positions have no forces, and which pairs jam by friction, and where."""
+    comparison, friction = study.comparison("forces"), study["forces"].friction
+    lines = gap_lines([gap for gap in comparison.construction.gaps if gap.plan == FORCES])
+    jams = friction.jams if friction is not None else ()
+    for pair in dict.fromkeys(jam.pair for jam in jams):
+        own = [jam for jam in jams if jam.pair == pair]
+        where = runs([jam.position for jam in own], "-")
+        lines.append(message("jam.pair", pair=pair, positions=where, advice=own[0].advice))
+    return lines
+
+
+def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
+    """Tell what acts, every reaction by construction, and what friction takes."""
+    found = comparison.construction
+    told = balancing_quantity(statics.study.mechanism.drive)
+    yield from _reactions(found, told, statics)
+    yield from balancing_table(comparison, told, language)
+    yield from (
+        gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
+        for gap in found.gaps
+        if gap.plan == FORCES
+    )
+    if statics.friction is not None:
+        yield from friction_lines(comparison, statics.friction, language)
+
+
+def _bodies(machine: Machine, language: str) -> Iterator[str]:
+    say, write = partial(word, language), partial(number, language=language)
+    yield chapter(language, "bodies")
+    for link, body in sorted(machine.bodies.items()):
+        centre = {"x": write(body.centre.real), "y": write(body.centre.imag)}
+        yield say("report.body", link=link, mass=write(body.mass), inertia=write(body.inertia), **centre)
+    gravity = {"x": write(machine.gravity.real), "y": write(machine.gravity.imag)}
+    yield say("report.gravity", **gravity) if machine.gravity else say("report.no_gravity")
+    for force in machine.forces:
+        ends = {"point": force.point, "link": force.link, "during": force.during}
+        far = {} if force.other is None else {"far": force.other.point, "other": force.other.link}
+        line = say("report.force_between" if far else "report.force", name=force.name, **ends, **far)
+        yield _size(line, force.size, force.diagram, language)
+    for moment in machine.moments:
+        line = say("report.moment", name=moment.name, link=moment.link, during=moment.during)
+        yield say("report.load_size", line=line, size=write(moment.size), unit=lettering.word(language, "N*m"))
+    for spring in machine.springs:
+        ends = {"start": spring.points[0], "end": spring.points[1]}
+        yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
+
+
+def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str:
+    """Tell the size of a load, or how far its diagram goes."""
+    unit = lettering.word(language, "N")
+    if diagram is None:
+        return word(language, "report.load_size", line=line, size=number(size, language), unit=unit)
+    most = max(map(abs, (*diagram.sizes, *diagram.back)))
+    return word(language, "report.load_diagram", line=line, size=number(size * most, language), unit=unit)
+
+
+def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
+    """Tell the strokes over which loads change, each with the loads that count it."""
+    loads = [load for load in statics.machine.loads if asks(load)]
+    for track, stroke in statics.strokes.items():
+        names = ", ".join(load.name for load in loads if load.stroke == track)
+        line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language)
+        yield word(language, "report.counted", names=names, line=line.removeprefix("- "))
+    yield from (f"- {line}" for line in _reversals(statics, language))
+
+
+def _reversals(statics: Statics, language: str) -> Iterator[str]:
+    for load, rests in reversals(statics):
+        parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
+        yield word(language, "verdict.reverses", **parts, angles=", ".join(_angles(rests, language)))
+
+
+def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
+    return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
+
+
+def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) -> Iterator[str]:
+    """Tell what balances the drive and every reaction in every position, and of sliding pairs their moments."""
+    language, formula = statics.study.language, Formula(drafting_of(statics.study.scene))
+    own = statics.form.sheet.reactions
+    letters = {"reaction": f"${formula.letter(f'{own}_{{ab}}')}$", "balancing": f"${formula.letter(told.name)}$"}
+    yield f"\n{word(language, 'report.reactions', **letters, unit=lettering.word(language, told.unit))}\n"
+    reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
+    force, moment = found.nothing_over
+    least = told.share * (force if statics.study.mechanism.drive.ram is not None else moment)
+    columns = {letters["balancing"]: _sized(statics.given(found, statics.study.motion(2)), least)}
+    for one in reactions:
+        index = indices(one.giver, one.taker)
+        letter = f"${formula.letter(f'{own}_{{{index}}}')}$"
+        head = word(language, "report.reaction", letter=letter, point=f"${formula.line(one.point)}$")
+        columns[head] = _sized(one.force, force)
+        if one.moment is not None and np.any(np.abs(found.counted(one.moment)) > moment):
+            columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(one.moment, moment)
+    yield from header([word(language, "table.position"), *columns])
+    for k in range(len(found.phi)):
+        yield row([str(k), *(_cell(column[k], language) for column in columns.values())])
+
+
+def _sized(column: Any, nothing: Any) -> Any:
+    """Give what is but rounding as zero."""
+    return np.where(np.abs(column) <= nothing, 0.0, column)
+
+
+def _cell(value: complex | float, language: str) -> str:
+    if np.isnan(value):
+        return word(language, "table.gap")
+    if isinstance(value, complex):
+        return f"{number(value.real, language, DIGITS)}; {number(value.imag, language, DIGITS)}"
+    return number(float(value), language, DIGITS)
+
+
+def friction_lines(comparison: ForceComparison, found: Friction, language: str) -> Iterator[str]:
+    """Tell what friction takes: the powers W lost in every pair and position, the efficiency, the wear, what jams."""
+    say, write = partial(word, language), partial(number, language=language)
+    yield f"\n{say('report.friction')}\n"
+    yield say("report.friction_powers")
+    heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
+    yield from header([say("table.position"), *found.powers, *heads])
+    own, *whole = least(comparison, found)
+    powers = map(_sized, (*found.powers.values(), found.lost, found.useful), (*own, *whole))
+    columns = [*powers, found.efficiency]
+    for k in range(len(found.phi)):
+        yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
+    if found.cycle is not None:
+        yield f"\n{say('report.cycle', efficiency=write(found.cycle, digits=6))}"
+    yield say("report.wear", shares=", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items()))
+    for jam in found.jams:
+        parts = {"pair": jam.pair, "position": jam.position, "advice": jam.advice}
+        yield say("report.jam", **parts, ratio=write(jam.ratio))

@@ -1,0 +1,304 @@
+"""The table of a force sheet: reactions, moments of sliding pairs, what the drive gives (таблица реакций)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+
+from drawings.forces import lever_plan, load_diagram, loading_scheme, polygon
+from drawings.forces import working as force_working
+from drawings.forces.letters import LAID, force_letter, letter_of
+from drawings.forces.lever_equation import Equations, LeverEquation
+from drawings.forces.load_diagram import courses
+from drawings.forces.notes import notes
+from drawings.kinds import curve_graph, hodograph, working
+from drawings.kinds.working import Working
+from drawings.layout import value_table
+from drawings.layout.contents import Panel
+from drawings.layout.picture import Picture, Spot
+from drawings.layout.table import Later, RuledTable, TableRow
+from drawings.layout.value_table import row_by_hand
+from drawings.lettering.words import word
+from drawings.linkage import workings
+from drawings.linkage.kinematics import of_linkage
+from drawings.linkage.positions import force_positions
+from drawings.linkage.vector_plan import diagram
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import Leaf
+from drawings.sheets.documents import letter, unknown
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, see_ordinates
+from geometry.board import at
+from plans.checks.comparison import Finding
+from plans.forces.cut import Cut, ForcePlan, indices
+from plans.forces.friction_quantities import forces_by_hand
+from plans.forces.primary import BALANCING, balancing_quantity
+from plans.forces.quantities import ForceComparison
+from plans.forces.reading.form import ForceForm
+from plans.forces.statics import Statics
+from plans.linkage.primaries import stroke
+from plans.linkage.study import LinkageStudy
+from plans.model.dyad import formula
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import Floats
+from plans.scene.faults import Path
+from plans.scene.scene import Scene
+from plans.study import Study
+
+
+def label(finding: Finding, language: str, reactions: str) -> str:
+    """Name a finding of the forces as the sheet does, with its unit: "R_{34}, N"."""
+    name, _, how = finding.name.partition(" ")
+    letter = force_letter(name, language, reactions)
+    by = f" ({word(language, f'by {how}')})" if how else ""
+    return f"{letter}{by}, {word(language, finding.unit)}"
+
+
+def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[TableRow]:
+    """Give the rows of one position; what is zero over the whole turn has none."""
+    nothing = dict(zip(("N", "N*m"), comparison.construction.nothing_over, strict=True))
+    return [
+        row_by_hand(finding, label(finding, language, reactions), (position,), language)
+        for finding in comparison.of("forces")
+        if np.any(np.abs(comparison.construction.counted(finding.construction)) > nothing[finding.unit])
+    ]
+
+
+def of_forces(scene: Scene) -> None:
+    """See that the names of loads can be lettered too."""
+    letter(scene, _loads(scene))
+    of_linkage(scene)
+
+
+def _loads(scene: Scene) -> Iterator[tuple[Path, str]]:
+    loads = scene.of(ForceForm).loads
+    for kind in ("forces", "moments", "springs") if loads else ():
+        named = enumerate(getattr(loads, kind))
+        yield from ((("loads", kind, k, "name"), load.name) for k, load in named if load.name)
+
+
+LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
+LEVER = "lever"
+POLYGON = "forces-"  # before a cut's links: the name of its force plan
+STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the force sheets of a scene."""
+    return sheets(study["linkage"], study.comparison("forces"), study["forces"])
+
+
+def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:
+    """Lay out the force sheets: one for each position that is asked for, and following ones where one has no room."""
+    chosen = force_positions(statics, comparison)
+    return lay_out(study.scene, [_ForceSheet(study, comparison, statics, k, chosen).draft for k in chosen])
+
+
+@dataclass(frozen=True)
+class _ForceSheet:
+    """What the force sheets of one position are drawn from."""
+
+    study: LinkageStudy
+    comparison: ForceComparison
+    statics: Statics
+    position: int
+    chosen: tuple[int, ...]  # all positions that the set has sheets of
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.study.scene)._replace(reactions=self.statics.form.sheet.reactions)
+
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, equations, table and notes of the sheets."""
+        words = notes(self.statics, self.comparison, self.position, self.drafting.language)
+        columns = (one for cut in self.plan.cuts for one in self._column(cut))
+        loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
+        title = self.drafting.word("forces sheet title")
+        shows = (*columns, *loose, *captions(self._workings()))
+        return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=self._later)
+
+    @property
+    def plan(self) -> ForcePlan:
+        return self.statics.drafts().plans.plan
+
+    @property
+    def forces(self) -> Kinetostatics:
+        """The forces of the construction in the positions in which the analysis has them too."""
+        return self.comparison.construction
+
+    @cached_property
+    def turned(self) -> Kinetostatics:
+        """The forces over a whole turn, dense enough for curves."""
+        return self.statics.around(STEPS)
+
+    def _column(self, cut: Cut) -> Iterator[Exhibit | Caption]:
+        """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
+        yield from (self._scheme(cut), self._equations(cut))
+        if self._shown(cut).forces:
+            yield self._polygon(cut)
+        for shown in self._details[cut.label]:
+            room = polygon.measure(shown, shown.plan, self.drafting)
+            least, most = (size * self.drafting.hand.letter for size in (polygon.DETAIL_LETTERS, polygon.WIDEST))
+            room = room._replace(least=least, most=most)
+            draw = partial(polygon.draw, shown, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=cut.label), draw)
+
+    def _shown(self, cut: Cut) -> polygon.ForcePolygon:
+        return polygon.polygon(self.plan, cut, self.position)
+
+    @cached_property
+    def _details(self) -> dict[str, tuple[polygon.ForcePolygon, ...]]:
+        """The enlarged details of each cut's polygon, lettered through all of them."""
+        found: dict[str, tuple[polygon.ForcePolygon, ...]] = {}
+        for cut in self.plan.cuts:
+            shown = self._shown(cut)
+            room, before = polygon.measure(shown, "", self.drafting), sum(map(len, found.values()))
+            found[cut.label] = polygon.details(shown, room, self.drafting, before)
+        return found
+
+    def _scheme(self, cut: Cut) -> Exhibit:
+        shown = loading_scheme.scheme(self.plan, cut, self.position)
+        room = loading_scheme.measure(shown, f"scheme-{cut.label}", self.drafting)
+        if cut is self.plan.cuts[-1]:
+            room = room._replace(most=LARGEST * room.least or math.inf)
+        draw = partial(loading_scheme.draw, shown, room, drafting=self.drafting)
+        return Exhibit(Panel(room, together=cut.label), draw)
+
+    def _equations(self, cut: Cut) -> Caption:
+        equations = Equations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))
+        passage = equations.passage(f"equations-{cut.label}")
+        return Caption(Panel(passage.block(), together=cut.label), partial(passage.write, hand=self.drafting.hand))
+
+    def _polygon(self, cut: Cut) -> Exhibit:
+        shown = self._shown(cut)
+        details = self._details[cut.label]
+        room = polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting, details)
+        draw = partial(polygon.draw, shown, room, drafting=self.drafting, details=details)
+        return Exhibit(Panel(room, together=cut.label), draw)
+
+    def _lever(self) -> Iterator[Exhibit | Caption]:
+        """The lever, with its equation of moments where anything has one."""
+        plans = self.statics.drafts().plans
+        if plans.lever is None or not self.study.rates.at(self.position)[0]:
+            return
+        shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
+        room, told = lever_plan.measure(shown, LEVER, self.drafting), lever_plan.balance(shown, self.drafting)
+        draw = partial(lever_plan.draw, shown, room, drafting=self.drafting)
+        yield Exhibit(Panel(room, together=LEVER if told else ""), draw)
+        if told:
+            turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
+            moment = at(plans.lever.moment.point, self.position).real if turned else None
+            equation = LeverEquation(told, moment, self.drafting, self.position)
+            yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
+
+    def _workings(self) -> Iterator[Working]:
+        """How forces of masses are found, and lengths laid off: beside the figures, where paper would stay bare."""
+        plan, drafting = self.plan, self.drafting
+        for cut in plan.cuts:
+            name = f"scheme-{cut.label}"
+            yield force_working.working(plan, cut.links, self.position, name, drafting)
+            yield workings.link_working(plan.mechanism, cut.links, name, drafting)
+            yield from self._polygon_workings(cut)
+        if self.statics.drafts().plans.lever is not None:
+            yield force_working.working(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
+            yield workings.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
+
+    def _polygon_workings(self, cut: Cut) -> Iterator[Working]:
+        """How the known forces of a cut are laid off, and those that close its polygon are read."""
+        name, drafting = f"{POLYGON}{cut.label}", self.drafting
+        known, found = dict[str, float](), dict[str, float]()
+        for one in self._shown(cut).forces:
+            (known if one.kind in LAID else found)[letter_of(one.name, drafting)] = abs(one.value)
+        if known:
+            yield working.segment_working(known, polygon.SYMBOL, name, drafting, SEEN)
+        if found:
+            yield working.reading(found, polygon.SYMBOL, polygon.UNIT, name, drafting, SEEN)
+
+    def _loads(self) -> Iterator[Exhibit]:
+        """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""
+        if self.position != self.chosen[0]:
+            return
+        for course in courses(self.statics.machine, self.statics.strokes, self.comparison.motion.construction):
+            room = load_diagram.measure(course, self.drafting)
+            shown = course._replace(shown=self.chosen)
+            draw = partial(load_diagram.draw, shown, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
+
+    def _graph(self) -> Iterator[Exhibit]:
+        """The balancing moment over the turn, or the swing, of the crank: once in a set, on its first sheet."""
+        if self.position != self.chosen[0]:
+            return
+        curve = self._curve()
+        key = "balancing graph" if curve.closed else "balancing swing"
+        key = key if self.study.mechanism.drive.turns else "balancing stroke"
+        curve = curve._replace(title=self.drafting.word(key))
+        room = curve_graph.measure(curve, "balancing", self.drafting)
+        yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
+
+    def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> curve_graph.GraphFigure:
+        """Draw the graph of the balancing moment, at the scale of its ordinates that the scene states, if it does."""
+        scene = self.study.scene
+        stated = dict(scene.sheet.scale.stated).get("moment", 0.0)
+        if stated and curve.unit != "N*m":  # a slider that drives is balanced by a force
+            raise unknown(scene, "moment")
+        if stated:
+            low, high = curve.span
+            see_ordinates(scene, "moment", high - low, room.high / spot.scale.mu)
+        return curve_graph.draw(curve._replace(stated=stated), room, spot, self.drafting)
+
+    def _curve(self) -> curve_graph.GraphCurve:
+        statics, drive, told = self.statics, self.study.mechanism.drive, balancing_quantity(self.study.mechanism.drive)
+        own = self.forces.counted(statics.given(self.forces, self.study.motion(2)))
+        sizes = statics.given_around(STEPS, self.turned), own
+        least = told.share * self.forces.nothing[told.unit != "N" or drive.pushed]
+        dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in sizes)
+        dense, (stations, along) = curve_graph.bounded(dense, ordinates), self._stations()
+        letter = letter_of(told.name, self.drafting)
+        turn = (along, dense, stations, ordinates)
+        curve = curve_graph.GraphCurve(letter, told.unit, *turn, shown=self.chosen, states=told.name)
+        return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
+
+    def _stations(self) -> tuple[Floats, Floats]:
+        """Give the abscissas of the positions, and those of the dense curve: degrees of a turn, metres of a stroke."""
+        mechanism, phi = self.study.mechanism, self.forces.phi
+        if mechanism.drive.turns:
+            turned = np.degrees(self.study.sense * (phi - phi[0])) % 360
+            return turned, np.arange(STEPS + 1) * 360 / STEPS
+        own, along = (stroke.ways(mechanism, row) for row in (phi, self.turned.phi))
+        assert own is not None and along is not None  # of a drive over a stroke
+        return np.abs(own - own[0]), np.abs(along - own[0])
+
+    def _hodographs(self) -> Iterator[Exhibit]:
+        """The reactions whose hodographs the scene asks for."""
+        for key in self.statics.form.sheet.hodographs:
+            dense, own = self.turned.reactions[key], self.forces.reactions[key]
+            letter = letter_of(f"R_{indices(own.giver, own.taker)}", self.drafting)
+            around = curve_graph.bounded(dense.force, own.force)
+            shown = hodograph.Hodograph(letter, "F", "N", around, own.force, self.position)
+            room = hodograph.measure(shown, f"hodograph-{key}", self.drafting)
+            yield Exhibit(Panel(room), partial(hodograph.draw, shown, room, drafting=self.drafting))
+
+    def _table(self) -> RuledTable:
+        drafting = self.drafting
+        lines = rows(self.comparison, self.position, drafting.language, drafting.reactions)
+        return value_table.table(lines, (self.position,), drafting)
+
+    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+        """Write what a hand may be out in the table, at the scales of the figures."""
+        scales = {name: spot.scale.mu for name, spot in spots.items()}
+        return value_table.by_hand(forces_by_hand(self.statics, self.position, scales), self.drafting.language)
+
+    def _facts(self, names: Collection[str]) -> dict[str, Any]:
+        """Say in the data of a sheet whose forces its figures show."""
+        return {
+            "structure": formula(self.study.mechanism, self.study.groups),
+            "position": self.position,
+            "groups": [name.removeprefix(POLYGON) for name in names if name.startswith(POLYGON)],
+        }

@@ -1,0 +1,156 @@
+"""A part of a figure: its lines, and the letters that still look for their places (часть чертежа)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from drawings.layout.labels import Labels
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import telling
+from drawings.page.scale import Scale
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.ties import tied
+from drawings.paper.walk import stating
+from drawings.symbols.dimension import Dimension
+from drawings.symbols.symbols import arrowhead, pole
+from plans.model.motion import Floats
+
+LEFT, RIGHT, OVER, UNDER = math.pi, 0.0, math.pi / 2, -math.pi / 2
+BETWEEN = 3.0  # mm from a part's title to its scales
+
+
+class Letter(NamedTuple):
+    """A lettering that looks for its place: beside which spot, on which side preferably, how far off, mm."""
+
+    at: complex
+    text: str
+    size: float
+    side: float
+    gap: float = 1.2
+
+
+class Part(NamedTuple):
+    """A graph or a loop on paper: its lines, its letters; those of small numbers come last."""
+
+    name: str
+    lines: tuple[Stroke, ...]
+    letters: tuple[Letter, ...]
+
+    def group(self, labels: Labels) -> Group:
+        """Give it whole, its letters placed among the lines of all figures."""
+        ranked = sorted(self.letters, key=lambda one: -one.size)
+        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        letters = tuple(telling(self.name, one) for one in placed)
+        return Group((*self.lines, Group(letters)), self.name)
+
+
+def caption(title: str, scales: str, field: Field, hand: Hand) -> Group:
+    """Write a part's title and its scales on one line at the top of a field, in its middle if it is no longer."""
+    start = complex(max(field.centre.real - wide(title, scales, hand) / 2, field.left), field.top - hand.title)
+    then = start + text_width(Text(0j, title, hand.title)) + BETWEEN
+    return Group((Text(start, title, hand.title, "start", True), Text(then, scales, hand.text, "start", True)))
+
+
+def wide(title: str, scales: str, hand: Hand) -> float:
+    """Give the length of a caption, mm."""
+    return text_width(Text(0j, title, hand.title)) + BETWEEN + text_width(Text(0j, scales, hand.text))
+
+
+class Pole(NamedTuple):
+    """A pole on the axis of the abscissas, left of zero, and the values that its rays cut off the axis of ordinates."""
+
+    letters: tuple[str, str]  # of the pole and of its distance
+    distance: float  # mm
+    places: Floats  # (n,): the abscissas where the values belong, true units
+    values: Floats  # (n,): true units
+    apart: float  # mm between the ends of two rays that are drawn
+    off: complex  # mm from the axis to the dimension of the distance
+    side: float = OVER  # of that dimension on which its letter stands
+
+    def part(self, name: str, axes: Axes, hand: Hand) -> Part:
+        """Draw the pole, and rays to values that lie apart, each value carried to where it belongs."""
+        at, (letter, own) = axes.zero - self.distance, self.letters
+        size = Dimension(own, at, axes.zero, self.off)
+        rays = (line for k in self._drawn(axes) for line in self._ray(k, at, axes, hand))
+        base = Line(at, axes.zero, hand.drafted)
+        letters = (Letter(at, letter, hand.letter, LEFT), Letter(size.middle, own, hand.letter, self.side))
+        return Part(name, (base, *rays, *size.draw(hand), pole(at)), letters)
+
+    def _drawn(self, axes: Axes) -> tuple[int, ...]:
+        """Choose the values whose rays are drawn: those whose ends lie apart."""
+        return chosen((self.values / axes.up.mu).tolist(), self.apart)
+
+    def _ray(self, k: int, at: complex, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+        """Draw the ray of a value, and what it cuts off carried from the axis to where it belongs."""
+        value = float(self.values[k])
+        cut = axes.on(0.0, value)
+        yield Line(at, cut, hand.drafted)
+        if tied(abs(cut - axes.zero)):
+            yield Line(cut, axes.on(float(self.places[k]), value), hand.drafted)
+
+
+BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
+
+
+class Curve(NamedTuple):
+    """A curve in true units, its abscissas and ordinates, (N,); where it jumps two of its points have one abscissa."""
+
+    x: Floats
+    y: Floats
+
+
+class Axes(NamedTuple):
+    """Where the values of a graph lie on paper: its zero, mm, and the scale and the direction of each axis."""
+
+    zero: complex
+    across: Scale
+    up: Scale
+    along: complex = 1 + 0j  # the way of the abscissas on paper
+    rise: complex = 1j  # that of the ordinates
+
+    def on(self, x: float, y: float = 0.0) -> complex:
+        """Give the place on paper of true values, mm."""
+        return self.zero + self.along * (x / self.across.mu) + self.rise * (y / self.up.mu)
+
+    def below(self, y: float) -> bool:
+        """Tell whether a true value lies below the axis of abscissas: none that is but rounding does."""
+        return tied(y / self.up.mu) < 0
+
+    def lines(
+        self, across: tuple[float, float], up: tuple[float, float], hand: Hand, figure: str = ""
+    ) -> Iterator[Stroke]:
+        """Draw both axes over ranges of true values, each with its arrowhead beyond the end; they state a figure's."""
+        (left, right), (low, high) = across, up
+        level = arrow(self.on(left), self.on(right) + BEYOND * self.along, hand)
+        upright = arrow(self.on(0.0, low), self.on(0.0, high) + BEYOND * self.rise, hand)
+        if not figure:
+            yield from (*level, *upright)
+            return
+        yield stating(Statement(Kind.AXIS, figure, "x", scale=self.across.mu), *level)
+        yield stating(Statement(Kind.AXIS, figure, "y", scale=self.up.mu), *upright)
+
+
+def arrow(start: complex, end: complex, hand: Hand) -> Iterator[Stroke]:
+    """Draw an axis with its arrowhead."""
+    yield Line(start, end, hand.other)
+    head = arrowhead(start, end, hand.symbol)
+    if head is not None:
+        yield head
+
+
+def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:
+    """Choose the places of values that lie apart from one another.
+
+    >>> chosen([1.0, 1.2, 3.0, 2.9], 0.5)
+    (0, 2)
+    """
+    kept: list[int] = []
+    for k, value in enumerate(values):
+        if all(tied(abs(value - values[other]) - apart) >= 0 for other in kept):
+            kept.append(k)
+    return tuple(kept)

@@ -1,0 +1,238 @@
+"""Graphs one under another over one axis, each from the one above by a pole: room, fields, scales (диаграммы)."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from itertools import product
+from typing import Generic, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+
+from drawings.kinds.axes import BEYOND, Axes
+from drawings.layout.picture import Spot
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale, fitting
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from plans.model.motion import Floats
+
+
+def smooth(x: Floats, y: Floats, at: Floats) -> Floats:
+    """Follow a smooth curve through points with rising abscissas, (N,), N at least 2; give its ordinates at places.
+
+    At a point the slope is that of the parabola through it and both its neighbours, at an end through the three there.
+
+    >>> smooth(np.array([0.0, 1.0, 3.0]), np.array([0.0, 1.0, 9.0]), np.array([0.5, 2.0])).tolist()
+    [0.25, 4.0]
+    """
+    wide, steep = np.diff(x), np.diff(y) / np.diff(x)
+    slopes = _slopes(wide, steep)
+    k = np.clip(np.searchsorted(x, at, "right") - 1, 0, len(wide) - 1)
+    s = (at - x[k]) / wide[k]
+    left, right = wide[k] * (slopes[k] - steep[k]), wide[k] * (steep[k] - slopes[k + 1])
+    return np.asarray(y[k] + wide[k] * steep[k] * s + s * (1 - s) * (left * (1 - s) + right * s))
+
+
+def _slopes(wide: Floats, steep: Floats) -> Floats:
+    """Give the slopes at the points, (N,), from the widths and the slopes of the parts."""
+    if len(wide) == 1:
+        return np.repeat(steep, 2)
+    inner = (wide[1:] * steep[:-1] + wide[:-1] * steep[1:]) / (wide[1:] + wide[:-1])
+    ends = (2 * steep[0] - inner[0], 2 * steep[-1] - inner[-1])
+    return np.concatenate([ends[:1], inner, ends[1:]])
+
+
+TALLEST = 0.42  # share of the height of all rows that one row takes at most
+LONG = 24.0  # sizes of a letter that the axis has at least: its positions are numbered
+LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
+
+
+class Row(Protocol):
+    """A graph of the figure, by its name."""
+
+    @property
+    def key(self) -> str:
+        """Its name among the rows."""
+
+    @property
+    def letter(self) -> str:
+        """The letter of its ordinates."""
+
+    @property
+    def unit(self) -> str:
+        """Their unit."""
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest ordinate, zero among them; nothing of a row that shows nothing."""
+
+    @property
+    def flat(self) -> bool:
+        """Whether it shows nothing that a scale could be told of."""
+
+
+Shown = TypeVar("Shown", bound=Row)
+
+
+class Proportions(NamedTuple):
+    """How a figure of rows is laid out."""
+
+    high: float  # height of all rows, in lengths of the axis
+    left: float  # paper beside the graphs, sizes of a letter
+    right: float
+    pole: tuple[float, float]  # least and greatest pole distance, sizes of a letter
+    coarser: int  # scales tried beyond the largest
+    rises: bool  # whether each row is the integral of the one above it; else its derivative
+
+
+class RowPlate(ABC, Generic[Shown]):
+    """Graphs to be drafted one under another: their rows and the paper about them."""
+
+    drafting: Drafting
+
+    @property
+    @abstractmethod
+    def proportions(self) -> Proportions:
+        """How the figure is laid out."""
+
+    @property
+    @abstractmethod
+    def rows(self) -> tuple[Shown, ...]:
+        """The rows from the top."""
+
+    @property
+    @abstractmethod
+    def length(self) -> float:
+        """How far the axis goes, true units."""
+
+    @property
+    def hand(self) -> Hand:
+        """The hand that draws."""
+        return self.drafting.hand
+
+    @property
+    def beside(self) -> float:
+        """Half the paper beside the graphs, mm."""
+        return (self.proportions.left + self.proportions.right) * self.hand.letter / 2 + BEYOND / 2
+
+    @property
+    def above(self) -> float:
+        """Paper over the first row, mm."""
+        return 0.0
+
+    @property
+    def over(self) -> float:
+        """Paper over the lines of a row, mm: the end of an axis, its title, what is told under that."""
+        return BEYOND + self.hand.title + 2 * self.hand.text + 0.4 * self.hand.letter
+
+    @property
+    def under(self) -> float:
+        """Paper under the lines of a row, mm: numbers."""
+        return 2 * self.hand.number
+
+    @property
+    def below(self) -> float:
+        """Paper under the last row, mm."""
+        return 0.0
+
+    @property
+    def top(self) -> float:
+        """Paper over the rows and between them, mm."""
+        return self.above + len(self.rows) * (self.over + self.under)
+
+
+class RowFrame(Generic[Shown]):
+    """The graphs at their scale: the fields of their rows, their axes, their pole distances."""
+
+    plate: RowPlate[Shown]
+    spot: Spot
+
+    @property
+    def argument(self) -> Scale:
+        """The scale of what the rows are derivatives by, along the axis."""
+        return self.spot.scale
+
+    @property
+    def length(self) -> float:
+        """The length of the axis, mm."""
+        return self.plate.length / self.spot.scale.mu
+
+    @property
+    def _high(self) -> float:
+        """The height of all rows, mm: what their box leaves."""
+        return self.spot.box.height - self.plate.top - self.plate.below
+
+    @cached_property
+    def fields(self) -> dict[str, Field]:
+        """The fields of the rows' lines, as wide as the axis."""
+        box, plate = self.spot.box, self.plate
+        left, top, fields = box.left + plate.proportions.left * plate.hand.letter, box.top - plate.above, {}
+        for row in plate.rows:
+            top -= plate.over
+            high = self.heights[row.key]
+            fields[row.key] = Field(left, top - high, left + self.length, top)
+            top -= high + plate.under
+        return fields
+
+    @cached_property
+    def heights(self) -> dict[str, float]:
+        """The heights of the rows, mm: what their graphs take at their scales, and a part of what is left."""
+        taken = self._taken(tuple(self.scales.values()))
+        spare = (self._high - sum(taken)) / len(taken)
+        return {row.key: high + spare for row, high in zip(self.plate.rows, taken, strict=True)}
+
+    def _taken(self, scales: Sequence[Scale]) -> list[float]:
+        """Give what the rows take at some scales, mm."""
+        return [span / scale.mu for span, scale in zip(self._spans, scales, strict=True)]
+
+    @cached_property
+    def _spans(self) -> list[float]:
+        """What the rows reach over, in their own units."""
+        return [high - low for low, high in (row.span for row in self.plate.rows)]
+
+    @cached_property
+    def scales(self) -> dict[str, Scale]:
+        """The scales of the rows: the largest ones together at which all poles stand in the paper beside them."""
+        steps = [list(self._steps(row)) for row in self.plate.rows]
+        every = list(product(*steps))
+        best = min([one for one in every if sum(self._taken(one)) <= self._high] or every, key=self._cost)
+        return {row.key: scale for row, scale in zip(self.plate.rows, best, strict=True)}
+
+    def _cost(self, scales: tuple[Scale, ...]) -> tuple[int, float]:
+        """Weigh scales: poles that stand badly, then how small the graphs become."""
+        least, most = (one * self.plate.hand.letter for one in self.plate.proportions.pole)
+        poles = (self._pole(k, scales) for k in range(1, len(scales)))
+        out = sum(not least <= one <= most for one in poles if one is not None)
+        return out, scales[0].mu * scales[1].mu * scales[2].mu
+
+    def _pole(self, k: int, scales: Sequence[Scale]) -> float | None:
+        """Give the distance, mm, of the pole between a row and the one above it: integral over derivative and step."""
+        derivative, integral = (k - 1, k) if self.plate.proportions.rises else (k, k - 1)
+        if self.plate.rows[derivative].flat:
+            return None
+        return scales[integral].mu / (scales[derivative].mu * self.argument.mu)
+
+    def _steps(self, row: Shown) -> Iterator[Scale]:
+        """Give the largest scale of a row, and some smaller ones."""
+        low, high = row.span
+        scale = self._fitting(row, high - low, TALLEST * self._high)
+        yield scale
+        for _ in range(0 if row.flat else self.plate.proportions.coarser):
+            scale = self._fitting(row, scale.mu * LARGER, 1.0)
+            yield scale
+
+    def _fitting(self, row: Shown, extent: float, room: float) -> Scale:
+        return fitting(extent, room, f"{{{row.letter}}}", row.unit, self.plate.drafting.standard)
+
+    def distance(self, row: Shown) -> float | None:
+        """Give the distance, mm, of the pole by which a row is drawn from the one above it; None: there is none."""
+        k = [one.key for one in self.plate.rows].index(row.key)
+        return self._pole(k, tuple(self.scales.values())) if k else None
+
+    def axes(self, row: Shown) -> Axes:
+        """Stand a row in the middle of its field."""
+        field, up, (low, high) = self.fields[row.key], self.scales[row.key], row.span
+        spare = field.height - (high - low) / up.mu
+        return Axes(complex(field.left, field.bottom + spare / 2 - low / up.mu), self.spot.scale, up)

@@ -1,0 +1,1 @@
+"""A linkage on its sheets: positions, velocity and acceleration plans, report, what is due (рычажный механизм)."""

@@ -1,0 +1,228 @@
+"""What must stand on the sheets of a linkage, by the analysis alone: positions, strokes, values, notes (кинематика)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from drawings.checks.expected import NOTES, Expected, by_hand
+from drawings.checks.hold import stated_keys
+from drawings.diagrams import due as diagrams
+from drawings.layout import value_table
+from drawings.layout.table import cell_name
+from drawings.lettering.words import letter
+from drawings.linkage.due_plans import VectorPlans
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf, Text
+from plans.analytic.points import placed
+from plans.checks.comparison import Finding
+from plans.linkage.by_hand import MotionByHand
+from plans.linkage.parts import alike
+from plans.linkage.pressure import interval
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.strokes import other_sliders
+from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.travel import frame_slide
+from plans.model.mechanism import FRAME, Link, Output
+from plans.model.motion import ORDERS, POSITIONS, Extremes
+from plans.study import Study
+from plans.words.words import word
+
+if TYPE_CHECKING:
+    from plans.forces.reading.form import ForceForm
+
+VALUES = "values"  # the table of values
+TURNED = 1e-3  # rad: the resolution of the paper over an arrow
+NEAR = 1e-3  # share of a link's length: a mass centre nearer to a named point than this is that point
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's linkage (row of the table of sheets)."""
+    own = _Linkage(study["linkage"], study.comparison("linkage"), drafting_of(study.scene), leaves)
+    yield from chain(own.positions(), own.plans(), own.values(), own.notes())
+    if any("diagrams" in leaf.metadata for leaf in leaves):
+        yield from diagrams.due(study, leaves)
+
+
+def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafting) -> Iterator[Expected]:
+    """Give the sense of the drive and the strokes that any plan of positions of a linkage may show."""
+    own = _Linkage(study, comparison, drafting, ())
+    yield from chain(own.senses(0), own.strokes())
+
+
+def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
+    """Give the mass centres that no point of the scene is or names: link, and place in its own frame."""
+    form, links = cast("ForceForm | None", study.scene.part("forces")), study.mechanism.links
+    masses = form.masses.items() if form else ()
+    found = {f"S{number}": (number, mass.place(links[number])) for number, mass in masses if number != FRAME}
+    known = {name for link in links.values() for name in link.points}
+    return {name: own for name, own in found.items() if name not in known and not _on_a_point(links[own[0]], own[1])}
+
+
+def _on_a_point(link: Link, own: complex) -> bool:
+    """Tell whether a mass centre lies on a named point of its link, or nearer to it than is seen."""
+    off = [abs(place - own) for place in link.points.values()]
+    return min(off) <= NEAR * max(off)
+
+
+@dataclass(frozen=True)
+class _Linkage:
+    """A motion by the analysis, and the sheets that show it."""
+
+    study: LinkageStudy
+    comparison: MotionComparison
+    drafting: Drafting
+    leaves: Sequence[Leaf]
+
+    @cached_property
+    def masses(self) -> dict[str, tuple[int, complex]]:
+        return mass_centres(self.study)
+
+    @cached_property
+    def shown(self) -> int | None:
+        """The position in full lines."""
+        return next((k for leaf in self.leaves if (k := leaf.metadata["shown"]) is not None), None)
+
+    def positions(self) -> Iterator[Expected]:
+        """Give what the plan of positions shows."""
+        if self.shown is not None:
+            yield from chain(self.points(self.shown), self.senses(self.shown), self.strokes())
+
+    def points(self, k: int) -> Iterator[Expected]:
+        """Give the points and the mass centres of the position in full lines; one at a gap has no place."""
+        fixed, moved = self.study.mechanism.links[FRAME].points, self.comparison.analysis
+        slack = {one.name: float(one.allowed[k]) for one in self.comparison.of(POSITIONS.plan)}
+        most = 2 * max((one for one in slack.values() if math.isfinite(one)), default=0.0)
+        places = {
+            name: (complex(moved.points[name].r[k]), slack[f"r_{name}"]) for name in moved.points if name not in fixed
+        }
+        places |= {name: (place, 0.0) for name, place in fixed.items()}
+        for name, (link, own) in self.masses.items():
+            places[name] = complex(placed(self.study.mechanism, moved, link, own)[k]), most
+        for name, (place, allowed) in places.items():
+            if not math.isnan(place.real):
+                lost = name in fixed  # the one that all places are measured from is no point
+                yield Expected(Kind.POINT, POSITIONS.plan, name, place, allowed, k, may_lack=lost)
+
+    def senses(self, k: int) -> Iterator[Expected]:
+        """Give the senses of the rates of the primary link: about its pivot, or along its guide."""
+        drive, rates = self.study.mechanism.drive, self.comparison.road.rates(self.study.turn.phi)
+        names, way = ("va", drive.guide.way(FRAME).direction) if drive.guide is not None else ("ωε", 1 + 0j)
+        end = drive.guide.point if drive.guide is not None else drive.link
+        for symbol, rate in zip(names, rates.at(k), strict=True):
+            if rate:
+                yield Expected(
+                    Kind.DIRECTION, POSITIONS.plan, f"{symbol}_{end}", math.copysign(1.0, rate) * way, TURNED
+                )
+
+    def strokes(self) -> Iterator[Expected]:
+        """Give the stroke of each slider on the frame, the swing of a rocker, the crank's angles over both strokes.
+
+        They stand where they are long enough; the strokes of the others are lettered by their points.
+        """
+        out, found = self.study.output, self.extremes
+        for slide in other_sliders(self.study.mechanism, out) if EXTREMES in self.study.plans else ():
+            told = self.comparison.road.extremes(Output(slide.slider, slide.point))
+            yield from self._stroke(f"H_{slide.point}", told) if told is not None else ()
+        if found is None:
+            return
+        if (guide := frame_slide(self.study.mechanism, out.link)) is not None:
+            yield from chain(*(self._stroke(name, found) for name in ("H", f"H_{out.point or guide.point}")))
+        yield from self._arc("ψ", found.stroke)
+        for index, arc in zip(("index.work", "index.idle"), found.angles, strict=True):
+            yield from self._arc(f"φ_{{{word(self.study.language, index)}}}", arc)
+
+    @cached_property
+    def extremes(self) -> Extremes | None:
+        """The extreme positions of the output, where they are asked for."""
+        return None if self.study.travel is None else self.comparison.road.extremes(self.study.output)
+
+    def _slack(self, name: str) -> float:
+        """How far rounding can have moved a stroke or the crank's angle there."""
+        return next((float(one.allowed[0]) for one in self.comparison.of("extremes") if one.name == name), 0.0)
+
+    def _stroke(self, name: str, found: Extremes) -> Iterator[Expected]:
+        slack = self._slack("H")
+        yield Expected(Kind.LENGTH, POSITIONS.plan, name, found.stroke, slack, may_lack=True)
+        yield Expected(Kind.PHRASE, POSITIONS.plan, name, 1000 * found.stroke, 1000 * slack, may_lack=True)
+
+    def _arc(self, name: str, arc: float) -> Iterator[Expected]:
+        slack = 2 * self._slack("H" if name == "ψ" else "θ")
+        yield Expected(Kind.ANGLE, POSITIONS.plan, name, abs(arc), slack + TURNED, may_lack=True)
+        yield Expected(Kind.PHRASE, POSITIONS.plan, name, math.degrees(abs(arc)), math.degrees(slack), may_lack=True)
+
+    def notes(self) -> Iterator[Expected]:
+        """Give the results that notes and report tell: stroke, time ratio, pressure angles."""
+        if (found := self.extremes) is not None:
+            slack, turned = self._slack("H"), self._slack("θ")
+            size, unit = ("H", 1000.0) if found.sliding else ("ψ", math.degrees(1))
+            rests = 0 if self.study.travel is None else len(self.study.travel.rests)
+            yield from self._noted(size, unit * found.stroke, unit * slack, False)
+            yield from self._noted(f"{size}, {'m' if found.sliding else 'rad'}", found.stroke, slack, True)
+            yield from self._noted("θ", math.degrees(found.overlap), math.degrees(turned), rests > 2)
+            ratio = 2 * math.pi / (math.pi - found.overlap) ** 2 if found.overlap < math.pi else math.inf
+            yield from self._noted("K", found.ratio, ratio * turned, rests > 2)
+        for group in self.study.groups:
+            seen = interval(self.study.sweep, group, self.study.nodes)
+            for name, angle in (("low", seen.low), ("high", seen.high)):
+                yield from self._noted(f"{name} {group.label}", math.degrees(angle), 0.0, True)
+
+    def _noted(self, name: str, value: float, slack: float, lost: bool) -> Iterator[Expected]:
+        yield Expected(Kind.PHRASE, NOTES, name, value, slack, may_lack=lost)
+
+    def plans(self) -> Iterator[Expected]:
+        """Give the vectors of the plans that are shown; of a position that cannot be assembled there are none."""
+        gone = {gap.position for gap in self.comparison.construction.gaps}
+        for leaf in self.leaves:
+            for plan, k in leaf.metadata["vectors"]:
+                if k not in gone:
+                    yield from self._vectors.rows(plan, k, leaf.metadata["scales"][f"{plan}-{k}"])
+
+    @cached_property
+    def _vectors(self) -> VectorPlans:
+        keys = frozenset(chain(*map(stated_keys, self.leaves)))
+        return VectorPlans(self.study, self.comparison, self.masses, self.drafting, keys)
+
+    def values(self) -> Iterator[Expected]:
+        """Give the cells of the table of values: by plan, by analysis, by hand."""
+        positions = sorted({k for leaf in self.leaves for k in leaf.metadata["plans"]})
+        if not positions:
+            return
+        hand = MotionByHand(self.study, self.comparison, self.masses)
+        scales = {name: mu for leaf in self.leaves for name, mu in leaf.metadata["scales"].items()}
+        errors = hand.on_sheet(positions, scales)
+        told = value_table.told(self.comparison, self._vectors.parts, hand.given)
+        for same in alike(told, self.study.mechanism, self.masses):
+            row, first = value_table.label(same, self.drafting.language), same[0]
+            for k in positions:
+                names, value = [cell_name(row, column) for column in range(3)], first.analysis[k]
+                size = float(abs(value)) if np.iscomplexobj(value) else float(value)
+                slack, lost = float(first.allowed[k]), not is_something(first)
+                for name in names[:2]:
+                    yield Expected(Kind.NUMBER, VALUES, name, size, slack, k, may_lack=lost)
+                error = math.nan if math.isnan(size) else errors.get((first.name, k), math.nan)
+                yield by_hand(VALUES, names[2], error, first.largest, k)._replace(may_lack=lost)
+
+
+def named(told: Sequence[Finding], language: str) -> dict[str, Finding]:
+    """Give findings of velocities and accelerations by their letters as they are read."""
+    plans = [order.plan for order in ORDERS[1:]]
+    return {_letter(one, language): one for one in told if one.plan in plans}
+
+
+def _letter(one: Finding, language: str) -> str:
+    symbol, _, index = one.name.partition("_")
+    return Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain
+
+
+def is_something(one: Finding) -> bool:
+    """Tell whether a finding is more than rounding in some position, by the analysis."""
+    most = np.nanmax(np.abs(one.analysis), initial=0.0)
+    return bool(most > 2 * np.nanmax(one.allowed, initial=0.0))

@@ -1,0 +1,237 @@
+"""What must stand on the plans of velocities and accelerations, by the analysis alone: vectors and letters (планы)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+
+from drawings.checks.expected import Expected
+from drawings.lettering.indices import with_index
+from drawings.page.drafting import Drafting
+from drawings.paper.statement import Key, Kind
+from drawings.paper.strokes import Text
+from plans.checks.comparison import Finding
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
+from plans.linkage.letters import POLES
+from plans.linkage.parts import Expected as Analysed
+from plans.linkage.parts import findings, spans
+from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
+from plans.model.motion import ACCELERATIONS, ORDERS, VELOCITIES
+
+Masses = Mapping[str, tuple[int, complex]]
+SHORT = 0.1  # mm: a shorter vector may be a point
+
+
+@dataclass(frozen=True)
+class VectorPlans:
+    """The plans of a motion by the analysis; `masses` are the centres that no point names, with link and place.
+
+    `keys` are those of all that the sheets state: any two images may be joined, few are.
+    """
+
+    study: LinkageStudy
+    comparison: MotionComparison
+    masses: Masses
+    drafting: Drafting
+    keys: Set[Key]
+
+    def rows(self, plan: str, k: int, scale: float) -> Iterator[Expected]:
+        """Give the vectors of a plan in a position, m/s or m/s2 by a mm, and the letters of those between points."""
+        slack = 2 * max((float(one.allowed[k]) for one in self.comparison.of(plan)), default=0.0)
+        values = self._values(plan, k)
+        must = self._drawn(plan, {name for name, value in values.items() if abs(value) > SHORT * scale + slack})
+        stated = {name for kind, own, name, at in self.keys if (kind, own, at) == (Kind.VECTOR, plan, k)}
+        for name, value in (self._across(plan, k, stated) | values).items():
+            yield Expected(Kind.VECTOR, plan, name, value, slack, k, may_lack=name not in must)
+        for own, vector, letter in self._letters:
+            if own == plan and (Kind.LETTER, plan, f"{vector} {letter}", k) in self.keys:
+                told = Text(0j, self.drafting.letter(with_index(letter))).plain
+                yield Expected(Kind.LETTER, plan, f"{vector} {letter}", told, 0.0, k, may_lack=True)
+
+    def _values(self, plan: str, k: int) -> dict[str, complex]:
+        """Give the vectors of the equations of a plan, by the names of their ends."""
+        true = self._analysed(k)
+        found = {
+            f"{start} {end}": one for (own, start, end), one in true.arrows(self.study.groups).items() if own == plan
+        }
+        order = next(one.number for one in ORDERS if one.plan == plan)
+        for name, mass in self.masses.items():
+            found[f"{POLES[plan]} {true.letters.small(name)}"] = true.centre(*mass, order)
+        for one in self.parts:
+            if one.plan == plan:
+                found.setdefault(self._ends[one.name], complex(one.analysis[k]))
+        return found
+
+    def _across(self, plan: str, k: int, stated: Set[str]) -> dict[str, complex]:
+        """Give the vectors to images and places under pins, and between any two of them, of those that are stated."""
+        own = self._images(plan, k)
+        images = {POLES[plan]: 0j, **dict(chain(*(some.items() for some in (*own, *self._under(plan, own)))))}
+        ends = ((name, *name.split(" ", 1)) for name in stated if " " in name)
+        found = {name: images[end] - images[start] for name, start, end in ends if start in images and end in images}
+        return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
+
+    def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
+        """Give the Coriolis part of what slides over a link that turns, and the part along the guide after it."""
+        written, found = self.study.drafts().velocities.written, dict[str, complex]()
+        speeds, known = (
+            dict(chain(*(one.items() for one in all_))) for all_ in (self._images(VELOCITIES.plan, k), images)
+        )
+        for pair, (pin, host) in written.pins.items():
+            if host == FRAME:
+                continue
+            name, under = written.coriolis(pin, host, pair), written.under(pin, host)
+            (other,) = (link for link in pair if link != host)
+            own = (
+                self._image(pin, plan) if pin in self.study.mechanism.links[other].points else written.under(pin, other)
+            )
+            for start, end in ((under, own), (own, under)):
+                part = 2j * self._analysed(k).omega(host) * (speeds.get(end, 0j) - speeds.get(start, 0j))
+                found |= {f"{start} {name}": part, f"{name} {end}": known.get(end, 0j) - known.get(start, 0j) - part}
+        return found
+
+    def _images(self, plan: str, k: int) -> list[dict[str, complex]]:
+        """Give for each link the images of its points, of its places under pins, and of the one that stands for it."""
+        true, order = self._analysed(k), next(one.number for one in ORDERS if one.plan == plan)
+        written, found = true.letters, list[dict[str, complex]]()
+        for number, link in self.study.mechanism.links.items():
+            own = {self._image(name, plan): place for name, place in link.points.items()}
+            own |= {written.small(name): place for name, (of, place) in self.masses.items() if of == number}
+            if number != FRAME:
+                name, first = next(iter(link.points.items()))
+                turned = np.exp(-1j * self.comparison.analysis.links[number].angle[k])
+                own |= {written.under(pin, number): first + (true.r(pin) - true.r(name)) * turned for pin in self._pins}
+                own[written.own("n", number)] = self.study.drafts().positions.images[number].at
+            found.append(
+                {one: 0j if number == FRAME else true.centre(number, place, order) for one, place in own.items()}
+            )
+        return found
+
+    @property
+    def _pins(self) -> set[str]:
+        return {slide.point for slide in self.study.mechanism.slides} | self.study.mechanism.hinges.keys()
+
+    def _under(self, plan: str, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
+        """Give the images of all that lies at a pin: its own, and of each link the place under it."""
+        made = self._made(plan)
+        known = dict(chain(*(own.items() for own in images)))
+        for pin in self._pins:
+            unders = (name for link in made.images for name in (_below(made, pin, link), made.written.under(pin, link)))
+            names = dict.fromkeys((made.written.small(pin), *unders))
+            yield {name: known[name] for name in names if name in known}
+
+    def _analysed(self, k: int) -> Analysed:
+        written = self.study.drafts().velocities.written
+        return Analysed(self.study.mechanism, self.comparison.analysis, k, written)
+
+    @cached_property
+    def parts(self) -> tuple[Finding, ...]:
+        """The relative, normal, tangential, Coriolis vectors by both roads, and those of mass centres."""
+        return findings(self.study, self.comparison, self.masses)
+
+    @cached_property
+    def _ends(self) -> dict[str, str]:
+        """Where the plans show each part: the names of its ends."""
+        found = spans(self.study, self.study.drafts(), self.comparison.analysis, self.masses)
+        return {name: f"{one.start.name} {one.end.name}" for name, one in found.items()}
+
+    def _drawn(self, plan: str, long: Set[str]) -> set[str]:
+        """Give of the vectors that are long enough those that no plan is without: of points, then on from their ends.
+
+        Points of one image have one letter there.
+        """
+        drafts, pole = self.study.drafts(), POLES[plan]
+        points = {drafts.velocities.point(name).name for name in self._moving}
+        points |= {self._ends[f"v_{name}"].split(" ")[1] for name in self.masses}
+        found = {name for name in long if name.split(" ")[0] == pole and name.split(" ")[1] in points}
+        while more := {name for name in long - found if name.split(" ")[0] in {one.split(" ")[1] for one in found}}:
+            found |= more
+        return found
+
+    @property
+    def _moving(self) -> Iterator[str]:
+        fixed = self.study.mechanism.links[FRAME].points
+        return (name for name in self.comparison.analysis.points if name not in fixed)
+
+    @cached_property
+    def _letters(self) -> tuple[tuple[str, str, str], ...]:
+        """Plan, ends and letter of each vector that is no whole velocity or acceleration of a point: v_BA, a^n_BA."""
+        mechanism = self.study.mechanism
+        vectors = [*PRIMARIES[mechanism.drive.kind].vectors(mechanism)]
+        for group in self.study.groups:
+            vectors += KINDS[group.kind].vectors(group)
+        return tuple(
+            (plan, f"{start} {end}", letter)
+            for vector in vectors
+            for plan in (VELOCITIES.plan, ACCELERATIONS.plan)
+            for start, end, letter in self._lettered(vector, plan)
+            if start != POLES[VELOCITIES.plan]
+        )
+
+    def _lettered(self, vector: Vector, name: str) -> Iterator[tuple[str, str, str]]:
+        """Letter the vectors of an equation, each by the point that it ends at and the one that it begins at."""
+        plan = self._made(name)
+        written = plan.written
+        match vector:
+            case Turning(_, start, tip):
+                about = "" if self._still(start) else start
+                ends = plan.point(start).name, written.normal(tip, about), plan.point(tip).name
+                yield from _turned(name, ends, tip + about)
+            case Slotted(link, pivot, pin):
+                under, about = written.under(pin, link), "" if self._still(pivot) else pivot
+                ends = plan.point(pivot).name, written.normal(under.upper()), under
+                yield from _turned(name, ends, _capital(under) + about)
+            case Sliding(pair, host, pin, held):
+                under = written.under(pin, host)
+                below = under if held else _below(plan, pin, host)
+                start, end, first, last = below, plan.point(pin).name, pin, _capital(under)
+                if held:
+                    start, end, first, last = end, start, last, first
+                index = first + last
+                if name == VELOCITIES.plan:
+                    yield start, end, f"v_{index}"
+                else:
+                    laid = written.coriolis(pin, host, pair)
+                    yield from (
+                        (start, laid, f"a^k_{index}"),
+                        (laid, end, f"a^r_{index}"),
+                        (start, end, f"a^r_{index}"),
+                    )
+
+    def _made(self, plan: str) -> Plan:
+        """Give a plan as it was constructed: which images share a letter."""
+        return self.study.drafts().plan(next(one.number for one in ORDERS if one.plan == plan))
+
+    def _image(self, point: str, plan: str) -> str:
+        written = self.study.drafts().velocities.written
+        return POLES[plan] if self._still(point) else written.small(point)
+
+    def _still(self, point: str) -> bool:
+        return point in self.study.mechanism.links[FRAME].points
+
+
+def _turned(plan: str, ends: tuple[str, str, str], index: str) -> Iterator[tuple[str, str, str]]:
+    """Letter what an end has by turning about a start: a velocity, or a normal and a tangential part."""
+    start, normal, end = ends
+    if plan == VELOCITIES.plan:
+        yield start, end, f"v_{index}"
+    else:
+        yield from ((start, normal, f"a^n_{index}"), (normal, end, f"a^t_{index}"))
+
+
+def _below(plan: Plan, pin: str, link: int) -> str:
+    """Name the image of a link's place under a pin: of a link that does not turn all places have one."""
+    image = plan.images[link]
+    return plan.written.under(pin, link) if image.arm is not None else image.origin.name
+
+
+def _capital(under: str) -> str:
+    return under.upper().replace("_", "")

@@ -1,0 +1,193 @@
+"""Guides of the frame: the axis over the block's travel, ground beside the block, ticks (направляющие)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import NamedTuple
+
+from drawings.layout.ink import Ink
+from drawings.layout.picture import Place
+from drawings.linkage.pairs import Joints, Pairs
+from drawings.linkage.skeleton import Skeletons
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Line, Stroke
+from drawings.symbols.symbols import BLOCK, MASS, ground, tick, turning_arrow
+from drawings.symbols.trimming import trim
+from plans.model.mechanism import FRAME, Slide
+
+SWEEP = math.radians(65)
+RAYS = 12  # across an arrow's own field
+STARTS = 18  # directions in which an arrow may begin
+INNER, OUTER = 10.0, 14.0  # mm: radii of an arrow inside a crank circle that has room for one
+NUMBERS = 9.0  # mm outside the crank circle that its numbers take
+RIM = 4.0  # mm that an arrow keeps from the crank circle
+BESIDE = 1.6  # mm that an arrow keeps from a line beside it
+LETTER = 0.25  # rad of free arc that an arrow keeps from the bars of the shown position on either side
+THICK = 12.0  # thin lines that a bar or a symbol of the shown position counts as
+APART = 0.02  # what each degree away from the crank costs: the arrow is looked for ahead of it
+
+
+class Turning(NamedTuple):
+    """An arrow about the crank's pivot, with the letter of what it shows."""
+
+    letter: str
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+
+    @property
+    def middle(self) -> tuple[complex, float]:
+        """The middle of the arrow, and the direction away from the pivot there."""
+        turn = self.start + self.sweep / 2
+        return self.centre + cmath.rect(self.radius, turn), turn
+
+    @property
+    def field(self) -> list[Stroke]:
+        """Rays across the arrow and the place of its letter: no other arrow stands there."""
+        turns = [self.start + self.sweep * k / RAYS for k in range(RAYS + 1)]
+        return [Line(self.centre, self.centre + cmath.rect(self.radius + OUTER, turn)) for turn in turns]
+
+    @property
+    def room(self) -> list[Stroke]:
+        """Arcs within, along and outside the arrow, a little longer than it is: what they cross comes too near."""
+        low, high = sorted((self.start, self.start + self.sweep))
+        radii = (self.radius - BESIDE, self.radius, self.radius + BESIDE)
+        return [Arc(self.centre, radius, low - LETTER, high + LETTER) for radius in radii]
+
+    def strokes(self, pairs: Pairs) -> tuple[Stroke, ...]:
+        """Draw it."""
+        return turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand)
+
+
+@lru_cache(maxsize=1)  # the figure draws the arrows, and later its letters stand beside them
+def turnings(pairs: Pairs) -> tuple[Turning, ...]:
+    """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε, of each that is not zero."""
+    bones, drive = pairs.bones, pairs.bones.mechanism.drive
+    ink = Ink()
+    ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
+    ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
+    arrows = list[Turning]()
+    for symbol, rate in zip("ωε", bones.study.rates.at(bones.shown), strict=True):
+        if rate:  # at rest at the end of a stroke there is no ω
+            arrows.append(_best(f"{symbol}_{drive.link}", int(math.copysign(1, rate)), pairs, ink))
+            ink.draw(arrows[-1].field, THICK)
+    return tuple(arrows)
+
+
+def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:
+    bones, place = pairs.bones, pairs.place
+    crank = cmath.phase(place.on(bones.drive_end(bones.shown)) - bones.pivot(place))
+
+    def cost(turning: Turning) -> float:
+        away = abs(cmath.phase(cmath.rect(1.0, turning.start + turning.sweep / 2 - crank - 0.8 * sense)))
+        return ink.crossed_by(turning.room) + APART * math.degrees(away)
+
+    return min(_candidates(letter, sense, pairs), key=cost)
+
+
+def _candidates(letter: str, sense: int, pairs: Pairs) -> Iterator[Turning]:
+    centre, factor = pairs.bones.pivot(pairs.place), pairs.hand.symbol
+    for radius in _radii(pairs.bones.crank(pairs.place), factor):
+        for k in range(STARTS):
+            yield Turning(letter, centre, radius, 2 * math.pi * k / STARTS, sense * SWEEP)
+
+
+def _radii(crank: float, factor: float) -> list[float]:
+    """Give the radii of an arrow: inside the crank circle where it has room, else outside its numbers."""
+    inside = [radius * factor for radius in (INNER, OUTER) if radius * factor <= crank - RIM]
+    return inside or [crank + NUMBERS]
+
+
+def ties(joints: Joints) -> Iterator[Line]:
+    """Tie each mass centre that its link's lines do not reach to the nearest place of the link."""
+    for name, spot in joints.centres.items():
+        foot = min(_feet(joints, _link(joints, name), spot), key=lambda foot: abs(foot - spot))
+        if abs(foot - spot) > MASS * joints.hand.symbol:
+            yield Line(foot, spot, joints.hand.other)
+
+
+def _link(joints: Joints, name: str) -> int:
+    masses, links = joints.bones.masses, joints.bones.mechanism.links
+    return masses[name][0] if name in masses else next(n for n in sorted(links) if name in links[n].points)
+
+
+def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
+    """Give the nearest place of each bar of a link; of a link of one point alone its point."""
+    outline = next(one for one in joints.outlines if one.link == link)
+    bars = [(start, end) for start, end in joints.placed(outline) if start != end]
+    yield from (nearest(start, end, spot) for start, end in bars)
+    if not bars:
+        numbered, k = joints.bones.numbered, joints.bones.shown
+        yield from (joints.place.on(complex(numbered.of(link, own)[k])) for own in numbered.links[link].points.values())
+
+
+def nearest(start: complex, end: complex, spot: complex) -> complex:
+    """Give the place of a piece of a line that is nearest to a spot.
+
+    >>> nearest(0j, 4 + 0j, 3 + 2j), nearest(0j, 4 + 0j, 7 + 2j)
+    ((3+0j), (4+0j))
+    """
+    share = ((spot - start) * (end - start).conjugate()).real / abs(end - start) ** 2
+    return start + min(max(share, 0.0), 1.0) * (end - start)
+
+
+BEYOND = 16.0  # mm of a guide's axis past the block's outermost places
+BASE = 28.0  # mm of ground beside a block
+DOWNWARD = 0.5  # crossed lines that a ground under its block is better than one over it
+
+
+def frame_slides(bones: Skeletons) -> list[Slide]:
+    """Give the slides on the frame."""
+    return [slide for slide in bones.mechanism.slides if slide.owner == FRAME]
+
+
+def axes(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw each frame's guide: its axis over the travel, and a tick at each position."""
+    lines: list[Stroke] = []
+    for slide in frame_slides(bones):
+        start, end = travel(bones, slide, place, hand)
+        lines.append(Line(start, end, hand.axis))
+        blocks = [complex(spot) for spot in bones.numbered.blocks(slide) if not math.isnan(spot.real)]
+        lines += [tick(place.on(spot), slide.on_owner.direction, hand) for spot in blocks]
+    return lines
+
+
+def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand) -> tuple[complex, complex]:
+    """Give the ends of a guide's axis on paper; a guide that no block comes to is where the scene puts it."""
+    way = slide.on_owner
+    low, high = bones.travels.get(slide, (0.0, 0.0))
+    first, last = (place.on(way.through + along * way.direction) for along in (low, high))
+    more = BEYOND * hand.symbol * way.direction
+    return first - more, last + more
+
+
+def grounds(pairs: Pairs, ink: Ink) -> list[Stroke]:
+    """Draw the ground beside the shown block of each guide, on the side where fewer links are."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    strokes: list[Stroke] = []
+    for slide in frame_slides(bones):
+        start, end = travel(bones, slide, place, hand)
+        block = complex(bones.numbered.blocks(slide)[bones.shown])
+        middle = (start + end) / 2 if math.isnan(block.real) else place.on(block)
+        sides = {side: ground(*_base(middle, slide, side, hand), hand) for side in (-1j, 1j)}
+        base, *hatch = min(sides.items(), key=lambda item: ink.crossed_by(item[1]) + DOWNWARD * _up(slide, item[0]))[1]
+        over = [symbol for other, symbol in pairs.blocks if other != slide]
+        strokes += trim([base], over)
+        strokes += [line for line in hatch if list(trim([line], over)) == [line]]  # hatching is whole or left out
+    return strokes
+
+
+def _up(slide: Slide, side: complex) -> float:
+    return (slide.on_owner.direction * side).imag
+
+
+def _base(middle: complex, slide: Slide, side: complex, hand: Hand) -> tuple[complex, complex, complex]:
+    """Give the ends of the ground's line beside a block, and the way into the ground."""
+    along = slide.on_owner.direction
+    foot = middle + side * along * BLOCK[1] / 2 * hand.symbol
+    half = along * BASE / 2 * hand.symbol
+    return foot - half, foot + half, side * along

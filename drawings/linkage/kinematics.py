@@ -1,0 +1,251 @@
+"""Admission of a linkage: its points can be lettered, and its positions told apart (допуск механизма)."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+
+from drawings.diagrams import frame as diagrams
+from drawings.diagrams import rows, working
+from drawings.diagrams.report import diagram_notes, output_table
+from drawings.kinds.working import Working
+from drawings.layout import value_table
+from drawings.layout.contents import Panel
+from drawings.layout.picture import Picture, Spot
+from drawings.layout.table import Later, RuledTable
+from drawings.linkage import position_plan, vector_plan, workings
+from drawings.linkage import vector_plan as own_scale
+from drawings.linkage.notes import notes
+from drawings.linkage.positions import force_positions, plans, position
+from drawings.linkage.skeleton import Skeletons, skeletons, unnamed
+from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, measure_missing
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.documents import letter
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
+from geometry.board import Mark
+from geometry.errors import LimitError
+from plans.diagrams.study import DiagramsStudy
+from plans.linkage.by_hand import MotionByHand
+from plans.linkage.parts import alike, spans
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.study import LinkageStudy
+from plans.model.dyad import formula
+from plans.model.motion import ORDERS, POSITIONS, VELOCITIES
+from plans.scene.faults import Path
+from plans.scene.scene import Scene
+from plans.study import Study
+from plans.words.words import message, placed
+
+POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
+
+
+def of_linkage(scene: Scene) -> None:
+    """See that the names of a linkage can be lettered, and that its positions can be told apart."""
+    letter(scene, _points(scene))
+    count = scene.of(LinkageForm).drive.count
+    if count > POSITIONS_DRAWN:
+        most = message("limit.sheet", most=POSITIONS_DRAWN)
+        raise LimitError(placed(f"{scene.file}: drive.positions = {count}", most))
+
+
+def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
+    mechanism = scene.of(LinkageForm).mechanism
+    for table in ("frame", "points"):
+        yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
+    for link, letters in mechanism.links.items():
+        yield from ((("mechanism", "links", str(link)), point) for point in letters)
+
+
+FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
+SHARE = 1 / 3  # of its sheet
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the kinematics sheets of a scene."""
+    return sheets(study["linkage"], study.comparison("linkage"), study["diagrams"], _loaded(study))
+
+
+def sheets(
+    study: LinkageStudy,
+    comparison: MotionComparison,
+    output: DiagramsStudy | None = None,
+    beside: tuple[int, ...] = (),
+) -> tuple[Leaf, ...]:
+    """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable.
+
+    Of the positions `beside` the same set has force sheets.
+    """
+    return lay_out(study.scene, [_KinematicsSheet(study, comparison, output, beside).draft])
+
+
+def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
+    """Lay out the first kinematics sheet."""
+    return sheets(study, comparison)[0]
+
+
+def _loaded(study: Study) -> tuple[int, ...]:
+    """Give the positions whose forces the set draws: their inertia forces are taken from the plans of these."""
+    if "forces" not in study.scene.sheets:
+        return ()
+    try:
+        return force_positions(study["forces"], study.comparison("forces"))
+    except SheetError:
+        return ()  # the force sheets say why there are none
+
+
+@dataclass(frozen=True)
+class _KinematicsSheet:
+    """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
+
+    study: LinkageStudy
+    comparison: MotionComparison
+    output: DiagramsStudy | None  # None: neither the output's diagrams nor their table are shown
+    beside: tuple[int, ...] = ()
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.study.scene)
+
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, table and notes of the sheets."""
+        words = notes(self.study, self.comparison, self.drafting.language)
+        if self.output is not None:
+            words += diagram_notes(self.output, self.drafting)
+        title = self.drafting.word("sheet title")
+        figures: tuple[Exhibit, ...] = (self._main(), *self._plans(), *self._diagrams())
+        shows: tuple[Exhibit | Caption, ...] = (*figures, *captions(self._workings()))
+        tables, remarks = self._tables(), self._remarks if self.study.scene.sheet.scales == "common" else None
+        return Draft("kinematics", title, shows, tables, tuple(words), self._facts, later=self._later, remarks=remarks)
+
+    @cached_property
+    def shown(self) -> int:
+        return position(self.study, self.comparison, self.beside)
+
+    @cached_property
+    def positions(self) -> tuple[int, ...]:
+        """The positions whose plans are drawn."""
+        return plans(self.study, self.comparison, self.shown, self.beside)
+
+    @cached_property
+    def bones(self) -> Skeletons:
+        return skeletons(self.study, self.comparison.construction, self.shown)
+
+    def _main(self) -> Exhibit:
+        """The plan of positions."""
+        room = position_plan.measure(self.bones, POSITIONS.plan, self.drafting)
+        draw = partial(position_plan.draw, self.bones, room, drafting=self.drafting)
+        return Exhibit(Panel(room, FOREMOST, share=SHARE), draw)
+
+    def _plans(self) -> list[Exhibit]:
+        """The plans of each position, which stand together."""
+        return [self._plan(order.plan, k) for order in ORDERS[1:] for k in self.positions]
+
+    def _plan(self, subject: str, k: int) -> Exhibit:
+        """A plan, or in its place why it is not drawn."""
+        name, shown = f"{subject}-{k}", self._diagram(subject, k)
+        if not self._is_whole(subject, k):
+            why = self._why(subject, k)
+            absent = measure_missing(why, name, self.drafting)
+            return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
+        room = vector_plan.measure(shown, name, self.drafting)
+        draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
+        return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)
+
+    def _workings(self) -> Iterator[Working]:
+        """How the plans are laid off and read: beside them, where paper would stay bare."""
+        mechanism = self.study.mechanism
+        yield workings.link_working(mechanism, list(mechanism.links), POSITIONS.plan, self.drafting)
+        for subject, k in ((order.plan, k) for order in ORDERS[1:] for k in self.positions):
+            if self._is_whole(subject, k):
+                yield workings.plan_working(self._diagram(subject, k), f"{subject}-{k}", self.drafting)
+        if self.output is not None and self.output.shown:
+            yield working.working(self.output, self.drafting)
+
+    def _is_whole(self, subject: str, k: int) -> bool:
+        """Tell whether a plan can be drawn."""
+        return not self.study.lost[k] and bool(np.isfinite(self._diagram(subject, k).points).all())
+
+    def _diagrams(self) -> list[Exhibit]:
+        """The output's diagrams, one under another."""
+        if self.output is None or not self.output.shown:
+            return []
+        room = rows.measure(self.output, self.drafting)
+        return [Exhibit(Panel(room), partial(rows.draw, self.output, drafting=self.drafting))]
+
+    def _shared(self, subject: str) -> str:
+        """Name the common scale of all plans of a kind; each has its own where the scene asks for that."""
+        return subject if self.study.scene.sheet.scales == "common" else ""
+
+    def _diagram(self, subject: str, k: int) -> VectorDiagram:
+        drafts = self.study.drafts()
+        plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
+        shown = diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
+        return replace(shown, parts=self._parts)
+
+    @cached_property
+    def _parts(self) -> dict[tuple[Mark, Mark], tuple[str, ...]]:
+        """The letters of relative vectors and parts, by their ends on the plans: one vector may be v_F5 and v_F5F."""
+        found = defaultdict[tuple[Mark, Mark], list[str]](list)
+        for name, span in spans(self.study, self.study.drafts(), self.comparison.analysis).items():
+            found[span.start, span.end].append(name)
+        return {ends: tuple(names) for ends, names in found.items()}
+
+    def _remarks(self, spots: Mapping[str, Spot]) -> tuple[str, ...]:
+        """Say why a plan has another scale than the others of its kind."""
+        plans = (exhibit.panel.item for exhibit in self._plans())
+        return tuple(own_scale.remarks([one for one in plans if isinstance(one, Picture)], spots, self.drafting))
+
+    def _why(self, subject: str, k: int) -> str:
+        """Say in words why a plan is not drawn."""
+        gap = next((g for g in self.comparison.construction.gaps if g.position == k), None)
+        reason = self.drafting.word(gap.reason) if gap else ""
+        plan = self.drafting.word(f"{subject} plan")
+        return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
+
+    def _tables(self) -> tuple[RuledTable, ...]:
+        """The table of values, without what the scene states, and that of the output's course."""
+        return (
+            *self._values(),
+            *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ()),
+        )
+
+    def _values(self) -> tuple[RuledTable, ...]:
+        """The table of values, if there is anything to tell."""
+        if not self.positions:
+            return ()
+        by_hand, masses = self.by_hand, self.bones.masses
+        told = value_table.told(self.comparison, by_hand.parts, by_hand.given)
+        same = alike(told, self.study.mechanism, masses)
+        lines = value_table.rows(same, self.positions, self.drafting.language)
+        return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
+
+    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+        """Write what a hand may be out in the table, at the scales of the plans."""
+        scales = {name: spot.scale.mu for name, spot in spots.items()}
+        return value_table.by_hand(self.by_hand.on_sheet(self.positions, scales), self.drafting.language)
+
+    @cached_property
+    def by_hand(self) -> MotionByHand:
+        return MotionByHand(self.study, self.comparison, self.bones.masses)
+
+    def _facts(self, names: Collection[str]) -> dict[str, Any]:
+        """Say in the data of a sheet what its figures show."""
+        return {
+            "structure": formula(self.study.mechanism, self.study.groups),
+            "positions": len(self.study.turn),
+            "shown": self.shown if POSITIONS.plan in names else None,
+            "diagrams": diagrams.NAME in names,
+            "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
+            "vectors": [
+                (order.plan, k) for k in self.positions for order in ORDERS[1:] if f"{order.plan}-{k}" in names
+            ],
+        }

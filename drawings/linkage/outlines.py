@@ -1,0 +1,163 @@
+"""Outlines of links: the straight bars that a link is drawn with, and its rigid corners (контуры звеньев).
+
+An outline is measured in the link's own frame, in metres, so that one outline serves every position.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping, Sequence
+from itertools import combinations, pairwise
+from typing import NamedTuple
+
+from drawings.linkage.skeleton import Bones, Poses, is_centre
+from plans.model.mechanism import Slide, Way
+
+# Points of a link lie on one line when none is off it by more than this share of its length: rounding of coordinates
+# that a scene gives with twelve digits, and no distance on any sheet.
+FLAT = 1e-9
+
+Bar = tuple[complex, complex]
+Reach = Mapping[Slide, tuple[float, float]]  # how far slots reach along their slides' lines, m
+
+
+class Corner(NamedTuple):
+    """A rigid corner of a link: where two of its bars meet, and their unit directions away from it."""
+
+    at: complex
+    first: complex
+    second: complex
+
+
+class Outline(NamedTuple):
+    """A link's bars and rigid corners, in its own frame."""
+
+    link: int
+    bars: tuple[Bar, ...]
+    corners: tuple[Corner, ...] = ()
+
+
+def outlines(bones: Bones, reach: Reach) -> list[Outline]:
+    """Give the outlines of all moving links through all their points, their slots as long as they must reach."""
+    return [_outline(bones, link, reach) for link in bones.links]
+
+
+def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
+    """Give how far slots reach to their stones in one position."""
+    places = {slide: float(poses.along(slide)[k]) for slide in bones.mechanism.slides}
+    return {slide: (along, along) for slide, along in places.items() if not math.isnan(along)}
+
+
+def _outline(bones: Bones, link: int, reach: Reach) -> Outline:
+    spots = list(_spots(bones, link).values())
+    bars, corners = _body(spots)
+    for slide, (low, high) in reach.items():
+        if slide.owner == link:
+            bars, more = _slotted(bars, spots, slide.on_owner, low, high)
+            corners += more
+    for slide in bones.mechanism.slides:
+        foot = offset_foot(bones, slide)
+        if slide.slider == link and foot is not None:
+            pin = bones.mechanism.links[link].points[slide.point]
+            corners += [_corner(pin, foot, end) for bar in bars if pin in bar for end in bar if end != pin]
+            bars = [*bars, (pin, foot)]
+    return Outline(link, tuple(bars), tuple(corners))
+
+
+def offset_foot(bones: Bones, slide: Slide) -> complex | None:
+    """Give the foot of a slider's point on its line, in the slider's own frame; None where the point lies on it."""
+    points, way = bones.mechanism.links[slide.slider].points, slide.on_slider
+    off = along(way, points[slide.point])
+    size = max(abs(off), bones.reach)
+    return None if abs(off.imag) <= FLAT * size else points[slide.point] - 1j * off.imag * way.direction
+
+
+def _spots(bones: Bones, link: int) -> Mapping[str, complex]:
+    """Give the points that a link's bars run through; a mass centre is a mark beside them."""
+    points, hinges = bones.mechanism.links[link].points, bones.mechanism.hinges
+    spots = {name: spot for name, spot in points.items() if not is_centre(name) or name in hinges}
+    return spots if len(spots) > 1 else points
+
+
+def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[Corner]]:
+    """Join a link's points: one bar where they lie on one line, else a closed polygon of rigid corners."""
+    if len(spots) < 2:
+        return [], []
+    first, last = max(combinations(spots, 2), key=lambda pair: abs(pair[1] - pair[0]))
+    if first == last:
+        return [], []
+    run = (last - first) / abs(last - first)
+    if all(abs(((spot - first) * run.conjugate()).imag) <= FLAT * abs(last - first) for spot in spots):
+        return [(first, last)], []
+    middle = sum(spots) / len(spots)
+    round_ = sorted(spots, key=lambda spot: cmath.phase((spot - middle) / run))
+    bars = list(pairwise([*round_, round_[0]]))
+    return bars, [_corner(at, before, after) for (before, at), (_, after) in pairwise([bars[-1], *bars])]
+
+
+def _corner(at: complex, first: complex, second: complex) -> Corner:
+    return Corner(at, (first - at) / abs(first - at), (second - at) / abs(second - at))
+
+
+def _slotted(
+    bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
+) -> tuple[list[Bar], list[Corner]]:
+    """Lengthen the bar on a slot's line, or lay one along it, so that it reaches from `low` to `high` along it."""
+    on_line = [bar for bar in bars if _flat(bar, way, high - low)]
+    rest = [bar for bar in bars if bar not in on_line]
+    if not on_line:
+        return _crossing(bars, spots, way, low, high)
+    ends = [along(way, end).real for bar in on_line for end in bar]
+    if not rest:
+        return [_piece(way, min([low, *ends]), max([high, *ends]))], []
+    pieces = [(low, min(ends)), (max(ends), high)]
+    return [*bars, *(_piece(way, a, b) for a, b in pieces if a < b)], []
+
+
+def _crossing(
+    bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
+) -> tuple[list[Bar], list[Corner]]:
+    """Lay a bar along a slot's line on which no other lies, and tie it to the link where it meets none of it."""
+    spot, foot = _hung(spots, way)
+    rest = bars if spot == foot else [*bars, (spot, foot)]
+    place = along(way, foot).real
+    arms = [side for side, goes in ((-way.direction, low < place), (way.direction, high > place)) if goes]
+    others = [(end - foot) / abs(end - foot) for bar in rest if _holds(bar, foot) for end in bar if end != foot]
+    slot = _piece(way, min(low, place), max(high, place))
+    return [*rest, slot], [Corner(foot, arm, other) for arm in arms for other in others]
+
+
+def _hung(spots: Sequence[complex], way: Way) -> Bar:
+    """Give the spot of a link that a slot hangs on, and where on the slot's line: the same where the line meets it."""
+    off = [abs(along(way, spot).imag) for spot in spots]
+    slack = FLAT * max(abs(along(way, spot)) for spot in spots)
+    point = next(spot for spot, away in zip(spots, off, strict=True) if away <= min(off) + slack)
+    if min(off) <= slack:
+        return point, point
+    for start, end in _body(spots)[0]:
+        first, last = along(way, start).imag, along(way, end).imag
+        if first * last < 0:
+            crossed = start + (end - start) * first / (first - last)
+            return crossed, crossed
+    return point, way.through + along(way, point).real * way.direction
+
+
+def _holds(bar: Bar, spot: complex) -> bool:
+    """Tell whether a spot lies on a bar, or on the line of one beyond its end."""
+    run = bar[1] - bar[0]
+    return abs(((spot - bar[0]) * run.conjugate()).imag) <= FLAT * abs(run) ** 2
+
+
+def along(way: Way, spot: complex) -> complex:
+    """Measure where a spot lies from a line's point: along the line, and to its left."""
+    return (spot - way.through) * way.direction.conjugate()
+
+
+def _flat(bar: Bar, way: Way, length: float) -> bool:
+    """Tell whether a bar lies on a line."""
+    return all(abs(along(way, end).imag) <= FLAT * max(abs(bar[1] - bar[0]), length) for end in bar)
+
+
+def _piece(way: Way, low: float, high: float) -> Bar:
+    return way.through + low * way.direction, way.through + high * way.direction

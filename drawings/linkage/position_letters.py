@@ -1,0 +1,300 @@
+"""The letters of the plan of positions: points, mass centres, arcs, numbers of links and of positions (обозначения)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels, free_side
+from drawings.layout.picture import Place
+from drawings.lettering.extent import bounds
+from drawings.lettering.indices import with_index
+from drawings.lettering.lettering import text_reach, text_width
+from drawings.lettering.phrase import Phrase, slotted, telling
+from drawings.lettering.words import fixed
+from drawings.linkage.guides import Turning
+from drawings.linkage.numbering import frame_number, link_numbers, numbers
+from drawings.linkage.pairs import Pairs
+from drawings.linkage.skeleton import Skeletons
+from drawings.linkage.tracks import Push, arrows, output_point, sliders
+from drawings.linkage.trajectories import Phase, Traced, phases, sized, traced
+from drawings.paper.hand import Hand
+from drawings.paper.limits import MANY, SEEN
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Box, Group, Line, Stroke, Text
+from drawings.paper.ties import PLACES, tied
+from drawings.paper.walk import stating
+from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, arrowhead, tick, turning_arrow
+from drawings.symbols.trimming import trim
+from plans.linkage.travel import frame_slide
+from plans.model.mechanism import FRAME
+from plans.model.motion import POSITIONS
+
+# mm from the stroke's line to its dimension: at least what leaves room for numbers and ground, then by steps.
+DISTANCES = (15.0, 18.0, 21.0, 24.0, 28.0, 32.0, 37.0, 42.0, 48.0, 55.0, 63.0)
+AWAY = 4.0  # mm that an extension line begins from its point
+PAST = 2.0  # mm that an extension line goes past its arrow
+ABOVE = 1.0  # mm from the dimension line to its number
+TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
+DIMENSION_SHARES = (0.5, 0.4, 0.6, 0.3, 0.7)  # where along the dimension line its number may stand
+# What crossing one line costs, in mm of distance: a number struck through is no number.
+STRUCK, CROSSED = 200.0, 4.0
+BORDER = 14.0  # mm that a sheet leaves free round the points of a plan
+OUTSIDE = 30.0  # what each mm beyond the border costs
+
+
+def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink) -> list[Stroke]:
+    """Dimension the strokes of all sliders on the frame, in millimetres of the machine, each by its point's letter."""
+    found = stroke(bones, place, hand, language, ink, named=bool(bones.strokes))
+    for track in sliders(bones):
+        ink.draw(found)
+        ends = [place.on(one.spot) for one in track.places if one.extreme]
+        if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
+            text = _text(track.point, track.travel.extremes.stroke, language)
+            found += _told(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
+    return found
+
+
+def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, named: bool = False) -> list[Stroke]:
+    """Dimension the stroke H of a sliding output, in millimetres of the machine, on the clearer side of its guide."""
+    travel, out = bones.study.travel, bones.study.output
+    slide = frame_slide(bones.mechanism, out.link)
+    if travel is None or slide is None or bones.extremes is None:
+        return []
+    point = out.point or slide.point
+    ends = _ordered([place.on(complex(value)) for value in bones.extremes.points[point]])
+    text = _text(point if named else "", travel.extremes.stroke, language)
+    return _told(f"H_{point}" if named else "H", clearest(ends, text, bones, place, hand, ink), place)
+
+
+def _told(name: str, dimension: list[Stroke], place: Place) -> list[Stroke]:
+    """Give a dimension as the stroke that it states, by its arrows and by its number."""
+    own = (telling(POSITIONS.plan, one) if isinstance(one, Text) else one for one in dimension)
+    return [stating(Statement(Kind.LENGTH, POSITIONS.plan, name, scale=place.scale.mu), *own)]
+
+
+def _ordered(ends: list[complex]) -> tuple[complex, complex]:
+    first, last = sorted(ends, key=lambda pin: (tied(pin.real), pin.imag))
+    return first, last
+
+
+def _text(point: str, size: float, language: str) -> Phrase:
+    """Write a stroke with its size; among several by its point's letter: H_B."""
+    letter = f"H_{{{point}}}" if point else "H"
+    return slotted(f"{letter} = ", f"H_{point}" if point else "H", length(size, language))
+
+
+def length(size: float, language: str) -> str:
+    """Write a length m in millimetres, of two decimals those that are not zero."""
+    return fixed(1000 * size, language).rstrip("0").rstrip(".,")
+
+
+def clearest(
+    ends: tuple[complex, complex], text: str, bones: Skeletons, place: Place, hand: Hand, ink: Ink
+) -> list[Stroke]:
+    """Dimension the way between two places on paper, on the side and as far off as is clearest."""
+    first, last = ends
+    room = _room([place.on(value) for value in bones.points])
+    best: list[Stroke] = []
+    cheapest = math.inf
+    for distance in DISTANCES:
+        if distance >= cheapest:
+            break  # no place further off can be better
+        for strokes in _candidates(first, last, distance, text, hand):
+            cost = tied(distance + _cost(strokes, ink, room))
+            if cost < cheapest:
+                best, cheapest = strokes, cost
+    return best
+
+
+def _candidates(first: complex, last: complex, distance: float, text: str, hand: Hand) -> Iterator[list[Stroke]]:
+    up = 1j * (last - first) / abs(last - first)
+    for side, share in product((1, -1), DIMENSION_SHARES):
+        yield _dimension(first, last, side * distance * up, share, text, hand)
+
+
+def _dimension(first: complex, last: complex, off: complex, share: float, text: str, hand: Hand) -> list[Stroke]:
+    """Draw a dimension at some distance: arrows between the extension lines, or outside where room is short."""
+    start, end = first + off, last + off
+    along, out = (end - start) / abs(end - start), off / abs(off)
+    width = text_width(Text(0j, text, hand.letter, "middle", True))
+    roomy = tied(abs(end - start) - 2 * ARROW_LENGTH * hand.symbol) >= 2
+    fits = tied(abs(end - start) - width) >= 2
+    tail = along * TAIL * hand.symbol
+    tips = [(end, start), (start, end)] if roomy else [(start - 2 * tail, start), (end + 2 * tail, end)]
+    shelf = end + tail + along * (width + 2 if not fits else 0)
+    line = (start, end) if roomy and fits else (start if roomy else start - tail, shelf)
+    inside = min(max(share * abs(end - start), width / 2), abs(end - start) - width / 2)  # the number stays between
+    middle = start + along * inside if fits else shelf - along * width / 2
+    above = ABOVE - text_reach(Text(0j, text, hand.letter, "middle", True))[0]  # a comma hangs below its line
+    letters = Text(middle + 1j * along * above, text, hand.letter, "middle", True, math.degrees(cmath.phase(along)))
+    heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
+    return [
+        letters,
+        Line(*line, hand.drafted),
+        *(Line(pin + AWAY * out, foot + PAST * out, hand.drafted) for pin, foot in ((first, start), (last, end))),
+        *heads,
+    ]
+
+
+def _cost(strokes: list[Stroke], ink: Ink, room: Box) -> float:
+    """Weigh a dimension: lines through its number, lines that its own lines cross, what is beyond the border."""
+    letters, dimension, *extensions = strokes[:4]
+    struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
+    return STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)
+
+
+def _room(points: list[complex]) -> Box:
+    """Give the box of a plan's points with the border round it."""
+    xs, ys = [point.real for point in points], [point.imag for point in points]
+    return min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
+
+
+def _beyond(strokes: list[Stroke], room: Box) -> float:
+    """Give by how much strokes lie outside the room, mm."""
+    left, bottom, right, top = bounds(Group(tuple(strokes)))
+    return sum(max(by, 0.0) for by in (room[0] - left, room[1] - bottom, right - room[2], top - room[3]))
+
+
+NUMBERED = 4  # about so many positions bear a number along a path
+GAP = 1.0  # mm from a tick's end to its number
+LONG = 40.0  # mm: a shorter path has no room for numbers
+
+
+def path_ticks(pairs: Pairs) -> Iterator[Line]:
+    """Tick each trajectory at the positions, across it; a tick that a symbol would cut is left out."""
+    for one in traced(pairs.bones):
+        for k in _shown(one):
+            direction = _direction(one, k, pairs.place)
+            if direction is not None:
+                line = tick(pairs.place.on(complex(one.numbered[k])), direction, pairs.hand)
+                yield from (line,) if list(trim([line], pairs.masks)) == [line] else ()
+
+
+def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
+    """Number a few ticks of each trajectory where there is room; output and crank have their numbers already."""
+    drive, masses = pairs.bones.mechanism.drive, pairs.bones.masses
+    known = {output_point(pairs.bones), *(name for name, (link, _) in masses.items() if link == drive.link)}
+    for one in traced(pairs.bones):
+        if one.name not in known and _length(one, pairs.place) >= LONG:
+            yield from _numbers(pairs, one, labels)
+
+
+def _numbers(pairs: Pairs, one: Traced, labels: Labels) -> Iterator[Stroke]:
+    every = max(math.ceil(len(one.numbered) / NUMBERED), 1)
+    for k in _shown(one):
+        direction = _direction(one, k, pairs.place)
+        if k % every == 0 and k != pairs.bones.shown and direction is not None:
+            spot, gap = pairs.place.on(complex(one.numbered[k])), TICK * pairs.hand.symbol + GAP
+            number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * direction))
+            yield from () if number is None else (number,)
+
+
+def _shown(one: Traced) -> list[int]:
+    """List the positions that are ticked: of very many about as many as are drawn with all links."""
+    every = max(math.ceil(len(one.numbered) / MANY), 1)
+    return [k for k in range(0, len(one.numbered), every) if not math.isnan(one.numbered[k].real)]
+
+
+def _direction(one: Traced, k: int, place: Place) -> complex | None:
+    """Give the unit direction of a path at a position: of the longer step beside it; none of a point that stands."""
+    apart = np.abs(one.way - one.numbered[k])
+    if np.isnan(apart).all():
+        return None
+    nearest = int(np.nanargmin((apart / place.scale.mu).round(PLACES)))
+    beside = one.way[max(nearest - 1, 0) : nearest + 2]
+    steps = np.diff(beside[~np.isnan(beside)])
+    longest = max(steps.tolist(), key=lambda step: tied(place.length(abs(step))), default=0j)
+    return longest / abs(longest) if longest else None
+
+
+def _length(one: Traced, place: Place) -> float:
+    known = one.way[~np.isnan(one.way)]
+    return place.length(float(np.abs(np.diff(known)).sum()))
+
+
+LETTER = "ψ"
+SHARES = (0.45, 0.35, 0.55, 0.25, 0.65, 0.75)  # of the rocker's arm, where its arc may cross it, the best first
+LEAST = 4.0  # lengths of an arrow's head that an arc is long at least: below, its two heads hide it
+
+
+class Swing(NamedTuple):
+    """An arc about a rocker's pivot from one of its extreme positions to the other."""
+
+    text: Phrase
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+
+    @property
+    def middle(self) -> tuple[complex, float]:
+        """The middle of the arc, and the direction away from the pivot there."""
+        turn = self.start + self.sweep / 2
+        return self.centre + cmath.rect(self.radius, turn), turn
+
+    def strokes(self, pairs: Pairs) -> Iterator[Stroke]:
+        """Draw it from its middle to both sides, each half with its arrow."""
+        turn, half = self.start + self.sweep / 2, self.sweep / 2
+        halves = [
+            turning_arrow(self.centre, self.radius, turn, k * half, pairs.hand, pairs.hand.drafted) for k in (-1, 1)
+        ]
+        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, LETTER), *halves[0], *halves[1])
+
+
+def swings(pairs: Pairs, language: str) -> tuple[Swing, ...]:
+    """Give the arc of an output that rocks about a hinge of the frame; none of any other, or where it has no room."""
+    bones, study, tip = pairs.bones, pairs.bones.study, output_point(pairs.bones)
+    own = bones.mechanism.links[study.output.link].points
+    pivot = next((name for name in own if name in bones.mechanism.links[FRAME].points), None)
+    if study.travel is None or study.travel.extremes.sliding or pivot is None or tip is None or tip == pivot:
+        return ()
+    low, high = study.travel.extremes.reach
+    arm, centre = own[tip] - own[pivot], pairs.place.on(bones.mechanism.links[FRAME].points[pivot])
+    start, length = low + cmath.phase(arm), pairs.place.length(abs(arm))
+    text = sized(LETTER, abs(high - low), language)
+    arcs = (Swing(text, centre, share * length, start, high - low) for share in SHARES)
+    least = LEAST * HEAD[0] * pairs.hand.symbol
+    roomy = [one for one in arcs if one.radius * abs(one.sweep) >= least]
+    return tuple(roomy[:1])
+
+
+LINKS, NUMBERS = "links", "path-numbers"  # the groups of numbers of links, and of positions on trajectories
+
+
+def letters(pairs: Pairs, labels: Labels) -> Group:
+    """Letter the points and number the positions, where the lines of all figures leave room."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.sheet
+    strokes: list[Stroke] = []
+    for name in sorted(bones.numbered.points):
+        value = bones.spot(name, bones.shown)
+        if not math.isnan(value.real):
+            gap = pairs.clear(name) + 1.0
+            strokes.append(labels.beside(place.on(value), with_index(name), hand.letter, gap, _free(pairs, name)))
+    for name in bones.masses:
+        if name in pairs.centres:
+            strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
+    strokes += [_on_arc(arrow, arrow.letter, labels, hand) for arrow in arrows(pairs)]
+    strokes += [_on_arc(phase, phase.text, labels, hand) for phase in phases(pairs, bones.study.language)]
+    strokes += [_on_arc(swing, swing.text, labels, hand) for swing in swings(pairs, bones.study.language)]
+    strokes += numbers(pairs, labels)
+    links = *link_numbers(pairs, bones.links, labels, hand), *frame_number(pairs, labels, hand)
+    return Group((*strokes, Group(links, LINKS), Group(tuple(path_numbers(pairs, labels)), NUMBERS)))
+
+
+def _on_arc(arc: Turning | Push | Phase | Swing, text: str, labels: Labels, hand: Hand) -> Stroke:
+    """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
+    middle, away = arc.middle
+    return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away), text)
+
+
+def _free(pairs: Pairs, name: str) -> float:
+    """Give the side of a point that the bars leave free."""
+    spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
+    return free_side(spot, pairs.bars(), pairs.clear(name) + ARROW_LENGTH)

@@ -1,0 +1,225 @@
+"""The figure of the plan of positions: all positions thin, one in full lines with its pairs, paths and extremes."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from typing import NamedTuple
+
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.linkage.guides import Turning, axes, grounds, ties
+from drawings.linkage.outlines import outlines, reach_of
+from drawings.linkage.pairs import Pairs
+from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
+from drawings.linkage.skeleton import Poses, Skeletons
+from drawings.linkage.tracks import Push, arrows, same, stroke_line
+from drawings.linkage.trajectories import phases, trajectories
+from drawings.page.drafting import Drafting
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from drawings.paper.limits import MANY
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.symbols import symbols
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.trimming import trim
+from geometry.board import Arc as Notch
+from geometry.board import at
+from plans.linkage.barrier import Barrier
+from plans.model.motion import CHANGE_POINT, POSITIONS
+
+NAME = POSITIONS.plan
+TICKS = "path-ticks"  # the group of the positions on trajectories
+OTHERS, ROTATION = "all-positions", "rotation"  # the groups of the thin positions, and of the drive's arrows
+TIES = "ties"  # the group of the lines to mass centres off their links
+# Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
+MARGINS = Margins(3.5, 3.5, 5.0)
+STEPS = 360  # of a circle that is cut at a figure's box
+NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
+HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
+SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
+
+
+class PositionFigure(NamedTuple):
+    """A plan of positions placed on paper: its lines, and the letters still to be placed among those of all figures."""
+
+    pairs: Pairs
+    lines: tuple[Group, ...]
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its points lettered and its positions numbered."""
+        return *self.lines, letters(self.pairs, labels)
+
+
+def measure(bones: Skeletons, name: str, drafting: Drafting) -> Picture:
+    """Measure the room that a plan of positions needs: all its positions, letters around them, its heading above."""
+    size, hand = drafting.hand.letter, drafting.hand
+    title = text_width(Text(0j, drafting.word(NAME), hand.heading))
+    side, below, above = (share * size for share in MARGINS)
+    return picture(name, bones.points, ("l", "m"), Margins(side, below, above + 2.5 * hand.heading), title)
+
+
+def draw(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> PositionFigure:
+    """Draw the plan of positions in its spot, with its title and its written scale above it."""
+    pairs = Pairs(bones, room.place(*spot), drafting.hand)
+    lines = Group(tuple(layers(pairs, drafting.language)), NAME)
+    return PositionFigure(pairs, (_heading(spot, drafting), lines))
+
+
+def _heading(spot: Spot, drafting: Drafting) -> Group:
+    """Write the title and the scale of the largest figure above it."""
+    hand = drafting.hand
+    at = complex(spot.box.centre.real, spot.box.top - hand.heading)
+    under = at - 1j * (0.6 * hand.heading + hand.title)
+    title = Text(at, drafting.word(NAME), hand.heading, "middle", True)
+    return Group((title, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
+
+
+def layers(pairs: Pairs, language: str) -> list[Group]:
+    """Draw the plan of positions at its place, from the thinnest lines to the pairs; its letters come last of all."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    body, stands = list(pairs.bars()), list(pairs.stands())
+    blocks = [block for _, block in pairs.blocks]
+    paths, positions = trajectories(bones, place, hand), [*_path(bones, place, hand), *_positions(pairs)]
+    extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
+    ink = Ink()
+    ink.draw([*body, *blocks, *stands])
+    grounded = grounds(pairs, ink)
+    ink.draw(grounded)
+    ink.draw([*paths, *positions, *extremes, *lines], SHARE)
+    under: list[tuple[str, Iterable[Stroke]]] = [
+        ("paths", paths),
+        (OTHERS, positions),
+        ("extremes", extremes),
+        ("guides", lines),
+        ("notches", _notches(bones, place, hand)),
+        (TIES, ties(pairs)),
+        (TICKS, path_ticks(pairs)),
+    ]
+    groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
+    groups += [
+        Group(tuple(grounded), "grounds"),
+        Group((*blocks, *body, *pairs.corners()), "shown-position"),
+        Group((*stands, *pairs.marks()), "pairs"),
+        Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
+        Group(tuple(_sense(arrow, pairs) for arrow in arrows(pairs)), ROTATION),
+        Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
+        Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),
+    ]
+    return [group for group in groups if group.strokes]
+
+
+def _sense(arrow: Turning | Push, pairs: Pairs) -> Stroke:
+    """Draw the arrow of a rate of the primary link as what it states."""
+    return stating(Statement(Kind.DIRECTION, NAME, arrow.letter), *arrow.strokes(pairs))
+
+
+def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the way of the primary link's end: the crank's circle, or the stroke of a slider."""
+    draw = stroke_line if bones.mechanism.drive.pushed else _circle
+    return draw(bones, place, hand)
+
+
+def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the crank circle; hatch it where the crank cannot go, and cross its gap positions and change points.
+
+    Of an arc alone nothing is hatched or crossed past its ends: the figure has no room for that.
+    """
+    pivot, radius, (low, high) = bones.pivot(place), bones.crank(place), bones.swept
+    strokes: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)]
+    for barrier in bones.study.met:
+        count = max(int((barrier.end - barrier.start) * radius / HATCH), 1)
+        angles = (barrier.start + (barrier.end - barrier.start) * k / count for k in range(count + 1))
+        for ray in (cmath.rect(1.0, angle) for angle in angles if bones.sweeps(angle)):
+            tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
+            strokes.append(Line(pivot + radius * ray, tip, hand.drafted))
+    crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
+    crossed += [cmath.rect(1.0, barrier.start) for barrier in _changes(bones)]
+    return strokes + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
+
+
+def _changes(bones: Skeletons) -> list[Barrier]:
+    """Give the change points on the drawn part of the crank's circle."""
+    return [one for one in bones.study.met if one.kind == CHANGE_POINT and bones.sweeps(one.start)]
+
+
+def _positions(pairs: Pairs) -> Iterable[Stroke]:
+    """Draw the other positions thin; of very many, those between every so many only by a tick of the crank."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    extremes = {same(bones, k) for k in range(2)} if bones.extremes else set()
+    steps = len(bones.numbered) - (not bones.mechanism.drive.turns)
+    every = max(math.ceil(steps / MANY), 1)
+    for k in range(len(bones.numbered)):
+        if k == bones.shown or k in extremes:
+            continue
+        if k % every == 0:
+            yield from _links(bones, bones.numbered, k, place, hand.drafted)
+        elif not bones.study.lost[k] and bones.mechanism.drive.turns:  # of a stroke every position has its tick
+            spot = place.on(bones.drive_end(k))
+            ray = (spot - bones.pivot(place)) / bones.crank(place)
+            yield symbols.tick(spot, 1j * ray, hand)
+
+
+def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyle) -> Iterable[Stroke]:
+    """Draw the bars of all links in a position that can be assembled, slots as far as their stones."""
+    for outline in outlines(bones, reach_of(bones, poses, k)):
+        for bar in outline.bars:
+            start, end = (complex(poses.of(outline.link, spot)[k]) for spot in bar)
+            if not math.isnan(start.real) and start != end:
+                yield Line(place.on(start), place.on(end), style)
+
+
+def _extremes(pairs: Pairs) -> Iterable[Stroke]:
+    """Draw the extreme positions in dash-two-dots lines."""
+    bones = pairs.bones
+    if bones.extremes is not None:
+        for k in range(2):
+            if same(bones, k) != bones.shown:
+                yield from _links(bones, bones.extremes, k, pairs.place, pairs.hand.extreme)
+
+
+def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss are drawn through the figure."""
+    plan = bones.study.drafts().positions
+    box = _around([place.on(value) for value in bones.points], NOTCH * hand.symbol)
+    arcs: list[Stroke] = []
+    for mark in plan.board:
+        for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
+            if mark.step.op == "meet" and isinstance(locus.value, Notch):
+                centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
+                if math.isnan(arm.real) and not math.isnan(centre.real):
+                    arcs += _within(
+                        Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
+                    )
+                elif not math.isnan(arm.real):
+                    arcs.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
+    return arcs
+
+
+def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
+    """Give the parts of a circle that lie in a figure's box: an arc that is never met may be larger than the paper."""
+    step = 2 * math.pi / STEPS
+    inside = [box.holds(circle.at(k / STEPS)) for k in range(STEPS + 1)]
+    start = 0
+    for is_inside, part in groupby(inside):
+        count = len(list(part))
+        if is_inside and count > 1:
+            yield Arc(circle.centre, circle.radius, start * step, (start + count - 1) * step, hand.drafted)
+        start += count
+
+
+def _around(spots: list[complex], margin: float) -> Field:
+    """Give the box around some places on paper, and a margin."""
+    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
+    return Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
+
+
+def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
+    half = min(NOTCH * hand.symbol / radius, math.pi)
+    return Arc(centre, radius, angle - half, angle + half, hand.drafted)

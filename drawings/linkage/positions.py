@@ -1,0 +1,185 @@
+"""The plan of positions alone: no velocities, no accelerations, no extremes are made for it (план положений)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import partial
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from drawings.layout.contents import Panel
+from drawings.linkage import position_plan
+from drawings.linkage.notes import notes
+from drawings.linkage.skeleton import skeletons
+from drawings.page.drafting import drafting_of
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Draft, Exhibit
+from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
+from plans.linkage.travel import frame_slide
+from plans.model.dyad import formula
+from plans.model.motion import POSITIONS
+from plans.study import Study
+from plans.words.words import message, placed
+
+if TYPE_CHECKING:
+    from plans.forces.quantities import ForceComparison
+    from plans.forces.reading.form import ForceForm
+    from plans.forces.statics import Statics
+
+CHOICES = 12  # positions that a message offers at most
+
+
+def position(study: LinkageStudy, comparison: MotionComparison, beside: Collection[int] = ()) -> int:
+    """Give the position drawn in full lines: the scene's own, the one whose forces stand beside, or the fastest one."""
+    wanted = position_asked(study)
+    if wanted is not None:
+        return wanted
+    free = ~study.lost
+    named = [k for k in study.form.sheet.plans or beside if free[k]]
+    return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
+
+
+def position_asked(study: LinkageStudy) -> int | None:
+    """Give the scene's own position in full lines, or any where none can be assembled; None: the scene names none."""
+    wanted = study.form.sheet.position
+    free = ~study.lost
+    if not free.any():
+        return 0  # nothing can be assembled: the sheet explains why, in the first position
+    if wanted is not None and study.lost[wanted]:
+        others = ", ".join(str(k) for k in np.flatnonzero(free)[:CHOICES])
+        refused = message("refused.position", position=wanted, positions=others)
+        raise SheetError(placed(study.scene.file, refused))
+    return None if wanted is None else int(wanted)
+
+
+def plans(
+    study: LinkageStudy, comparison: MotionComparison, shown: int, beside: Collection[int] = ()
+) -> tuple[int, ...]:
+    """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration.
+
+    Where the forces of several positions stand beside, their inertia forces want the plans of these.
+    """
+    if study.lost.all():
+        return ()
+    if study.form.sheet.plans:
+        return study.form.sheet.plans
+    if len(beside) > 1:
+        return tuple(sorted({shown, *beside}))
+    free = ~study.lost
+    free[shown] = False
+    telling = _telling(study, comparison, 1) * _telling(study, comparison, 2)  # both of its plans are open figures
+    free &= ~np.isnan(telling)
+    if not free.any():
+        return (shown,)
+    other = _best(telling, free & ~_working(study), free)
+    return tuple(sorted((shown, other)))
+
+
+def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int, ...]:
+    """Give the positions whose forces are drawn: the scene's own, or the one that the machine is worked out for.
+
+    That is one in which its useful loads act, those with plans before all others, of the largest balancing moment.
+    """
+    study = statics.study
+    roads = comparison.analysis, comparison.construction
+    gone = {gap.position: gap for road in roads for gap in road.gaps}
+    have = [k for k in range(len(study.turn)) if k not in gone]
+    if not have:
+        first = gone[min(gone)]
+        where = {"reason": first.reason, "where": first.where, "position": first.position, "advice": first.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
+    form = cast("ForceForm | None", study.scene.part("forces"))
+    wanted = form.sheet.forces if form else ()
+    for index, k in enumerate(wanted):
+        if k in gone:
+            line, column = study.scene.place(("sheet", "forces", index))
+            where = {"reason": gone[k].reason, "where": gone[k].where, "position": k}
+            refused = message("refused.no_forces", **where, positions=", ".join(map(str, have[:CHOICES])))
+            raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
+    asked = position_asked(study)
+    return wanted or (asked if asked in have else _hardest(statics, comparison, have),)
+
+
+def _hardest(statics: Statics, comparison: ForceComparison, have: Collection[int]) -> int:
+    """Give the position of the largest balancing moment, where loads act if they act anywhere."""
+    loading, (newton, torque) = statics.drafts().loading, comparison.construction.nothing_over
+    count = len(statics.study.turn)
+    loaded, possible, plans = (np.zeros(count, dtype=bool) for _ in range(3))
+    for load in loading.forces:
+        loaded |= load.useful & (np.abs(load.force) > newton)
+    for twist in loading.moments:
+        loaded |= twist.useful & (np.abs(twist.moment) > torque)
+    possible[list(have)] = True
+    plans[list(statics.study.form.sheet.plans)] = True
+    moments = np.where(possible, np.abs(comparison.construction.balancing.moment), np.nan)
+    return _best(moments, loaded & (plans if (plans & loaded & possible).any() else True), possible)
+
+
+def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
+    """Rate the positions by what their plan shows: the output moves, and the plan is an open figure, not one line."""
+    motions = comparison.construction.points.values()
+    ends = np.array([np.zeros(len(study.turn)), *(m.v if order == 1 else m.a for m in motions)])
+    spread = ends - ends.mean(axis=0)
+    across = (np.abs(spread) ** 2).mean(axis=0), (spread**2).mean(axis=0)
+    area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
+    return np.sqrt(area) * np.abs(_output_rate(study, comparison, 1))
+
+
+def _working(study: LinkageStudy) -> Any:
+    """Tell the positions within the working stroke; all of them where the output has no extremes."""
+    if study.travel is None:
+        return np.ones(len(study.turn), dtype=bool)
+    start, end = study.travel.extremes.phi
+    ahead = np.mod(study.sense * (study.turn.phi - start), 2 * np.pi)
+    return ahead < np.mod(study.sense * (end - start), 2 * np.pi)
+
+
+def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
+    """Give the position of the largest size among the preferred, or else among the allowed."""
+    chosen = preferred if (preferred & ~np.isnan(sizes)).any() else allowed
+    return int(np.argmax(np.where(chosen & ~np.isnan(sizes), sizes, -1.0)))
+
+
+def _output_rate(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
+    """Give the output's velocity or acceleration over the positions, of its pin or of its turning."""
+    out, motion = study.output, comparison.construction
+    slide = frame_slide(study.mechanism, out.link)
+    if slide is not None:
+        point = motion.points[out.point or slide.point]
+        return point.v if order == 1 else point.a
+    turning = motion.links[out.link]
+    return turning.omega if order == 1 else turning.epsilon
+
+
+FOREMOST = 1.5  # it states the scale of the sheet
+SHARE = 1 / 3  # of its sheet
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheet of the plan of positions."""
+    linkage, drafting = study["linkage"], drafting_of(study.scene)
+    comparison, shown = study.comparison("linkage"), _shown(linkage)
+    bones = skeletons(linkage, comparison.construction, shown)
+    room = position_plan.measure(bones, POSITIONS.plan, drafting)
+    figure = Exhibit(Panel(room, FOREMOST, share=SHARE), partial(position_plan.draw, bones, room, drafting=drafting))
+
+    def facts(names: Collection[str]) -> dict[str, Any]:
+        return {
+            "structure": formula(linkage.mechanism, linkage.groups),
+            "positions": len(linkage.turn),
+            "shown": shown if POSITIONS.plan in names else None,
+            "plans": [],
+            "vectors": [],
+        }
+
+    words = tuple(notes(linkage, comparison, drafting.language, by_hand=False))
+    return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])
+
+
+def _shown(study: LinkageStudy) -> int:
+    """Give the position in full lines: the scene's own, or the first that can be assembled."""
+    asked = position_asked(study)
+    return int(np.argmax(~study.lost)) if asked is None else asked

@@ -1,0 +1,366 @@
+"""The motion in the report: structure, extremes, every value both ways, conditions, what was left out (движение)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import chain
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
+from drawings.lettering.words import decimal, fixed, number, span
+from drawings.linkage.equations import drawn_scales, equations, shown_positions
+from drawings.linkage.numbers import first_numbers, stroke_line
+from drawings.page.drafting import drafting_of
+from drawings.paper.limits import MANY
+from drawings.report.formula import Chapters, Formula, display, inline
+from drawings.report.report import gap_line, gap_lines, positions
+from drawings.report.table import chapter, header, row
+from plans.checks.comparison import Finding
+from plans.linkage.barrier import Barrier
+from plans.linkage.extreme import ExtremePositions
+from plans.linkage.parts import alike
+from plans.linkage.pressure import interval
+from plans.linkage.primaries import ram as cylinder
+from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches
+from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.model.dyad import Pair, formula, mechanism_class, pairs
+from plans.model.mechanism import FRAME, Ram, Slide
+from plans.model.motion import PLANS, POSITIONS, VELOCITIES
+from plans.study import Study
+from plans.words.words import Message, message, term, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+MM = 1000.0  # mm in a metre
+
+
+def data(study: LinkageStudy) -> Iterator[str]:
+    """Tell what the scene gives: links, lengths, fixed points, slides, points by their places, the drive."""
+    say, letters = partial(word, study.language), Formula(drafting_of(study.scene))
+    yield chapter(study.language, "data")
+    yield from header([say("table.link"), say("table.points")])
+    for link in study.mechanism.links.values():
+        names = ", ".join(f"${letters.line(name)}$" for name in link.points)
+        yield row([str(link.number) if link.number != FRAME else say("report.frame"), names])
+    yield ""
+    yield from _lengths(study, letters)
+    yield from _places(study, letters)
+    yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
+    drive = study.mechanism.drive
+    told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
+    yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
+    if drive.ram is not None:
+        yield _cylinder(study, drive.ram)
+
+
+def _cylinder(study: LinkageStudy, ram: Ram) -> str:
+    """Tell the law of the cylinder that turns the crank."""
+    ends = (number(MM * way, study.language) for way in (ram.begin, ram.end))
+    v, a = (span(rate, study.language) for rate in cylinder.law(study.mechanism, study.turn.phi))
+    parts = {"line": f"{ram.foot}{ram.point}", "stroke": " … ".join(ends), "v": v, "a": a}
+    return word(study.language, "report.cylinder", **parts)
+
+
+def structure(study: LinkageStudy) -> Iterator[str]:
+    """Tell links and pairs, mobility by Chebyshev's formula, groups with their class, the formula of structure."""
+    mechanism, say = study.mechanism, partial(word, study.language)
+    yield chapter(study.language, "structure")
+    yield from header([say(f"table.{head}") for head in ("pair", "pair_kind", "point")])
+    yield from (_pair(pair, study) for pair in pairs(mechanism, study.groups))
+    yield "\n" + say("report.counted_pairs", n=mechanism.moving_links, p=mechanism.lower_pairs) + "\n"
+    numbers = rf"3 \cdot {mechanism.moving_links} - 2 \cdot {mechanism.lower_pairs}"
+    yield from display(f"W = 3n - 2p_{{5}} - p_{{4}} = {numbers} - 0 = {mechanism.mobility}")
+    for group, side in zip(study.groups, study.sweep.sides, strict=True):
+        yield say("report.group", group=group.label, joints=group.kind, order=group.order, side=f"{side:+.0f}")
+    whole = formula(mechanism, study.groups).replace("->", "→")
+    yield say("report.formula", formula=whole, klass=mechanism_class(study.groups))
+
+
+def _lengths(study: LinkageStudy, letters: Formula) -> Iterator[str]:
+    given = study.form.mechanism.lengths
+    told = (
+        inline(letters.letter(f"l_{{{name}}}"), letters.quantity(MM * float(length), "mm"))
+        for name, length in given.items()
+    )
+    if given:
+        yield word(study.language, "report.lengths", lengths=", ".join(told))
+
+
+def _places(study: LinkageStudy, letters: Formula) -> Iterator[str]:
+    """Tell the fixed points, and the points that links have by their places."""
+    given = study.form.mechanism
+    fixed = (_place(name, place, letters) for name, place in given.frame.items())
+    yield word(study.language, "report.fixed_points", points=", ".join(fixed))
+    for name, point in given.points.items():
+        yield word(study.language, "report.own_point", link=point.on, place=_place(name, point.at, letters))
+
+
+def _place(name: str, place: tuple[object, object], letters: Formula) -> str:
+    return f"${letters.line(name)} {_spot([float(str(part)) for part in place], letters)}$"
+
+
+def _spot(place: Iterable[float], letters: Formula) -> str:
+    x, y = (letters.number(MM * part) for part in place)
+    return rf"({x}; {y})\text{{ {letters.drafting.word('mm')}}}"
+
+
+def _slide(study: LinkageStudy, slide: Slide, letters: Formula) -> str:
+    """Say on what a link slides: on a line of two points, or on a line through a place at an angle."""
+    if slide.label:
+        line = message("report.line_of", owner=slide.owner, line=f"${letters.line(slide.label)}$")
+    else:
+        line = _line_at_angle(study, slide, letters)
+    return word(study.language, "report.slide", link=slide.slider, line=line, point=f"${letters.line(slide.point)}$")
+
+
+def _line_at_angle(study: LinkageStudy, slide: Slide, letters: Formula) -> Message:
+    way, datum, language = slide.on_owner, study.mechanism.datum, study.language
+    angle = number(math.degrees(cmath.phase(way.direction)), language)
+    if slide.owner != FRAME:
+        points = study.mechanism.links[slide.owner].points
+        named = next((name for name, spot in points.items() if spot == way.through), None)
+        place = letters.line(named) if named else _spot(_parts(way.through), letters)
+        return message("report.line_of_link", owner=slide.owner, place=f"${place}$", angle=angle)
+    through = way.through + complex(float(datum[0]), float(datum[1]))
+    x, y = (number(MM * part, language) for part in _parts(through))
+    return message("report.line_through", x=x, y=y, angle=angle)
+
+
+def _parts(place: complex) -> tuple[float, float]:
+    return place.real, place.imag
+
+
+def _pair(pair: Pair, study: LinkageStudy) -> str:
+    kind = "turning_pair" if isinstance(pair.joint, str) else "sliding_pair"
+    return row([pair.key, word(study.language, f"report.{kind}"), pair.point])
+
+
+NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the structure and the motion of a linkage."""
+    linkage, comparison = study["linkage"], study.comparison("linkage")
+    passage = _passage(linkage, comparison)
+    return Chapters(
+        chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
+        chain(_equations(linkage, comparison, leaves), _values(linkage, comparison)),
+        _conditions(linkage),
+        _left_out(study, linkage, leaves),
+    )
+
+
+def _equations(
+    study: LinkageStudy, comparison: MotionComparison, leaves: Mapping[str, Sequence[Leaf]]
+) -> Iterator[str]:
+    """Write the vector equations of the positions that sheets show, by the construction."""
+    return equations(study, comparison.construction, drawn_scales(leaves), shown_positions(leaves))
+
+
+def headline(study: Study) -> str:
+    """Say which link is the output, and who chose it; then its stroke and its greatest velocity and acceleration."""
+    linkage = study["linkage"]
+    return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.comparison("linkage").construction))))
+
+
+def remarks(study: Study) -> list[Message]:
+    """Say why a motion is not whole: gaps, else barriers between positions; and positions not for grading."""
+    linkage, gaps = study["linkage"], study.comparison("linkage").construction.gaps
+    lines = gap_lines(gaps)
+    if not gaps:
+        lines += [message("verdict.between", reason=barrier.kind, where=barrier.where) for barrier in linkage.met]
+    near = shallow(linkage)
+    if near:
+        lines.append(message("verdict.near", **positions(near)))
+    return lines
+
+
+def shown(study: LinkageStudy) -> str:
+    """Say which link is the output, and who chose it."""
+    out, named = study.output, study.mechanism.output is not None
+    how = "named" if named else "framed"
+    if not named and not any(pair.giver == FRAME for group in study.groups[-1:] for pair in group.outer_pairs):
+        how = "last"
+    point = "_point" if out.point else ""
+    return word(study.language, f"report.output_{how}{point}", link=out.link, point=out.point)
+
+
+def shallow(study: LinkageStudy) -> list[int]:
+    """Give the assembled positions in which some group is too near a dead centre to be graded."""
+    if not study.groups:
+        return []
+    worst = notches(study).max(axis=0)
+    return [int(k) for k in np.flatnonzero(~study.lost & ~(worst < NOT_GRADED))]
+
+
+def _extremes(study: LinkageStudy) -> Iterator[str]:
+    yield chapter(study.language, "extremes")
+    yield word(study.language, "report.output", output=shown(study)[1:])
+    if study.extreme_positions is None:
+        key = "report.no_extremes" if study.mechanism.drive.turns else "report.no_extremes_way"
+        yield word(study.language, key, link=study.output.link)
+    else:
+        yield from _travel(study, study.extreme_positions)
+    yield from _pressure(study)
+
+
+def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
+    """Tell the extreme positions of an output, how far it goes, and its time ratio."""
+    say, told, extremes = partial(word, study.language), partial(phrase, study.language), found.extremes
+    way = "report.by_notches" if found.notched else "report.by_velocity"
+    yield say(way, angles=_angles(extremes.phi, 9, study.language))
+    stroke = Slot("H, m" if extremes.sliding else "ψ, rad", extremes.stroke, 10)
+    swing = {} if extremes.sliding else {"degrees": _told("ψ", extremes.stroke, 8, study.language)}
+    yield told("report.stroke" if extremes.sliding else "report.swing", stroke=stroke, **swing)
+    if study.scene.has(("output", "working")):
+        yield stroke_line(study.mechanism, study.output, extremes.reach, extremes.angles, study.language)
+    if len(found.rests) > 2:
+        yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, 6, study.language))
+    else:
+        yield told(
+            "report.ratio_faster" if extremes.faster else "report.ratio",
+            overlap=_told("θ", extremes.overlap, 8, study.language),
+            ratio=Slot("K", extremes.ratio, 10),
+        )
+
+
+def _pressure(study: LinkageStudy) -> Iterator[str]:
+    if study.groups and not study.nodes.size:
+        yield word(study.language, "report.no_pressure")
+    for group in study.groups if study.nodes.size else ():
+        seen = interval(study.sweep, group, study.nodes)
+        low, high = (
+            _told(f"{end} {group.label}", angle, 6, study.language)
+            for end, angle in (("low", seen.low), ("high", seen.high))
+        )
+        yield phrase(study.language, "report.pressure", group=group.label, low=low, high=high)
+
+
+def _degrees(angle: float, places: int, language: str) -> str:
+    return fixed(float(np.degrees(angle)), language, places)
+
+
+def _told(quantity: str, angle: float, places: int, language: str) -> Phrase:
+    return slotted("", quantity, _degrees(angle, places, language))
+
+
+def _angles(angles: Iterable[float], places: int, language: str) -> str:
+    return ", ".join(f"{_degrees(angle, places, language)}°" for angle in angles)
+
+
+def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
+    gaps, say = comparison.construction.gaps, partial(word, study.language)
+    if not study.met and not gaps and not study.passed:
+        return
+    yield chapter(study.language, "passage")
+    for barrier in study.passed:
+        at = number(float(np.degrees((barrier.start + barrier.end) / 2)) % 360.0, study.language)
+        yield say("report.carried", where=barrier.where, angle=at, through=study.mechanism.through)
+    yield from (_barrier(barrier, study) for barrier in study.met)
+    lost = {gap.position for gap in gaps if gap.plan == "positions"}
+    yield say("report.assembled", found=len(study.turn) - len(lost), count=len(study.turn))
+    yield from (gap_line("report.gap", gap, study.mechanism.drive, study.language) for gap in gaps)
+
+
+def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
+    language = study.language
+    if study.mechanism.drive.pushed:
+        return word(language, "report.barrier_way", reason=barrier.kind, where=barrier.where)
+    low, high = (_degrees(angle, 6, language) for angle in (barrier.start, barrier.end))
+    parts = {"reason": barrier.kind, "where": barrier.where, "low": low, "high": high}
+    if not barrier.miss:
+        return word(language, "report.barrier", **parts)
+    return word(language, "report.barrier_miss", **parts, miss=decimal(f"{barrier.miss:.6g}", language))
+
+
+def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
+    language, letters = study.language, Formula(drafting_of(study.scene))
+    yield chapter(language, "values")
+    for plan in PLANS:
+        told = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
+        if told:
+            same = [(one,) for one in told] if plan == POSITIONS.plan else alike(told, study.mechanism)
+            findings = [one for one, *_ in same]
+            title = term(language, "plan", plan)
+            yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
+            drive = study.mechanism.drive
+            station = word(language, "table.way") if drive.pushed else "φ, °"
+            heads = [word(language, "table.position"), station, *(_heading(one, letters) for one in same)]
+            yield from header(heads)
+            for k, phi in enumerate(study.turn.phi):
+                at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
+                yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
+            yield ""
+
+
+def _heading(same: Sequence[Finding], letters: Formula) -> str:
+    """Name a quantity of a point or of a link by its letter, or by all that it has, with its unit."""
+    names = (one.name.split("_", 1) for one in same)
+    told = " = ".join(letters.letter(f"{symbol}_{{{index}}}") for symbol, index in names)
+    return f"${told}$, {letters.drafting.word(same[0].unit)}"
+
+
+def _cell(finding: Finding, position: int, language: str) -> str:
+    roads = (finding.construction, finding.analysis)
+    ours, theirs = (_text(values[position], finding.largest, language) for values in roads)
+    return ours if ours == theirs else f"{ours}<br>{theirs}"
+
+
+def _text(value: complex | float, largest: float, language: str) -> str:
+    if math.isnan(abs(value)):
+        return word(language, "table.gap")
+    if isinstance(value, complex):
+        return f"{_text(value.real, largest, language)}; {_text(value.imag, largest, language)}"
+    return number(0.0 if abs(value) < 1e-10 * largest else float(value), language, 10)
+
+
+def _conditions(study: LinkageStudy) -> Iterator[str]:
+    language = study.language
+    yield chapter(language, "conditions")
+    if not study.groups:
+        yield word(language, "report.no_meeting")
+        return
+    table = notches(study)
+    yield word(language, "report.kappa")
+    yield from header([*(word(language, f"table.{head}") for head in ("group", "kappa", "in_position")), ""])
+    for group, kappas in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
+        if not np.isnan(kappas).all():
+            worst = int(np.nanargmax(kappas))
+            yield row([group.label, *_graded(float(kappas[worst]), worst, language)])
+
+
+def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
+    """Give the largest kappa of a group, the position of it, and what that means."""
+    grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
+    grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
+    largest = decimal(f"{kappa:.4g}", language) if math.isfinite(kappa) else word(language, "report.unbounded")
+    return largest, str(position), grade
+
+
+def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
+    count, say = len(linkage.turn), partial(word, linkage.language)
+    sheets = [leaf for own in leaves.values() for leaf in own if "shown" in leaf.metadata]
+    figures = {group.name for leaf in sheets for group in leaf.groups}  # of a position without velocities none
+    asked = [k for leaf in sheets for k in leaf.metadata["plans"] if f"{VELOCITIES.plan}-{k}" in figures]
+    if asked:
+        plans = ", ".join(map(str, asked))
+        yield say("report.plans_drawn", plans=plans, count=count, shown=sheets[0].metadata["shown"])
+    if sheets and count > MANY:
+        yield say("report.ticks", count=count, most=MANY)
+    shown = study.made & study.plans
+    missing = [term(linkage.language, "plan", plan) for plan in (EXTREMES, *PLANS) if plan not in shown]
+    if missing:
+        yield say("report.not_made", plans=", ".join(missing))
+    still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]
+    if still:
+        yield say("report.still", links=", ".join(still))
+
+
+def _turning(study: LinkageStudy) -> set[int]:
+    return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)

@@ -1,0 +1,305 @@
+"""Mass centres of links: named points S_1, S_2 ..., and the centres that a scene's masses give (центры масс)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Protocol, cast
+
+import numpy as np
+
+from drawings.layout.picture import Place
+from plans.linkage.angles import angle
+from plans.linkage.assembly_limits import NODES
+from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.extreme import ExtremePositions
+from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
+from plans.linkage.strokes import other_strokes
+from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.model.mechanism import FRAME, Link, Mechanism, Slide
+from plans.model.motion import Complexes, Floats, Motion
+from plans.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from plans.forces.reading.form import ForceForm
+
+NEAR = 1e-3  # share of a link's length: a mass centre nearer to a named point than this is that point
+_LETTER = re.compile(r"S\d*")
+
+
+def is_centre(name: str) -> bool:
+    """Tell whether a point is a mass centre by its letter.
+
+    >>> is_centre("S2"), is_centre("S"), is_centre("SB")
+    (True, True, False)
+    """
+    return bool(_LETTER.fullmatch(name))
+
+
+def unnamed(scene: Scene, links: Mapping[int, Link]) -> dict[str, tuple[int, complex]]:
+    """Give the mass centres that no point of the scene names, by their letter: link, and place in its own frame."""
+    taken = {name for link in links.values() for name in link.points}
+    centres = {}
+    form = cast("ForceForm | None", scene.part("forces"))
+    for number, mass in sorted(form.masses.items()) if form else ():
+        places, centre = links[number].points.values(), mass.place(links[number])
+        size = max(abs(place - centre) for place in places)
+        if number != FRAME and f"S{number}" not in taken and min(abs(p - centre) for p in places) > NEAR * size:
+            centres[f"S{number}"] = number, centre
+    return centres
+
+
+MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles
+
+
+class Bones(Protocol):
+    """What links and their pairs are drawn from: a mechanism, its poses, and which of them is shown."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+
+    @property
+    def links(self) -> list[int]:
+        """The links that are drawn."""
+
+    @property
+    def numbered(self) -> Poses:
+        """The poses."""
+
+    @property
+    def shown(self) -> int:
+        """Which of them is shown."""
+
+    @property
+    def reach(self) -> float:
+        """The mechanism's size, m."""
+
+    @property
+    def masses(self) -> Mapping[str, tuple[int, complex]]:
+        """The mass centres that no point names: letter, link, place in its own frame."""
+
+    @property
+    def travels(self) -> Mapping[Slide, tuple[float, float]]:
+        """How far along its line each slide's block comes, m."""
+
+    def spot(self, name: str, position: int) -> complex:
+        """Give a point's place; NaN at a gap."""
+
+
+@dataclass(frozen=True)
+class Skeletons:
+    """What the figure is drawn from: the poses in the scene's positions, on the way, and at the two extremes."""
+
+    study: LinkageStudy
+    motion: Motion
+    numbered: Poses
+    way: Poses  # a whole turn, densely
+    extremes: Poses | None  # at the two extremes, None where there are none
+    shown: int
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.study.mechanism
+
+    @property
+    def links(self) -> list[int]:
+        """The moving links."""
+        return [number for number in sorted(self.mechanism.links) if number != FRAME]
+
+    @property
+    def poses(self) -> list[Poses]:
+        """The poses that are drawn as links: those of the scene's positions, and the extremes."""
+        return [self.numbered] if self.extremes is None else [self.numbered, self.extremes]
+
+    def drive_end(self, position: int) -> complex:
+        """Give the place of the crank's end, or of the slider that drives, known where nothing can be assembled too."""
+        return complex(self._drive_ends[position])
+
+    @cached_property
+    def _drive_ends(self) -> Complexes:
+        return PRIMARIES[self.mechanism.drive.kind].ends(self.mechanism, self.study.turn)
+
+    @property
+    def swept(self) -> tuple[float, float]:
+        """Give the crank angles, rad, between which its circle is drawn: a whole turn, or what listed angles span."""
+        low, high = self.study.span[0] - MORE, self.study.span[1] + MORE
+        return (low, high) if high - low < 2 * math.pi else (0.0, 2 * math.pi)
+
+    def sweeps(self, angle: float) -> bool:
+        """Tell whether the drawn part of the crank's circle has an angle, rad."""
+        low, high = self.swept
+        return (angle - low) % (2 * math.pi) <= high - low
+
+    def spot(self, name: str, position: int) -> complex:
+        """Give a point's place; fixed points are known in every position, others are NaN at a gap."""
+        fixed_points = self.mechanism.links[FRAME].points
+        return fixed_points[name] if name in fixed_points else complex(self.numbered.points[name][position])
+
+    def pivot(self, place: Place) -> complex:
+        """Give the drive's fixed hinge on paper."""
+        return place.on(self.mechanism.links[FRAME].points[self.mechanism.drive.pivot])
+
+    def crank(self, place: Place) -> float:
+        """Give the radius of the crank's circle on paper."""
+        return abs(place.on(self.drive_end(self.shown)) - self.pivot(place))
+
+    @cached_property
+    def reach(self) -> float:
+        """Give the mechanism's size, m: how far its points come from the drive's fixed hinge."""
+        return float(
+            np.nanmax([abs(self.drive_end(0)), *map(abs, np.concatenate(list(self.numbered.points.values())))])
+        )
+
+    @cached_property
+    def masses(self) -> dict[str, tuple[int, complex]]:
+        """Give the mass centres that no point names: letter, link, place in its own frame."""
+        return unnamed(self.study.scene, self.mechanism.links)
+
+    @cached_property
+    def travels(self) -> dict[Slide, tuple[float, float]]:
+        """Give the outermost places of each slide's block along its line, m; a slide of no known place has none."""
+        ends = {}
+        for slide in self.mechanism.slides:
+            along = np.concatenate([poses.along(slide) for poses in (*self.poses, self.way)])
+            known = along[~np.isnan(along)]
+            if known.size:
+                ends[slide] = float(known.min()), float(known.max())
+        return ends
+
+    @cached_property
+    def strokes(self) -> dict[Slide, ExtremePositions]:
+        """Give the strokes of the sliders on the frame besides the output, where extremes are asked for."""
+        return other_strokes(self.study) if EXTREMES in self.study.plans else {}
+
+    @cached_property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        arrays = [places for poses in (*self.poses, self.way) for places in poses.points.values()]
+        for slide, travel in self.travels.items():  # a slot reaches as far as its stone
+            ends = [slide.on_owner.through + along * slide.on_owner.direction for along in travel]
+            arrays += [poses.of(slide.owner, end) for end in ends for poses in self.poses]
+        arrays += [poses.of(*mass) for mass in self.masses.values() for poses in (*self.poses, self.way)]
+        known = [value for array in arrays for value in array]
+        known += [self.drive_end(k) for k in range(len(self.numbered))]
+        known += self.mechanism.links[FRAME].points.values()
+        known += self._circle()
+        return [complex(value) for value in known if not math.isnan(value.real)]
+
+    def _circle(self) -> list[complex]:
+        """Give the corners of the crank's circle, as far as it is drawn."""
+        if self.mechanism.drive.pushed:
+            return []
+        pivot = self.mechanism.links[FRAME].points[self.mechanism.drive.pivot]
+        radius, (low, high) = abs(self.drive_end(0) - pivot), self.swept
+        return [pivot + radius * complex(np.exp(1j * angle)) for angle in np.linspace(low, high, 24)]
+
+
+def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
+    """Gather the poses that the figure needs: the way between positions is computed densely, not splined."""
+    turns = {FRAME: np.ones(len(motion.phi), dtype=np.complex128)}
+    turns |= {number: np.exp(1j * turning.angle) for number, turning in motion.links.items()}
+    numbered = Poses(study.mechanism.links, {name: turning.r for name, turning in motion.points.items()}, turns)
+    extremes = None
+    if study.travel is not None:
+        turn = CrankPositions(np.array(study.travel.extremes.phi), np.array(study.travel.directions))
+        extremes = poses(study.mechanism, study.sweep.positions(turn), 2)
+    round_way = way(study, [numbered] if extremes is None else [numbered, extremes])
+    return Skeletons(study, motion, numbered, round_way, extremes, shown)
+
+
+def reference(mechanism: Mechanism) -> str:
+    """Give the point that places on paper are measured from: the drive's fixed hinge, or of a slider another one."""
+    drive, fixed = mechanism.drive, mechanism.links[FRAME].points
+    hinges = [name for name in fixed if name in mechanism.hinges]
+    return [*hinges, *fixed][0] if drive.pushed else drive.pivot
+
+
+BEYOND = 0.25  # share of the mechanism's size that a path between numbered positions may run past them
+
+
+@dataclass(frozen=True)
+class Poses:
+    """A mechanism in several positions: the places of its points and the directions of its links; NaN at gaps."""
+
+    links: Mapping[int, Link]
+    points: Mapping[str, Complexes]
+    turns: Mapping[int, Complexes]
+
+    def __len__(self) -> int:
+        return len(self.turns[FRAME])
+
+    def of(self, link: int, spot: complex) -> Complexes:
+        """Give the places of a spot that is fixed in a link, measured in the link's own frame."""
+        if link == FRAME:
+            return np.full(len(self), spot)
+        name, own = next(iter(self.links[link].points.items()))
+        return np.asarray(self.points[name] + self.turns[link] * (spot - own))
+
+    def line(self, slide: Slide) -> Complexes:
+        """Give the directions of a slide's line."""
+        return np.asarray(self.turns[slide.owner] * slide.on_owner.direction)
+
+    def along(self, slide: Slide) -> Floats:
+        """Give how far a slide's block stands along its line, m from the point that the line goes through."""
+        pins = self.points[slide.point] - self.of(slide.owner, slide.on_owner.through)
+        return np.asarray((pins * np.conj(self.line(slide))).real)
+
+    def blocks(self, slide: Slide) -> Complexes:
+        """Give the places of a slide's block: the foot on its line of the slider's named point."""
+        return self.of(slide.owner, slide.on_owner.through) + self.line(slide) * self.along(slide)
+
+
+def way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
+    """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
+    nodes = np.linspace(*_whole(study), NODES + 1)
+    dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
+    known = [values for own in drawn for values in own.points.values()]
+    box = np.concatenate([*known, _round(study)])
+    free, box = study.reached(nodes), box[~np.isnan(box)]
+    points = {name: _near(np.where(free, values, np.nan), box) for name, values in dense.points.items()}
+    return Poses(dense.links, points, dense.turns)
+
+
+def _round(study: LinkageStudy) -> Complexes:
+    """Give the sides of the drive's whole circle: one listed position alone does not tell how far the links come."""
+    drive = study.mechanism.drive
+    if not drive.turns:
+        return np.empty(0, dtype=np.complex128)
+    pivot = study.mechanism.links[FRAME].points[drive.pivot]
+    radius = abs(complex(PRIMARIES[drive.kind].ends(study.mechanism, study.turn)[0]) - pivot)
+    return np.asarray(pivot + radius * np.array([1, 1j, -1, -1j]))
+
+
+def _whole(study: LinkageStudy) -> tuple[float, float]:
+    """Give the coordinates of the drive between which the way is shown: a turn, or its stroke."""
+    first = float(study.turn.phi[0])
+    return (first, first + 2 * np.pi) if study.mechanism.drive.turns else (first, float(study.turn.phi[-1]))
+
+
+def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
+    """Read the poses off a plan of positions."""
+    names = sorted({name for link in mechanism.links.values() for name in link.points})
+    points = {name: np.asarray(plan.point(name).point, dtype=np.complex128) for name in names}
+    turns = {number: np.exp(1j * angle(plan, number)) for number in sorted(mechanism.links)}
+    return Poses(
+        mechanism.links,
+        {name: np.array(np.broadcast_to(values, count)) for name, values in points.items()},
+        {number: np.array(np.broadcast_to(values, count)) for number, values in turns.items()},
+    )
+
+
+def _near(path: Complexes, places: Complexes) -> Complexes:
+    """Break a path where it runs far off the positions that are drawn, as a tangent mechanism's does to infinity."""
+    if not places.size:
+        return path
+    middle = complex(places.real.min() + places.real.max(), places.imag.min() + places.imag.max()) / 2
+    reach = (1 + BEYOND) * max(float(np.ptp(places.real)), float(np.ptp(places.imag))) / 2
+    off = path - middle
+    with np.errstate(invalid="ignore"):
+        return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)

@@ -1,0 +1,287 @@
+"""A sentence that stands where a plan cannot be drawn, and says why (план не строится)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, StillFigure, picture
+from drawings.lettering.indices import with_index
+from drawings.lettering.lettering import text_width
+from drawings.lettering.words import runs
+from drawings.linkage.coriolis import (
+    LaidPart,
+    QuarterTurn,
+    draw_nearby,
+    is_relative,
+    least_length,
+    letter_parts,
+    part_letter,
+    quarter_turn,
+)
+from drawings.page.drafting import Drafting
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.symbols.figure import PLAN_LETTERS, Subject, heading, point, vector
+from drawings.symbols.symbols import pole
+from geometry.board import Line as Direction
+from geometry.board import Mark, at
+from geometry.steps import behind
+from plans.linkage.plan import Plan
+from plans.model.motion import ORDERS
+
+
+def measure_missing(why: str, name: str, drafting: Drafting) -> Picture:
+    """Measure the room of the sentence."""
+    size = drafting.hand.text
+    return picture(name, [0j], ("v", "m/s"), Margins(size, size, size), text_width(Text(0j, why, size)))
+
+
+def draw_missing(why: str, name: str, spot: Spot, drafting: Drafting) -> StillFigure:
+    """Write the sentence in the middle of its spot, under the name of the plan."""
+    return StillFigure((Group((Text(spot.box.centre, why, drafting.hand.text, "middle", True),), name),))
+
+
+def remarks(plans: Sequence[Picture], spots: Mapping[str, Spot], drafting: Drafting) -> Iterator[str]:
+    """Say of each order which plans are enlarged, and how large they would be at the common scale, mm."""
+    for order in ORDERS[1:]:
+        own = {int(one.name.rsplit("-", 1)[1]): one for one in plans if one.name.startswith(order.plan)}
+        shown = {k: one for k, one in sorted(own.items()) if max(one.wide, one.high) and one.name in spots}
+        scales = {k: spots[one.name].scale for k, one in shown.items()}
+        common = max(scales.values(), key=lambda scale: scale.mu, default=None)
+        enlarged = {k: one.extent(common) for k, one in shown.items() if common and scales[k] != common}
+        if common and enlarged:
+            yield drafting.word(
+                f"own scale {order.plan}", positions=runs(enlarged), scale=drafting.scale(common),
+                sizes=" … ".join(dict.fromkeys(f"{end(enlarged.values()):.0f}" for end in (min, max))),
+            )  # fmt: skip
+
+
+BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
+MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
+NONE: Mapping[str, tuple[int, complex]] = {}
+LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
+SAME = 1e-6  # of a vector: two constructions of one point differ by rounding, a ten-thousandth of a mm on no sheet
+VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
+
+
+class Arrow(NamedTuple):
+    """A vector of a plan between two marks, in true units."""
+
+    start: Mark
+    end: Mark
+    ends: tuple[complex, complex]
+    absolute: bool
+
+    @property
+    def name(self) -> str:
+        """The vector by the letters of its ends, such as pb or ab."""
+        return f"{self.start.name} {self.end.name}"
+
+
+@dataclass(frozen=True)
+class VectorDiagram:
+    """What one position of a plan shows: vectors, lines of known direction, and the letters at its points."""
+
+    plan: Plan
+    column: int  # place of the position among the constructed ones
+    arrows: tuple[Arrow, ...]
+    rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
+    letters: tuple[Mark, ...]
+    turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
+    centres: Mapping[str, Mark]  # images of mass centres that no point names, by their letters
+    sides: tuple[tuple[complex, complex], ...]  # of the similar figures by which they are placed
+    parts: Mapping[tuple[Mark, Mark], tuple[str, ...]] = field(
+        default_factory=dict
+    )  # letters of relative vectors and of parts, by their ends
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        ends = [end for arrow in self.arrows for end in arrow.ends]
+        return [0j, *ends, *(end for line in (*self.rays, *self.sides) for end in line)]
+
+    @property
+    def seen(self) -> set[str]:
+        """The letters at the ends of vectors that have a length, but for the pole: those at rest need no room there."""
+        size = max((abs(end) for end in self.points), default=0.0)
+        long = (one for one in self.arrows if abs(one.ends[1] - one.ends[0]) > SAME * size)
+        return {mark.name for one in long for mark in (one.start, one.end) if mark is not self.plan.pole}
+
+
+def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:
+    """Read a figure from a plan's record: what the named points and the links' rates rest on is drawn, no more.
+
+    Of the mass centres of links, each by its letter with its link and place there, the images are drawn by similarity.
+    """
+    centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
+    lettered = set(plan.letters.values())
+    own = dict.fromkeys(mark for mark in centres.values() if mark not in lettered)  # in order: a set of marks has none
+    turning = (reading.turning for reading in plan.readings.values())
+    needed = [mark for mark in behind(*plan.letters.values(), *own, *turning) if mark.subject == plan.board.subject]
+    images = [mark for mark in needed if mark.rays and mark is not plan.pole]
+    arrows: dict[tuple[Mark, Mark], Arrow] = {}
+    for mark in images:
+        for start, _ in mark.rays if mark not in own else ():
+            if start.rays or start is plan.pole:
+                arrows.setdefault((start, mark), _arrow(plan, start, mark, column))
+    for mark in images:
+        if mark.step.op == "meet" or mark in plan.letters.values() or mark in own:
+            arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
+    rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
+    rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
+    sides = tuple(
+        side for name, mass in masses.items() for side in _sides(plan, mass[0], centres[name], arrows, column)
+    )
+    return VectorDiagram(plan, column, _once(arrows.values()), rays, tuple(images), rules, centres, sides)
+
+
+def _once(arrows: Iterable[Arrow]) -> tuple[Arrow, ...]:
+    """Give each arrow once: the point of a link under a pin is found again for each pair that the pin has there."""
+    kept: dict[str, list[Arrow]] = {}
+    for arrow in arrows:
+        own = kept.setdefault(arrow.name, [])
+        if not any(abs(arrow.ends[1] - one.ends[1]) <= SAME * abs(arrow.ends[1]) for one in own):
+            own.append(arrow)
+    return tuple(arrow for own in kept.values() for arrow in own)
+
+
+def _sides(
+    plan: Plan, link: int, centre: Mark, drawn: Collection[tuple[Mark, Mark]], column: int
+) -> Iterator[tuple[complex, complex]]:
+    """Give the sides of the similar figure of a link by which a mass centre is placed, where no arrow shows them."""
+    image = plan.images[link]
+    if image.arm is None or centre is image.origin or image.arm.step.inputs in drawn:
+        return
+    start, end = at(image.origin.point, column), at(centre.point, column)
+    yield start, end
+    if image.arm.step.op == "join":  # of a link that a slot directs the arm is a unit, and ends at no image
+        yield end, start + at(image.arm.point, column)
+
+
+def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
+    return Arrow(start, end, (at(start.point, column), at(end.point, column)), start is plan.pole)
+
+
+def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
+    rays = []
+    for line in mark.step.inputs:
+        if isinstance(line.value, Direction):
+            rays.append((at(line.value.through, column), at(mark.point, column)))
+    return rays
+
+
+class PlanFigure(NamedTuple):
+    """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: VectorDiagram
+    place: Place
+    lines: tuple[Stroke, ...]
+    position: int
+    hand: Hand
+    box: Field
+    parts: tuple[LaidPart, ...] = ()
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
+        name = f"{self.shown.plan.board.subject}-{self.position}"
+        letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
+        seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
+        nearby = (draw_nearby(rule, self.box, labels.ink, self.hand) for rule in seen)
+        rules = [rule for rule in nearby if rule is not None]
+        parts = letter_parts(self.parts, labels, self.hand, name)
+        return (Group((*self.lines, letters, *rules, *([parts] if parts.strokes else [])), name),)
+
+
+def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
+    """Measure the room that a plan needs: its points, letters around them, its heading above."""
+    kind, hand = shown.plan.board.subject, drafting.hand
+    title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    least = hand.letter * max(PLAN_LETTERS, len(shown.seen))
+    return picture(name, shown.points, (VECTOR[kind].symbol, VECTOR[kind].unit), margins, title, least)
+
+
+def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
+    """Draw the plan in its spot, with its title and its written scale above it."""
+    position, hand = shown.column, drafting.hand
+    kind = shown.plan.board.subject
+    subject = Subject(kind, VECTOR[kind].symbol, position)
+    place = room.place(*spot)
+    title = _heading(shown, spot, drafting)
+    sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
+    lines = Group((*_directions(shown, place, hand), *(side for side in sides if abs(side.end - side.start) >= LEAST)))
+    styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
+    arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
+    dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
+    strokes = (title, *([lines] if lines.strokes else []), *arrows, dot)
+    return PlanFigure(shown, place, strokes, position, hand, spot.box, tuple(_parts(shown, place, drafting)))
+
+
+def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[LaidPart]:
+    """Lay the parts that have letters and are long enough to bear them."""
+    for arrow in shown.arrows:
+        names = shown.parts.get((arrow.start, arrow.end), ())
+        for name in (one for one in names if is_relative(one, arrow.name)):
+            said = Statement(Kind.LETTER, shown.plan.board.subject, f"{arrow.name} {name}", shown.column)
+            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting), said)
+            yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
+
+
+def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
+    """Write a plan's title and its scale above it."""
+    title = drafting.word(shown.plan.board.subject, position=shown.column)
+    under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
+    return heading(spot.box, title, under, drafting.hand)
+
+
+def _visible(arrow: Arrow, place: Place) -> bool:
+    return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
+
+
+def _style(shown: VectorDiagram, arrow: Arrow, hand: Hand) -> LineStyle:
+    """Give the line of a vector: main from the pole, thinner to mass centres and between points, thin for parts."""
+    if arrow.absolute and arrow.end not in shown.centres.values():
+        return hand.result
+    return hand.relative if arrow.absolute or arrow.end.step.op == "meet" else LineStyle(hand.thin)
+
+
+def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw each line of known direction from a little before its start to a little past the meeting."""
+    lines: list[Stroke] = []
+    for start, end in shown.rays:
+        first, last = place.on(start), place.on(end)
+        length = abs(last - first)
+        if length < LEAST:
+            continue
+        along = (last - first) / length * BEYOND * hand.symbol
+        lines.append(Line(first - along / 2, last + along, hand.drafted))
+    return lines
+
+
+def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
+    """Letter the pole and every image once; images that fall on one place share it."""
+    pole = shown.plan.pole
+    resting = [shown.plan.letter(name) for name, mark in shown.centres.items() if mark is pole]
+    names: dict[complex, list[str]] = {place.on(0j): [pole.name, *resting]}
+    for mark in shown.letters:
+        spot = place.on(at(mark.point, shown.column))
+        same = next((known for known in names if abs(known - spot) < 0.5), spot)
+        points = (*shown.plan.letters.items(), *shown.centres.items())
+        own = [shown.plan.letter(point) for point, image in points if image is mark]
+        names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
+    middle = sum(names, 0j) / len(names)
+    strokes: list[Stroke] = []
+    for spot, letters in names.items():
+        prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
+        strokes.append(
+            labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer)
+        )
+    return strokes

@@ -1,1 +1,0 @@
-"""What is told of a linkage beside its sheets: data, structure, equations of plans, tables of motion (записка)."""

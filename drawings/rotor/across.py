@@ -1,0 +1,167 @@
+"""The view across the shaft of a rotor: bearings, planes of masses and of correction, arms (вид поперёк вала)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import Slot, joined
+from drawings.lettering.rotor_letters import index
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
+from drawings.rotor.polygon import RotorView, ShownBody, dimension, extension, letter, size, step
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import heading
+from drawings.symbols.symbols import ground, pole
+from plans.rotor.balancing import ALONE
+from plans.rotor.study import BEARINGS
+
+NAME = "across"
+MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
+LETTERS = 24.0  # it is drawn at least so many letters large
+SHAFT = 2.2  # mm, half the thickness of the shaft
+END = 8.0  # mm that the shaft goes past what it bears
+SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
+ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
+FIRST = 9.0  # mm from the outermost mass to the first dimension
+MOST = 9  # different arms: of more the table tells them
+NEAR = 1e-9  # of the rotor's length: places that are one
+
+
+@dataclass(frozen=True)
+class AcrossFigure:
+    """The view placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: RotorView
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole view: masses, planes of correction and bearings lettered."""
+        return (
+            Group((*self.lines, Group((*self._masses(labels), *self._planes(labels), *self._bearings(labels)))), NAME),
+        )
+
+    def _masses(self, labels: Labels) -> Iterator[Stroke]:
+        hand = self.drafting.hand
+        for one in self.shown.distinct:
+            spot, up = self.place.on(_side(one)), 1.2 if one.centre.imag >= 0 else -1.2
+            text = letter(one.mark, len(self.shown.bodies), self.drafting)
+            yield labels.beside(spot, text, size(text, self.drafting), BODY * hand.symbol + BESIDE, up)
+
+    def _planes(self, labels: Labels) -> Iterator[Stroke]:
+        hand = self.drafting.hand
+        base = self.place.on(complex(self.shown.planes[-1][1]))
+        yield labels.beside(base, ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
+        for name, place in self.shown.planes:
+            if name != ALONE:
+                top = self.place.on(complex(place)) + 1j * _half(self.shown, self.place, hand)
+                yield labels.beside(top, name, hand.letter, BESIDE, 1.5)
+
+    def _bearings(self, labels: Labels) -> Iterator[Stroke]:
+        hand = self.drafting.hand
+        for name, place in zip(BEARINGS, self.shown.bearings, strict=False):
+            low = self.place.on(complex(place)) - 1j * (SHAFT + SHELL[1] + 3.0) * hand.symbol
+            yield labels.beside(low, name, hand.letter, BESIDE, -1.5)
+
+
+def measure(shown: RotorView, drafting: Drafting) -> Picture:
+    """Measure the room that the view needs: the rotor, its ends, and the dimensions under it."""
+    hand, levels = drafting.hand, len(_arms(shown))
+    title = text_width(Text(0j, drafting.word("view across"), hand.title))
+    side, below, above = (share * hand.letter for share in MARGINS)
+    under = below + FIRST * hand.symbol + levels * step(hand)
+    margins = Margins(side + END * hand.symbol, under, above + ABOVE * hand.symbol + 2 * hand.title + hand.text)
+    corners = [complex(x, y) for x in (min(shown.places), max(shown.places)) for y in (-shown.reach, shown.reach)]
+    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+
+
+def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> AcrossFigure:
+    """Draw the view in its spot: shaft, bearings, planes of correction, masses, and the arms dimensioned."""
+    place, hand = room.place(*spot), drafting.hand
+    title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
+    lines = [*_shaft(shown, place, hand), *_shells(shown, place, hand), *_planes(shown, place, hand)]
+    lines += [_stem(one, place, hand) for one in shown.distinct]
+    bodies = [body(shown, one, _side(one), place, NAME, drafting) for one in shown.bodies]
+    arms = _dimensions(shown, place, drafting)
+    base = complex(shown.planes[-1][1])
+    zero = origin(NAME, base, place, pole(place.on(base)))
+    return AcrossFigure(shown, place, (title, *lines, *arms, zero, *bodies), drafting)
+
+
+def _side(one: ShownBody) -> complex:
+    """Give where a body is seen: its place along the shaft, and its height over the axis, m."""
+    return complex(one.place, one.centre.imag)
+
+
+def _half(shown: RotorView, place: Place, hand: Hand) -> float:
+    """Give half the height of a plane of correction on paper, mm."""
+    return place.length(shown.reach) + ABOVE * hand.symbol
+
+
+def _shaft(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    first, last = (place.on(complex(end(shown.places))) for end in (min, max))
+    start, stop = first - END * hand.symbol, last + END * hand.symbol
+    rim = 1j * SHAFT * hand.symbol
+    yield Line(start - 3 * hand.symbol, stop + 3 * hand.symbol, fit(hand.axis, abs(stop - start) + 6 * hand.symbol))
+    for side in (rim, -rim):
+        yield Line(start + side, stop + side, hand.result)
+    for end in (start, stop):
+        yield Line(end + rim, end - rim, hand.result)
+
+
+def _shells(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw a bearing: a fixed line over the shaft and one under it (подшипник)."""
+    length, gap = (share * hand.symbol for share in SHELL)
+    for where in shown.bearings:
+        for side in (1j, -1j):
+            middle = place.on(complex(where)) + side * (SHAFT * hand.symbol + gap)
+            yield from ground(middle - length / 2, middle + length / 2, side, hand)
+
+
+def _planes(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    half = 1j * _half(shown, place, hand)
+    for _, where in shown.planes:
+        spot = place.on(complex(where))
+        yield Line(spot - half, spot + half, fit(hand.extreme, 2 * abs(half)))
+
+
+def _stem(one: ShownBody, place: Place, hand: Hand) -> Stroke:
+    style = hand.result if one.added else hand.other
+    return Line(place.on(complex(one.place)), place.on(_side(one)), style)
+
+
+def _arms(shown: RotorView) -> dict[float, list[ShownBody]]:
+    """Give the different arms from the last plane with the bodies that have them, the shortest first."""
+    found: dict[float, list[ShownBody]] = {}
+    for one in shown.bodies:
+        if one.arm and not (one.added and one.name == shown.planes[-1][0]):
+            found.setdefault(one.arm, []).append(one)
+    return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= MOST else {}
+
+
+def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Dimension the arms from the last plane, each on its level, the longest lowest; millimetres of the machine."""
+    hand, arms = drafting.hand, _arms(shown)
+    base = place.on(complex(shown.planes[-1][1]))
+    bottom = base.imag - place.length(shown.reach) - FIRST * hand.symbol
+    level = bottom
+    for number, (arm, own) in enumerate(arms.items()):
+        level = bottom - number * step(hand)
+        across = place.on(complex(own[0].place)).real
+        names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
+        size = Slot(f"h_{own[0].name}", 1000 * abs(arm))
+        told = joined(" = ", (names, drafting.slot(size)))
+        said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
+        yield dimension(base.real, across, level, math.copysign(1.0, arm), told, hand, said)
+        yield extension(across, place.on(_side(own[0])).imag, level, hand)
+    if arms:
+        yield extension(base.real, base.imag - _half(shown, place, hand), level, hand)

@@ -1,0 +1,127 @@
+"""The view along the shaft of a rotor: masses and counterweights at their radii and angles (вид вдоль вала)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.rotor.polygon import FEW, RotorView, ShownBody, letter, size
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.symbols import HINGE, hinge, turning_arrow
+
+NAME = "along"
+MARGINS = Margins(4.0, 3.4, 3.4)  # paper around it for letters, in their sizes
+LETTERS, EACH = 14.0, 1.5  # it is drawn at least so many letters large, and so many for each mass
+BODY = 2.4  # mm, radius of a mass
+DOT = 0.6  # mm, radius of one of many masses
+BESIDE = 1.0  # mm from a mass to its letter
+AXIS = 4.0  # mm that the axes go past the outermost mass
+TURN = (9.0, math.radians(25), math.radians(80))  # radius mm, start and sweep of the arrow that shows the turning
+SYMBOL, UNIT, QUANTITY = "l", "m", "r"
+ORIGIN = "O"  # the letter of the axis, and of the plane that arms are measured from
+
+
+@dataclass(frozen=True)
+class AlongFigure:
+    """The view placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: RotorView
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole view, each mass lettered outward."""
+        letters = tuple(self._letter(labels, one) for one in self.shown.distinct)
+        letters += tuple(self._axis(labels))
+        return (Group((*self.lines, Group(letters)), NAME),)
+
+    def _axis(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the axis, the direction from which angles are counted, and the sense of turning."""
+        hand = self.drafting.hand
+        end = self.place.length(self.shown.reach) + AXIS * hand.symbol
+        gap = BESIDE + HINGE * hand.symbol
+        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, -math.pi / 4)
+        yield labels.beside(self.place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
+        if self.shown.turning:
+            radius, start, sweep = TURN
+            turned = cmath.rect(radius * hand.symbol, start + math.copysign(sweep, self.shown.turning) / 2)
+            yield labels.beside(self.place.on(0j) + turned, "ω", hand.letter, BESIDE, cmath.phase(turned))
+
+    def _letter(self, labels: Labels, one: ShownBody) -> Stroke:
+        hand = self.drafting.hand
+        gap = BODY * hand.symbol + BESIDE
+        text = letter(one.mark, len(self.shown.bodies), self.drafting)
+        return labels.beside(self.place.on(one.centre), text, size(text, self.drafting), gap, cmath.phase(one.centre))
+
+
+def measure(shown: RotorView, drafting: Drafting) -> Picture:
+    """Measure the room that the view needs: a circle about the axis."""
+    hand, reach = drafting.hand, shown.reach
+    title = text_width(Text(0j, drafting.word("view along"), hand.title))
+    side, below, above = (share * hand.letter for share in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    least = hand.letter * max(LETTERS, EACH * min(len(shown.bodies), FEW))
+    corners = [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
+    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
+
+
+def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> AlongFigure:
+    """Draw the view in its spot: axes, shaft, the lines to the masses, the masses."""
+    place, hand = room.place(*spot), drafting.hand
+    under = drafting.scale(spot.scale) if shown.scaled else drafting.word("angles alone")
+    title = heading(spot.box, drafting.word("view along"), under, hand)
+    lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
+    lines += [_spoke(one, place, hand) for one in shown.distinct]
+    bodies = (body(shown, one, one.centre, place, NAME, drafting) for one in shown.bodies)
+    (circle,) = hinge(place.on(0j), hand)
+    axis = origin(NAME, 0j, place, circle)
+    return AlongFigure(shown, place, (title, *lines, axis, *bodies), drafting)
+
+
+def _axes(shown: RotorView, place: Place, hand: Hand) -> list[Stroke]:
+    half = place.length(shown.reach) + AXIS * hand.symbol
+    centre, style = place.on(0j), fit(hand.axis, 2 * half)
+    return [Line(centre - along * half, centre + along * half, style) for along in (1, 1j)]
+
+
+def _turning(shown: RotorView, place: Place, hand: Hand) -> tuple[Stroke, ...]:
+    if not shown.turning:
+        return ()
+    radius, start, sweep = TURN
+    arrow = turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.turning), hand)
+    return (stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow),)
+
+
+def _spoke(one: ShownBody, place: Place, hand: Hand) -> Stroke:
+    """Draw the line from the axis to a mass: a result in a main line, dashed where only its angle is known."""
+    style = hand.result if one.added else hand.other
+    ends = place.on(0j), place.on(one.centre)
+    return Line(*ends, style if one.known else fit(style._replace(dash=hand.dashed), abs(ends[1] - ends[0])))
+
+
+def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
+    """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
+    hand, many = drafting.hand, one not in shown.distinct
+    style = INK if one.added or many else LineStyle(hand.main, fill="#ffffff")
+    circle = Circle(place.on(centre), (DOT if many else BODY) * hand.symbol, style)
+    if many or not one.known:  # too many masses bear no letters; the table has them
+        return Group((circle,), "", {}, one.mark)
+    drawn = point(Subject(plan, QUANTITY, None), one.mark, centre, place, circle)
+    return drawn._replace(title=letter(one.mark, len(shown.bodies), drafting))
+
+
+def origin(plan: str, zero: complex, place: Place, circle: Circle) -> Group:
+    """Draw the place that a view is measured from."""
+    return point(Subject(plan, QUANTITY, None), ORIGIN, zero, place, circle, "pole")

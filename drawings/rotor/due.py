@@ -1,0 +1,221 @@
+"""What must stand on the sheets of a rotor, by the analysis alone: polygons, views, tables, notes (лист ротора)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+from drawings.checks.expected import NOTES, NOTHING, Expected, by_hand
+from drawings.layout.table import cell_name
+from drawings.lettering.rotor_letters import index, lowered
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Leaf
+from plans.analytic.rotor import moment
+from plans.checks.comparison import Comparison, Finding
+from plans.model.rotor import Balance, Rotor, permissible
+from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
+from plans.rotor.quantities import EQUILIBRIUM, rotor_by_hand
+from plans.study import Study
+
+ALONG, ACROSS, MASSES, RESULTS = "along", "across", "masses", "results"
+FEW, MANY, ARMS = 9, 40, 9  # masses that bear letters; that are told apart; arms that are dimensioned
+TURN, DIGITS = 360.0, 5
+GRAM_MILLIMETRES = 1e6  # of a kg*m
+FAR = 1e-9  # of a place: both roads take it from one radius and one angle
+
+
+def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
+    """Give what must stand on the sheets of a scene's rotor (row of the table of sheets)."""
+    comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
+    own = _Rotor(study["rotor"].rotor, comparison, drafting)
+    scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
+    slips = rotor_by_hand(study["rotor"], scales)
+    yield from chain(own.polygons(), own.views(), own.masses(), own.results(slips), own.notes())
+
+
+@dataclass(frozen=True)
+class _Rotor:
+    """A rotor balanced by the analysis."""
+
+    rotor: Rotor
+    comparison: Comparison
+    drafting: Drafting
+
+    @property
+    def balance(self) -> Balance:
+        found: Balance = self.comparison.analysis
+        return found
+
+    @cached_property
+    def slack(self) -> float:
+        """How far rounding can have moved a static moment, kg*m."""
+        return max(one.moment.slack for one in self.balance.corrections)
+
+    def polygons(self) -> Iterator[Expected]:
+        """Give the sides of the polygons; one that rounding may hide or make is doubtful."""
+        for plan in (COUPLES, UNBALANCES) if self.rotor.dynamic else (UNBALANCES,):
+            slack = self.slack * self._lever(plan)
+            for name, value in self._shown(plan).items():
+                yield Expected(Kind.VECTOR, plan, name, value, slack, may_lack=abs(value) <= slack)
+
+    def _lever(self, plan: str) -> float:
+        return abs(self.rotor.arm(self.rotor.planes[0].place)) if plan == COUPLES else 1.0
+
+    def _vectors(self, plan: str) -> Mapping[str, complex]:
+        """Give the vectors of a polygon that are not zero, kg*m or kg*m2."""
+        letters = moment_letters if plan == COUPLES else unbalance_letters
+        placed = [(one.name, moment(one), one.place) for one in self.rotor.masses]
+        added = zip(self.balance.corrections, self.balance.moments, strict=True)
+        placed += [(one.plane.name, value, one.plane.place) for one, value in added]
+        arms = {name: self.rotor.arm(place) if plan == COUPLES else 1.0 for name, _, place in placed}
+        return {letters(name): value * arms[name] for name, value, _ in placed if value * arms[name]}
+
+    def _shown(self, plan: str) -> Mapping[str, complex]:
+        """Give the vectors that a polygon shows: of more than can be told apart one for all masses."""
+        vectors, planes = self._vectors(plan), self.rotor.planes
+        letters = moment_letters if plan == COUPLES else unbalance_letters
+        if len(vectors.keys() - {letters(planes[0 if plan == COUPLES else -1].name)}) <= MANY:
+            return vectors
+        results = [name for plane in planes if (name := letters(plane.name)) in vectors]
+        masses = sum(value for name, value in vectors.items() if name not in results)
+        return {"ΣmDh" if plan == COUPLES else "ΣmD": masses, **{name: vectors[name] for name in results}}
+
+    def views(self) -> Iterator[Expected]:
+        """Give the places of the bodies, the arms, and the sense of turning."""
+        rotor = self.rotor
+        bodies = [*self._bodies()]
+        thin = (
+            not rotor.bearings and len({float(one.place) for own in (rotor.masses, rotor.planes) for one in own}) == 1
+        )
+        crowd = len(rotor.masses) + sum(bool(one.moment.size) for one in self.balance.corrections) > MANY
+        for name, centre, place, added in bodies:
+            if added or not crowd:
+                seen = {ALONG: centre} if thin else {ALONG: centre, ACROSS: complex(place, centre.imag)}
+                slack = self.slack / abs(self._moment(name)) if added else 0.0
+                for view, at in seen.items():
+                    yield Expected(Kind.POINT, view, f"m_{name}", at, (FAR + slack) * abs(at), may_lack=slack > 1)
+        if rotor.speed is not None:
+            yield Expected(Kind.DIRECTION, ALONG, "ω", math.copysign(1.0, rotor.speed))
+        yield from () if thin else self._arms()
+
+    def _moment(self, name: str) -> complex:
+        moments = zip(self.balance.corrections, self.balance.moments, strict=True)
+        return next(value for one, value in moments if one.plane.name == name)
+
+    def _bodies(self) -> Iterator[tuple[str, complex, float, bool]]:
+        """Give name, centre and place m of every body whose radius is known, and whether it is a counterweight."""
+        for one in self.rotor.masses:
+            if one.radius is not None:
+                yield one.name, moment(one._replace(moment=one.radius)), float(one.place), False
+        for found in self.balance.corrections:
+            if found.radius is not None and found.moment.size:
+                yield (
+                    found.plane.name,
+                    found.radius * found.moment.value / found.moment.size,
+                    float(found.plane.place),
+                    True,
+                )
+
+    def _arms(self) -> Iterator[Expected]:
+        """Give the arms that are dimensioned, each once, millimetres of the machine."""
+        arms: dict[float, str] = {}
+        for one in self.rotor.masses:
+            arms.setdefault(self.rotor.arm(one.place), one.name)
+        for found in self.balance.corrections[:-1]:
+            arms.setdefault(self.rotor.arm(found.plane.place), found.plane.name)
+        arms = {arm: name for arm, name in arms.items() if arm}
+        for arm, name in arms.items() if len(arms) <= ARMS else ():
+            doubtful = any(not one.moment.size > one.moment.slack for one in self.balance.corrections)
+            yield Expected(Kind.LENGTH, ACROSS, f"h_{name}", abs(arm), may_lack=doubtful)
+            yield Expected(Kind.PHRASE, ACROSS, f"h_{name}", 1000 * abs(arm), digits=4, may_lack=doubtful)
+
+    def masses(self) -> Iterator[Expected]:
+        """Give the cells of the table of masses: mass, radius, angle, arm, static moment, its moment."""
+        rotor = self.rotor
+        flat = not any(rotor.arm(one.place) for own in (rotor.masses, rotor.planes) for one in own)
+        for one in rotor.masses:
+            mass, far = (None if size is None else (size, 0.0) for size in (one.mass, one.radius))
+            yield from self._line(
+                one.name, mass, far, (float(one.angle), 0.0), rotor.arm(one.place), (one.moment, 0.0), flat
+            )
+        for found in self.balance.corrections:
+            name, slack, value = index(found.plane.name, self.drafting.language), self.slack, found.moment
+            mass = None if found.mass is None else (found.mass, slack / (found.plane.radius or math.inf))
+            far = None if found.radius is None else (found.radius, slack / (found.plane.mass or math.inf))
+            angle = (value.angle or 0.0, math.degrees(slack / value.size) if value.size > slack else math.inf)
+            yield from self._line(name, mass, far, angle, rotor.arm(found.plane.place), (value.size, slack), flat)
+
+    def _line(
+        self,
+        name: str,
+        mass: tuple[float, float] | None,
+        far: tuple[float, float] | None,
+        angle: tuple[float, float],
+        arm: float,
+        size: tuple[float, float],
+        flat: bool,
+    ) -> Iterator[Expected]:
+        """Give the cells of a row, each a value and how far rounding can have moved it."""
+        radius = None if far is None else (1000 * far[0], 1000 * far[1])
+        turned = (size[0] * arm, size[1] * abs(arm))
+        cells = (mass, radius, angle, size) if flat else (mass, radius, angle, (1000 * arm, 0.0), size, turned)
+        for column, cell in enumerate(cells):
+            own = cell_name(name, column)
+            if cell is None:
+                yield Expected(Kind.NUMBER, MASSES, own, NOTHING)
+            else:
+                period = TURN if column == 2 else 0.0
+                yield Expected(Kind.NUMBER, MASSES, own, *cell, digits=DIGITS, period=period)
+
+    def results(self, slips: Mapping[tuple[str, int], float]) -> Iterator[Expected]:
+        """Give the cells of the table of results: by plan, by analysis, by hand."""
+        for one in self._findings():
+            if one.largest > 0:
+                head, _, prime = one.name.partition("'")
+                row = f"{lowered(head, self.drafting.language)}{chr(39) if one.name.endswith(chr(39)) else prime}"
+                names = [cell_name(f"{row}, {self.drafting.word(one.unit)}", column) for column in range(3)]
+                size, slack = float(abs(one.analysis[0])), float(one.allowed[0])
+                yield from (Expected(Kind.NUMBER, RESULTS, name, size, slack, digits=DIGITS) for name in names[:2])
+                yield by_hand(RESULTS, names[2], slips.get((one.name, 0), math.nan), one.largest)
+
+    def _findings(self) -> Iterator[Finding]:
+        return (one for one in self.comparison.findings if one.plan != EQUILIBRIUM)
+
+    def notes(self) -> Iterator[Expected]:
+        """Give the numbers of the notes, by the names of their quantities; of what vanishes they may lack."""
+        for one in self._findings():
+            value, slack = complex(one.analysis[0]), float(one.allowed[0])
+            lost = one.name == "ΣmDh" or one.plan not in (COUPLES, UNBALANCES) or not abs(value) > slack
+            yield Expected(Kind.PHRASE, NOTES, one.name, abs(value), slack, digits=DIGITS, may_lack=lost)
+            turned = math.degrees(slack / abs(value)) if abs(value) > slack else math.inf
+            angle = math.degrees(math.atan2(value.imag, value.real))
+            yield Expected(
+                Kind.PHRASE, NOTES, f"φ {one.name}", angle, turned, digits=DIGITS, may_lack=lost, period=TURN
+            )
+        for found in self.balance.corrections:
+            slack, lost = self.slack, not found.moment.size > self.slack
+            sizes = (("m", found.mass, 1.0, found.plane.radius), ("D", found.radius, 1000.0, found.plane.mass))
+            for letter, size, unit, other in sizes:
+                if size is not None:
+                    off = unit * slack / (other or math.inf)
+                    own = f"{letter}_{found.plane.name}"
+                    yield Expected(Kind.PHRASE, NOTES, own, unit * size, off, digits=DIGITS, may_lack=lost)
+        yield from self._quality()
+
+    def _quality(self) -> Iterator[Expected]:
+        rotor = self.rotor
+        quality = rotor.quality(*self.balance.sizes)
+        if rotor.speed is not None:
+            yield Expected(Kind.PHRASE, NOTES, "ω", rotor.speed, digits=4, may_lack=not self.balance.before)
+        if quality is None or rotor.mass is None or rotor.speed is None:
+            return
+        slack = rotor.quality(*(one.moment.slack for one in self.balance.corrections)) or 0.0
+        yield Expected(Kind.PHRASE, NOTES, "e·ω", quality, 2 * slack, digits=4)
+        if rotor.grade is not None:
+            whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
+            yield Expected(Kind.PHRASE, NOTES, "U_per", whole, digits=4)
+            yield Expected(Kind.PHRASE, NOTES, "U_per each", whole / len(rotor.planes), digits=4, may_lack=True)

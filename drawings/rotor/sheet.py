@@ -1,0 +1,180 @@
+"""The tables of a rotor: its masses and counterweights with their moments, and what both roads found (таблицы)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from functools import partial
+from typing import Any, TypeAlias
+
+from drawings.kinds import working
+from drawings.kinds.working import Working
+from drawings.layout import value_table
+from drawings.layout.contents import Panel
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable, TableRow, table
+from drawings.layout.value_table import BY_HAND, row_by_hand
+from drawings.lettering.rotor_letters import index, lowered
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.page import Field
+from drawings.paper.strokes import Group, Leaf
+from drawings.report.report import agreed
+from drawings.rotor import across, along, polygon
+from drawings.rotor.polygon import RotorPolygon, RotorView, rotor_view
+from drawings.rotor.report import RotorNotes
+from drawings.sheets.leaves import lay_out
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
+from plans.checks.comparison import Comparison, Finding
+from plans.model.rotor import Balance, Correction, Rotor, Unbalance
+from plans.rotor.quantities import EQUILIBRIUM, rotor_by_hand
+from plans.rotor.study import RotorStudy
+from plans.scene.scene import Scene
+from plans.study import Study
+
+MASSES, RESULTS = "masses", "results"  # the names of the tables
+HEADINGS = ("m, kg", "D, mm", "φ, °", "h, mm", "m·D, kg·m", "m·D·h, kg·m²")
+FLAT = ("m, kg", "D, mm", "φ, °", "m·D, kg·m")  # where every arm is zero
+DIGITS = 5
+NOTHING = "—"
+
+
+def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> RuledTable:
+    """Tell the masses of a rotor, then its counterweights."""
+    rows = [_mass(rotor, one) for one in rotor.masses]
+    rows += [_correction(rotor, one, drafting) for one in balance.corrections]
+    flat = not any(arm for _, (_, _, _, arm, _) in rows)
+    lines = [_row(name, values, flat, drafting) for name, values in rows]
+    return _table(MASSES, lines, "mass number", FLAT if flat else HEADINGS, drafting)
+
+
+# Mass kg, radius m, angle in degrees, arm m, static moment kg*m.
+Values: TypeAlias = tuple[float | None, float | None, float | None, float, float]
+
+
+def _mass(rotor: Rotor, one: Unbalance) -> tuple[str, Values]:
+    return one.name, (one.mass, one.radius, float(one.angle), rotor.arm(one.place), one.moment)
+
+
+def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str, Values]:
+    moment, arm = one.moment, rotor.arm(one.plane.place)
+    return index(one.plane.name, drafting.language), (one.mass, one.radius, moment.angle, arm, moment.size)
+
+
+def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
+    mass, radius, angle, arm, moment = values
+    far = None if radius is None else 1000 * radius
+    cells = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, moment * arm)
+    return TableRow(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in cells))
+
+
+def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
+    """Tell what both roads found, and what a hand may be out."""
+    return _table(RESULTS, [_line(one, drafting) for one in compared(comparison)], "quantity", BY_HAND, drafting)
+
+
+def compared(comparison: Comparison) -> list[Finding]:
+    """List what the table of results tells."""
+    return [one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0]
+
+
+def _line(finding: Finding, drafting: Drafting) -> TableRow:
+    """Give the row of a finding; what vanishes is 0 by both roads."""
+    line = row_by_hand(finding, _name(finding, drafting), (0,), drafting.language)
+    if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
+        return line._replace(cells=("0", "0", line.cells[-1]))
+    return line
+
+
+def _name(finding: Finding, drafting: Drafting) -> str:
+    head, _, after = finding.name.partition("'")
+    prime = "'" if finding.name.endswith("'") else after
+    return f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
+
+
+def _table(name: str, lines: list[TableRow], first: str, heads: tuple[str, ...], drafting: Drafting) -> RuledTable:
+    words = tuple(drafting.word(head) for head in heads)
+    return table(lines, drafting.word(first), words, drafting.hand.text)._replace(name=name)
+
+
+TOGETHER = "polygons"  # what stands in one column
+
+
+def admit(scene: Scene) -> None:
+    """See nothing more: a rotor's author names nothing, and any number of masses can be shown."""
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's rotor (row of the table of sheets)."""
+    return sheets(study.scene, study["rotor"], study.comparison("rotor"))
+
+
+def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a rotor whose two roads are compared."""
+    drafting = drafting_of(scene)
+    shows: tuple[Exhibit | Caption, ...] = (
+        *_polygons(rotor, drafting),
+        _results(comparison, drafting),
+        *_views(rotor, drafting),
+        *captions(_workings(rotor, drafting)),
+    )
+    tables = (masses(rotor.rotor, rotor.balance, drafting),)
+    said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(compared(comparison), drafting)
+    title = drafting.word("rotor sheet title")
+    return lay_out(scene, [Draft("rotor", title, shows, tables, said, _facts, later=partial(_later, rotor, drafting))])
+
+
+def _facts(names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows."""
+    return {"figures": list(names)}
+
+
+def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the rotor along its shaft; across it too, unless it is a thin disc in the plane of correction."""
+    shown = rotor_view(rotor.rotor, rotor.balance)
+    if not _thin(shown):
+        room = across.measure(shown, drafting)
+        yield Exhibit(Panel(room), partial(across.draw, shown, room, drafting=drafting))
+    room = along.measure(shown, drafting)
+    yield Exhibit(Panel(room), partial(along.draw, shown, room, drafting=drafting))
+
+
+def _thin(shown: RotorView) -> bool:
+    return not shown.bearings and len(set(shown.places)) == 1
+
+
+def _workings(rotor: RotorStudy, drafting: Drafting) -> Iterator[Working]:
+    """How the polygons are laid off: beside them, where paper would stay bare."""
+    for shown in _shown(rotor):
+        sizes = {lowered(one.name, drafting.language): abs(one.value) for one in shown.vectors}
+        yield working.segment_working(sizes, shown.symbol[0].strip("{}"), shown.plan, drafting)
+
+
+def _shown(rotor: RotorStudy) -> Iterator[RotorPolygon]:
+    """Give the polygon of moments, if a second plane asks for it, then that of static moments."""
+    drawing = rotor.drawing
+    names = frozenset(one.mark.name for one in drawing.corrections[:-1])
+    for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
+        yield polygon.polygon(construction, names)
+
+
+def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the polygons in one column."""
+    for shown in _shown(rotor):
+        room = polygon.measure(shown, drafting)
+        yield Exhibit(Panel(room, together=TOGETHER), partial(polygon.draw, shown, room, drafting=drafting))
+
+
+def _results(comparison: Comparison, drafting: Drafting) -> Caption:
+    """Tell what both roads found under the polygon that ends the construction."""
+    table = results(comparison, drafting)
+    panel = Panel(table.block(table.name), together=TOGETHER)
+    return Caption(panel, partial(_written, table, drafting), waits=True)
+
+
+def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:
+    return table.filled(write).write(box, drafting)
+
+
+def _later(rotor: RotorStudy, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+    """Write what a hand may be out in the polygons, at their scales."""
+    scales = {name: spot.scale.mu for name, spot in spots.items()}
+    return value_table.by_hand(rotor_by_hand(rotor, scales), drafting.language)

@@ -1,0 +1,318 @@
+"""A mechanism balanced by both roads: mass centre, counterweights, what they cost, the share (сравнение)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from plans.analytic.balance.balance import balance, weighing
+from plans.analytic.balance.counterweights import Course, uncertain
+from plans.analytic.balance.mass_centre import bodies, vectors
+from plans.analytic.kinematics import Analysis
+from plans.balance.centre import Centre, Centres, Stretch, Weights, scene_stretch, turn_stretch
+from plans.balance.shares import positions_around
+from plans.balance.study import CENTRE, COSTS, COUNTERWEIGHTS, BalanceStudy
+from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
+from plans.forces.cut import indices
+from plans.forces.loading import loading
+from plans.forces.quantities import ForceFindings
+from plans.forces.statics import ForceDrafts, Statics
+from plans.linkage.quantities import MotionComparison, MotionNumbers, compare
+from plans.model.balance.linkage import ANALYSIS, EPS, Balance, Choice, Counterweight, MassCentre, Shares, State
+from plans.model.mechanism import FRAME
+from plans.model.motion import ACCELERATIONS, Floats, Motion
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+
+class Costs:
+    """The machine before and after by both roads, over a turn."""
+
+    def __init__(
+        self, study: BalanceStudy, course: Course, stretch: Stretch, roads: tuple[Balance, Balance], weights: Weights
+    ) -> None:
+        self.study, self.course, self.stretch, self.weights = study, course, stretch, weights
+        self.ours, self.theirs = roads
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare all of it."""
+        for after in (False, True):
+            one, other = self._states(after)
+            if one is not None and other is not None:
+                found = *self.centre(after).findings(COSTS, one.around, other.around), *self._forces(after)
+                yield from self.stretch.capped(found)
+
+    def _states(self, after: bool) -> tuple[State | None, State | None]:
+        return (self.ours.after, self.theirs.after) if after else (self.ours.before, self.theirs.before)
+
+    def centre(self, after: bool) -> Centre:
+        """Give the mass centre over the turn."""
+        return self._centres[after]
+
+    @cached_property
+    def _centres(self) -> dict[bool, Centre]:
+        told = (False, True) if self.ours.after is not None else (False,)
+        return {after: Centre(self.study, self.stretch, after, self.weights) for after in told}
+
+    def forces(self, after: bool) -> ForceFindings:
+        """Give the forces over the turn by both roads, with what rounding allows the construction."""
+        one, other = self._states(after)
+        assert one is not None and other is not None  # asked before
+        statics: Statics = self.study.loaded_statics if after else self.study.statics
+        plans = ForceDrafts(statics, self.stretch.drafts).plans
+        _, force, moment = self.centre(after).sizes  # a counterweight far out has a large moment of inertia forces
+        borne = max(force, moment / self.stretch.size)
+        return ForceFindings(statics, self.stretch.motion, one.forces, other.forces, plans, borne)
+
+    def _forces(self, after: bool) -> Iterator[Finding]:
+        """Compare reactions and what the drive gives; what the counterweights are off, the reactions magnify."""
+        both, mark = self.forces(after), "'" if after else ""
+        off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
+        for one in (*both.reactions(), *both.balancing(self.course.loading)):
+            arm = both.size if one.unit == "N*m" else 1.0
+            letters, space, way = one.name.partition(" ")
+            name = f"{letters}{mark}{space}{way}"
+            yield one._replace(plan=COSTS, name=name, allowed=np.asarray(one.allowed + off * arm))
+
+    @property
+    def given(self) -> float:
+        """How far the inertia and weight of the counterweights may be off, N."""
+        off = [uncertain(one, self.weights.slack(one.link)) for one in self.ours.counterweights]
+        return self.weights.whole * self.stretch.rate + abs(self.course.machine.gravity) * sum(off)
+
+    def allowed(self, after: bool, index: str) -> tuple[Floats, Floats]:
+        """Give how far main vector and the reaction of a pair, by its index, may be off over the turn, N."""
+        both = self.forces(after)
+        found = {one.name: one.allowed for one in both.reactions()}
+        off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
+        return self.centre(after).shaken, np.asarray(found[f"R_{index}"] + off)
+
+
+HALVINGS = 60  # of an interval of shares, down to rounding
+
+
+def share_findings(costs: Costs) -> Iterator[Finding]:
+    """Compare the curves of the largest shaking force and the largest reaction of the shaft, and both best shares."""
+    ours, theirs = costs.ours.shares, costs.theirs.shares
+    if ours is None or theirs is None:
+        return
+    shaft = indices(FRAME, costs.course.mechanism.drive.link)
+    allowed = [float(np.fmax.reduce(row)) for row in _allowed(costs, shaft)]
+    weighed = weighing(costs.course, costs.weights.found)
+    yield from _of(("force", "Φ"), weighed.force, allowed[0], ours, theirs)
+    yield from _of(("reaction", f"R_{shaft}"), weighed.reaction, allowed[1], ours, theirs)
+
+
+def _allowed(costs: Costs, shaft: str) -> list[Floats]:
+    """Take for every share what is allowed before or after, whichever is more."""
+    rows = [costs.allowed(after, shaft) for after in (False, True)]
+    return [np.maximum(*both) for both in zip(*rows, strict=True)]
+
+
+def _of(
+    named: tuple[str, str], largest: Callable[[float], float], off: float, ours: Shares, theirs: Shares
+) -> Iterator[Finding]:
+    name, letters = named
+    curve = (ours.curve, theirs.curve)
+    yield _finding(f"{letters}(k)", "N", [[getattr(one, name) for one in row] for row in curve], off)
+    best: Sequence[Choice] = [getattr(road, f"least_{name}") for road in (ours, theirs)]
+    yield _finding(f"min {letters}(k)", "N", [[getattr(one, name)] for one in best], off)
+    width = _width(largest, best[1].share, 2 * off)
+    yield _finding(f"k {letters}", "1", [[one.share] for one in best], width)
+
+
+def _width(largest: Callable[[float], float], share: float, off: float) -> float:
+    """Give how far a share may be from the best one for what is largest to differ by no more than rounding."""
+    level = largest(share) + off
+    return max(_reach(largest, share, end, level) for end in (0.0, 1.0)) + 4 * EPS
+
+
+def _reach(largest: Callable[[float], float], share: float, end: float, level: float) -> float:
+    """Halve the way from the best share to an end down to where the largest rises above a level."""
+    if largest(end) <= level:
+        return abs(end - share)
+    near, far = share, end
+    for _ in range(HALVINGS):
+        middle = (near + far) / 2
+        near, far = (middle, far) if largest(middle) <= level else (near, middle)
+    return abs(far - share)
+
+
+def _finding(name: str, unit: str, rows: Sequence[Sequence[float]], allowed: float) -> Finding:
+    ours, theirs = (np.array(row) for row in rows)
+    largest = float(np.fmax.reduce(np.abs(ours)))
+    return Finding(COSTS, name, unit, ours, theirs, np.abs(ours - theirs), np.full(len(ours), allowed), largest)
+
+
+@dataclass(frozen=True)
+class BalanceComparison(Comparison):
+    """A balance by both roads, over the motion by both."""
+
+    construction: Balance
+    analysis: Balance
+    findings: tuple[Finding, ...]
+    motion: MotionComparison
+
+    @property
+    def agrees(self) -> bool:
+        """Whether both roads find the same over the same motion."""
+        return super().agrees and self.motion.agrees
+
+
+def comparison_of(study: Study) -> BalanceComparison:
+    """Compare both roads of a scene's balance (row of the table of techniques)."""
+    motion = study.comparison("linkage")
+    if motion.analysis.order < ACCELERATIONS.number:  # a bank asks for the balance and shows none of its motion
+        motion = compare(study["linkage"], ACCELERATIONS.number)
+    return compare_balance(study["balance"], motion)
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
+def compare_balance(study: BalanceStudy, motion: MotionComparison) -> BalanceComparison:
+    """Balance a mechanism by analysis too, and put every quantity beside that of the construction.
+
+    Of a share that is sought both roads tell their own, and go on with that of the construction.
+    """
+    ours, scene, turn = study.balance, scene_stretch(study.linkage, motion), turn_stretch(study.linkage, motion)
+    course = course_of(study, motion.road, motion.analysis, turn.motion.analysis)
+    theirs = balance(course, study.task, study.linkage.groups, study.share)
+    weights = Weights(study, course)
+    found = [*Centres(study, scene, ours, theirs, weights).findings()]
+    found += weights.findings(ours, theirs)
+    costs = Costs(study, course, turn, (ours, theirs), weights)
+    found += [*costs.findings(), *share_findings(costs)]
+    return BalanceComparison(ours, theirs, tuple(found), motion)
+
+
+def course_of(study: BalanceStudy, road: Analysis, motion: Motion, turn: Motion) -> Course:
+    """Give the course by analysis of a mechanism: its loads over the turn, with the strokes that the analysis finds."""
+    statics = study.statics
+    loads = loading(statics.machine, turn, statics.over(road.extremes))
+    return Course(road, study.machine, statics.pairs, motion, turn, loads)
+
+
+Vectors: TypeAlias = tuple[Mapping[int, complex], Mapping[int, complex] | None]
+
+
+@dataclass(frozen=True)
+class BalanceNumbers:
+    """What balances a mechanism, by one road; `vectors` are those of main points before and after, m by link."""
+
+    title: str
+    datum: complex
+    balance: Balance
+    vectors: Vectors
+    plans: frozenset[str]
+
+    @property
+    def flawed(self) -> bool:
+        """Whether some positions have no numbers."""
+        return bool(self.balance.gaps)
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        found, (before, after) = self.balance, self.vectors
+        data: dict[str, Any] = {"aim": found.task.aim}
+        if CENTRE in self.plans:
+            data["mass_centre"] = _centre(found.before.centre, before, self.datum)
+        if COUNTERWEIGHTS in self.plans and found.after is not None:
+            data["counterweights"] = [_weight(one) for one in found.counterweights]
+            data["left"] = {point: _vector(mass) for point, mass in found.left.items()}
+            data["balanced_centre"] = _centre(found.after.centre, after or {}, self.datum)
+        if COSTS in self.plans:
+            data["before"] = _state(found.before)
+            data |= {} if found.after is None else {"after": _state(found.after)}
+            data |= {} if found.shares is None else {"shares": _shares(found.shares)}
+        gaps = [gap_numbers(gap) for gap in found.gaps]
+        return {"scene": self.title, "by": found.by, "balance": data | ({"gaps": gaps} if gaps else {})}
+
+
+def numbers(study: Study, by: str) -> BalanceNumbers:
+    """Balance the mechanism of a scene by a road, over its motion by the same."""
+    its, below = study["balance"], study.numbers("linkage", by)
+    found, told = _analysed(its, below) if by == ANALYSIS else _constructed(its)
+    return BalanceNumbers(study.scene.heading(), below.datum, found, told, study.plans)
+
+
+def _constructed(study: BalanceStudy) -> tuple[Balance, Vectors]:
+    after = study.points(after=True).vectors if study.balance.after is not None else None
+    return study.balance, (study.points().vectors, after)
+
+
+def _analysed(study: BalanceStudy, below: MotionNumbers) -> tuple[Balance, Vectors]:
+    """Balance by analysis alone, over a turn from its own first position on; what cannot be is refused as ever."""
+    _ = study.counterweights  # least squares would tell the nearest instead
+    road, motion = below.road, below.motion
+    assert road is not None  # the motion was found by analysis too
+    turned = positions_around(study.linkage).phi - study.linkage.turn.phi[0]
+    course = course_of(study, road, motion, road.around(motion.phi[0] + turned))
+    found = balance(course, study.task, study.linkage.groups)
+    return found, _vectors(study, found)
+
+
+def _vectors(study: BalanceStudy, found: Balance) -> Vectors:
+    """Give the vectors of main points before and after by analysis, the counterweights as bodies of their own."""
+    stems, machine = study.tree.stems, study.machine
+    before = vectors(bodies(machine), stems)
+    return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
+
+
+def _centre(one: MassCentre, told: Mapping[int, complex], datum: complex) -> dict[str, Any]:
+    """Give the mass centre over the positions; the vectors h of the links are in their own frames.
+
+    The main moment of the inertia forces is about the shaft.
+    """
+    return {
+        "mass": one.mass,
+        "r": pairs(one.r + datum),
+        "a": pairs(one.a),
+        "force": pairs(one.force),
+        "moment": plain(one.moment),
+        "vectors": {str(link): _vector(h) for link, h in sorted(told.items())},
+    }
+
+
+def _weight(one: Counterweight) -> dict[str, Any]:
+    """Give a counterweight; one that is not needed has a mass of 0 and no place."""
+    data: dict[str, Any] = {"on": one.link, "mass": one.mass, "moment": _vector(one.moment), "begin": one.begin}
+    if not one.needed:
+        return data
+    sizes = {"shape": one.place.shape, "outer": one.outer, "inertia": one.inertia}
+    return data | {"centre": _vector(one.centre), "distance": one.distance} | sizes
+
+
+def _state(one: State) -> dict[str, Any]:
+    """Give what is largest over a turn; null of a mechanism that reaches no position."""
+    return {
+        "path": _known(one.path),
+        "force": _known(one.shaking),
+        "moment": _known(one.rocking),
+        "reactions": {key: _known(largest) for key, largest in one.reactions.items()},
+        "balancing": _known(one.balancing),
+    }
+
+
+def _shares(found: Shares) -> dict[str, Any]:
+    return {
+        "curve": [_choice(one) for one in found.curve],
+        "least_force": _choice(found.least_force),
+        "least_reaction": _choice(found.least_reaction),
+    }
+
+
+def _choice(one: Choice) -> dict[str, float | None]:
+    return {"share": one.share, "force": _known(one.force), "reaction": _known(one.reaction)}
+
+
+def _known(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _vector(value: complex) -> list[float]:
+    return [value.real + 0.0, value.imag + 0.0]

@@ -1,0 +1,320 @@
+"""A bank by both roads: harmonics, forces and moments, compensators, and what they must leave (сравнение)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.board import Board
+from geometry.hand_error import SlippingHand, slopes
+from plans.analytic.balance.bank import Linkage, Mechanism, SliderCrank, bank_balance
+from plans.analytic.balance.mass_centre import bodies
+from plans.balance.quantities import compare_balance
+from plans.bank.compensators import COMPENSATORS
+from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
+from plans.bank.polygons import Total
+from plans.bank.study import BankStudy
+from plans.checks.by_hand import MOST_SIDES, SLIP, Slipping, Told, errors_by_hand
+from plans.checks.comparison import Comparison, Finding
+from plans.linkage.quantities import MotionComparison, compare
+from plans.model.balance.bank import ANALYSIS, BankBalance, Compensator, Harmonic
+from plans.model.balance.linkage import Counterweight
+from plans.model.motion import ACCELERATIONS, Complexes
+from plans.rotor.balancing import polygon
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+EQUILIBRIUM = "equilibrium"
+WHOLE, WHOLE_MOMENT, LEFT = "ΣF", "ΣM", "ΣF'"  # over the turn; what the compensators leave is primed
+
+
+def compare_bank(study: BankStudy, mechanism: Mechanism) -> Comparison:
+    """Find the bank by analysis too, and put every quantity beside that of the construction."""
+    ours, theirs = study.balance, bank_balance(study.task, mechanism)
+    both = _Compared(study, ours, theirs)
+    findings = (*both.harmonics(), *both.compensators(), *both.whole(), *both.transforms(), *both.balanced())
+    return Comparison(ours, theirs, findings)
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare both roads of a scene's bank (row of the table of techniques)."""
+    bank: BankStudy = study["bank"]
+    return compare_bank(bank, mechanism_of(study, bank))
+
+
+def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
+    """Give the mechanism of a bank for the analysis: by its sizes, or the linkage with counterweights by analysis."""
+    unit, speed = bank.task.unit, bank.task.speed
+    if unit is not None:
+        return SliderCrank(unit, speed)
+    motion = _motion(study)
+    solid = bodies(study["forces"].machine, _counterweights(study, motion))
+    return Linkage(motion.road, solid, speed, study["linkage"].turn.phi, bank.orders)
+
+
+def _motion(study: Study) -> MotionComparison:
+    """Compare the motion of the scene's linkage as far as its accelerations, whatever else is asked of it."""
+    if ACCELERATIONS.plan in study.plans:
+        found: MotionComparison = study.comparison("linkage")
+        return found
+    return compare(study["linkage"], ACCELERATIONS.number)
+
+
+def _counterweights(study: Study, motion: MotionComparison) -> tuple[Counterweight, ...]:
+    """Give the counterweights of the scene's balance by analysis."""
+    if not study.scene.has(("balance",)):
+        return ()
+    asked = "balance" in study.techniques and ACCELERATIONS.plan in study.plans
+    compared = study.comparison("balance") if asked else compare_balance(study["balance"], motion)
+    found: tuple[Counterweight, ...] = compared.analysis.counterweights
+    return found
+
+
+class _Compared(NamedTuple):
+    """A bank by both roads."""
+
+    study: BankStudy
+    ours: BankBalance
+    theirs: BankBalance
+
+    @property
+    def _single(self) -> float:
+        """How far a harmonic of one mechanism can be out, by the conditions of its plans."""
+        return self.study.single.bound
+
+    @property
+    def _bank(self) -> float:
+        """How far a force of the bank can be out."""
+        return self._single * len(self.ours.task.members)
+
+    @property
+    def _lever(self) -> float:
+        """How far a moment of the bank can be out."""
+        return self._single * math.fsum(abs(float(one.place)) for one in self.ours.task.members)
+
+    def harmonics(self) -> Iterator[Finding]:
+        """Compare every vector of every order."""
+        largest, arm = _largest(self.ours.single), max(abs(float(one.place)) for one in self.ours.task.members)
+        rows = (
+            (SINGLE, "N", self.ours.single, self.theirs.single, self._single, largest),
+            (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank, largest),
+            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever, arm * largest),
+        )
+        for kind, unit, ours, theirs, bound, most in rows:
+            for order, one in ours.items():
+                allowed = one.slack + theirs[order].slack + bound
+                for signed, found, other in _pairs(order, one, theirs[order]):
+                    yield _finding(HARMONICS, letters(kind, signed), unit, found, other, allowed, most)
+
+    def compensators(self) -> Iterator[Finding]:
+        """Compare the masses of the compensators, with the directions in which they stand."""
+        largest = max((one.with_crank + one.against for one in self.ours.compensators), default=0.0)
+        for one, other in zip(self.ours.compensators, self.theirs.compensators, strict=True):
+            order, offset = one.asked.order, abs(one.asked.offset)
+            force = self.ours.forces[order].slack + self.theirs.forces[order].slack + self._bank
+            allowed = force / (order * self.ours.task.speed) ** 2
+            for signed, found, theirs in zip((order, -order), _weights(one), _weights(other), strict=True):
+                yield _finding(COMPENSATORS, letters(STATIC, signed), "kg*m", found, theirs, allowed, largest)
+            residual = max(one.residual, other.residual)
+            name = f"{FORCE}·z,{order}"
+            yield _finding(COMPENSATORS, name, "N*m", one.residual, other.residual, 2 * force * offset, residual)
+            if one.couple is not None and other.couple is not None:
+                allowed *= 2 * offset / (one.asked.shafts or math.inf)
+                couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (one, other))
+                yield _finding(COMPENSATORS, couple_letters(order), "kg*m", couple, theirs, allowed, one.couple)
+
+    def whole(self) -> Iterator[Finding]:
+        """Compare the whole force and moment over the turn, before and after the compensators."""
+        ours, theirs = self.ours, self.theirs
+        force = ours.force_slack + theirs.force_slack
+        left = ours.left_slack + theirs.left_slack + self._taken
+        moment = ours.moment_slack + theirs.moment_slack
+        shares = self.study.whole
+        rows = (
+            (WHOLE, "N", ours.force, theirs.force, force, shares.largest),
+            (LEFT, "N", ours.left, theirs.left, left, shares.largest),
+            (WHOLE_MOMENT, "N*m", ours.moment, theirs.moment, moment, shares.largest_moment),
+        )
+        for name, unit, found, other, allowed, largest in rows:
+            yield _finding(HARMONICS, name, unit, found, other, allowed, largest)
+
+    def transforms(self) -> Iterator[Finding]:
+        """See that the whole force and moment over the turn have the harmonics that the polygons gave them."""
+        ours, most = self.ours, self.study.whole
+        arms = math.fsum(abs(float(one.place)) for one in ours.task.members)
+        rows = (
+            (FORCE, "N", ours.force, ours.forces, ours.force_slack, len(ours.task.members), most.largest),
+            (MOMENT, "N*m", ours.moment, ours.moments, ours.moment_slack, arms, most.largest_moment),
+        )
+        for kind, unit, whole, harmonics, slack, weight, largest in rows:
+            row = _transform(whole)
+            for order, one in harmonics.items():
+                allowed = slack + one.slack + weight * (self._single + self._beyond(order))
+                for signed, found, _ in _pairs(order, one, one):
+                    name = f"{letters(kind, signed)}(φ)"
+                    yield _finding(EQUILIBRIUM, name, unit, found, row[signed], allowed, largest)
+
+    def balanced(self) -> Iterator[Finding]:
+        """See that the compensators leave nothing of their orders."""
+        row, members = _transform(self.ours.left), len(self.ours.task.members)
+        for one in self.ours.compensators:
+            order = one.asked.order
+            allowed = self.ours.left_slack + self._taken + self._bank + members * self._beyond(order)
+            for signed in (order, -order):
+                name = f"{letters(FORCE, signed)}'"
+                yield _finding(EQUILIBRIUM, name, "N", 0j, row[signed], allowed, self.study.whole.largest)
+
+    @property
+    def _taken(self) -> float:
+        """How far the forces of all compensators can be out by the conditions of the plans."""
+        return 2 * self._bank * len(self.ours.compensators)
+
+    def _beyond(self, order: int) -> float:
+        """How much the orders beyond half the positions can add to one of one mechanism that they give."""
+        return self.study.single.beyond(len(self.ours.phi) - 1, order)
+
+
+def _transform(whole: Complexes) -> Complexes:
+    """Give the vectors of all orders of a vector over the turn."""
+    return np.asarray(np.fft.fft(whole[:-1]) / (len(whole) - 1))
+
+
+def _largest(found: Mapping[int, Harmonic]) -> float:
+    return max(max(abs(one.ahead), abs(one.back)) for one in found.values())
+
+
+def _pairs(order: int, one: Harmonic, other: Harmonic) -> Iterator[tuple[int, complex, complex]]:
+    yield order, one.ahead, other.ahead
+    yield -order, one.back, other.back
+
+
+def _weights(one: Compensator) -> tuple[complex, complex]:
+    return _vector(one.with_crank, one.with_angle), _vector(one.against, one.against_angle)
+
+
+def _vector(size: float, angle: float | None) -> complex:
+    return 0j if angle is None else size * complex(math.cos(angle), math.sin(angle))
+
+
+def _finding(
+    plan: str, name: str, unit: str, one: npt.ArrayLike, other: npt.ArrayLike, allowed: float, largest: float
+) -> Finding:
+    found, theirs = np.atleast_1d(np.asarray(one)), np.atleast_1d(np.asarray(other))
+    return Finding(plan, name, unit, found, theirs, np.abs(found - theirs), np.full(len(found), allowed), largest)
+
+
+@dataclass(frozen=True)
+class BankNumbers:
+    """The bank by one road, and which of it is told."""
+
+    title: str
+    balance: BankBalance
+    plans: frozenset[str]
+
+    @property
+    def flawed(self) -> bool:
+        """Whether something has no numbers: every bank has all."""
+        return False
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        found = self.balance
+        data: dict[str, Any] = {}
+        if HARMONICS in self.plans:
+            data["harmonics"] = {str(order): self._order(order) for order in found.forces}
+            data["largest"] = {
+                "force": _peak(found.force, found.force_slack),
+                "moment": _peak(found.moment, found.moment_slack),
+            }
+        if COMPENSATORS in self.plans and found.compensators:
+            data["compensators"] = [_compensator(one) for one in found.compensators]
+            data["left"] = {"force": _peak(found.left, found.left_slack)}
+        return {"scene": self.title, "by": found.by, "bank": data}
+
+    def _order(self, order: int) -> Mapping[str, Any]:
+        found = self.balance
+        rows = {"mechanism": found.single, "force": found.forces, "moment": found.moments}
+        return {name: _harmonic(row[order]) for name, row in rows.items()}
+
+
+def numbers(study: Study, by: str) -> BankNumbers:
+    """Find the bank of a scene by a road."""
+    bank: BankStudy = study["bank"]
+    found = study.comparison("bank").analysis if by == ANALYSIS else bank.balance
+    return BankNumbers(study.scene.heading(), found, study.plans)
+
+
+def _harmonic(one: Harmonic) -> dict[str, Any]:
+    """Give a harmonic by its two vectors and the largest that it comes to; what vanishes is 0."""
+    ahead, back = (0j if abs(value) <= one.slack else value + 0.0 for value in (one.ahead, one.back))
+    return {"with_crank": [ahead.real, ahead.imag], "against": [back.real, back.imag], "size": one.size}
+
+
+def _compensator(one: Compensator) -> dict[str, Any]:
+    weights = {"with_crank": (one.with_crank, one.with_angle), "against": (one.against, one.against_angle)}
+    told = {name: _weight(size, angle, one.asked.mass) for name, (size, angle) in weights.items()}
+    couple = None if one.couple is None else {"moment": one.couple, "angle": one.couple_angle}
+    return {"order": one.asked.order, **told, "residual": one.residual, "couple": couple}
+
+
+def _weight(size: float, angle: float | None, mass: float | None) -> dict[str, Any]:
+    return {"moment": size, "angle": angle, "mass": mass, "radius": size / mass if mass else None}
+
+
+def _peak(values: Complexes, slack: float) -> float:
+    """Give the largest size of a vector over the turn; 0 where nothing is left but rounding."""
+    found = float(np.max(np.abs(values)))
+    return found if found > slack else 0.0
+
+
+FIGURES = {FORCE: "order_forces", MOMENT: "order_moments"}  # on which each polygon stands, before its order
+BACK = "back"  # after the order of what turns against the crank
+
+
+def bank_by_hand(bank: BankStudy, scales: Mapping[str, float], by: Slipping = slopes) -> dict[tuple[str, int], float]:
+    """Give what a hand may be out in the polygons that a sheet shows, by the names of the findings.
+
+    `scales` are those of the figures, N or N*m a mm: "order_forces-2-back". The vector of one mechanism is known, and
+    so is how it is turned; the members' vectors are laid off end to end. A mass of a compensator is read off what
+    closes its polygon, over the square of its angular speed; what turns against the crank and has no figure, off the
+    one whose mirror image its polygon is.
+    """
+    told, rows = dict[str, Told](), dict[str, np.ndarray]()
+    for name, figures, total, times in _polygons(bank):
+        figure = next((one for one in figures if one in scales), None)
+        if figure is not None and len(total.polygon.sides) <= MOST_SIDES:
+            board = Board(name)
+            laid = [board.given(f"{name}:{k}", side.vector.value) for k, side in enumerate(total.polygon.sides)]
+            closed = polygon(board, board.given("0", 0j), f"-{name}", laid)
+            told[name] = board.turn(name, closed.closing, times)
+            rows[name] = np.array([scales[figure]])
+    found = errors_by_hand(told, SlippingHand(SLIP, rows), by)
+    return {(name, 0): float(error[0]) for name, error in found.items()}
+
+
+def _polygons(bank: BankStudy) -> Iterator[tuple[str, tuple[str, ...], Total, float]]:
+    """Give what is read off each polygon: letters, figures, the polygon, and how many times what closes it that is."""
+    drawing, speed = bank.drawing, bank.task.speed
+    for kind, totals in ((FORCE, drawing.forces), (MOMENT, drawing.moments)):
+        for signed, total in totals.items():
+            yield letters(kind, signed), _figures(kind, signed), total, -1.0
+    for one in bank.task.asked:
+        for signed in (one.order, -one.order):
+            times = 1 / (signed * speed) ** 2
+            yield letters(STATIC, signed), _figures(FORCE, signed), drawing.forces[signed], times
+
+
+def _figures(kind: str, signed: int) -> tuple[str, ...]:
+    """Name the figure of a polygon, and that of its mirror image.
+
+    >>> _figures(MOMENT, -2), _figures(FORCE, 2)
+    (('order_moments-2-back', 'order_moments-2'), ('order_forces-2',))
+    """
+    name = f"{FIGURES[kind]}-{abs(signed)}"
+    return (name,) if signed > 0 else (f"{name}-{BACK}", name)

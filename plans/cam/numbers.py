@@ -1,0 +1,222 @@
+"""The numbers of cams as plain data, for `solve`: SI units and radians (числа кулачков)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+import numpy as np
+
+from geometry.board import Board, Mark, between
+from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
+from plans.cam.centre.bounds import PressureBound, SlopeDiagram
+from plans.cam.centre.rocker_sizes import laid_end as laid_on_arc
+from plans.cam.sizes import laid_end
+from plans.cam.sizing import SIZES as BOARD
+from plans.cam.sizing import Sizing
+from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
+from plans.checks.by_hand import SLIP, Slipping
+from plans.checks.comparison import pairs, plain
+from plans.model.cam import ROLLER
+from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
+from plans.model.motion import Floats
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+
+@dataclass(frozen=True)
+class CamNumbers:
+    """Cams by one road, and what of them is told."""
+
+    title: str
+    by: str
+    cams: Sequence[CamFound]
+    plans: frozenset[str]
+
+    @property
+    def flawed(self) -> bool:
+        """Whether something is wrong with a cam."""
+        return any(one.flaws for one in self.cams)
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        return {"scene": self.title, "by": self.by, "cams": {one.cam.name: self._cam(one) for one in self.cams}}
+
+    def _cam(self, one: CamFound) -> dict[str, Any]:
+        contour = one.contour
+        data: dict[str, Any] = {"phi": plain(contour.turned)}
+        if LAWS in self.plans:
+            travel = contour.travel
+            data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
+            data["peaks"] = {name: _extreme(found) for name, found in one.peaks.items()}
+            data["shocks"] = [_shock(shock) for shock in one.shocks]
+        if SIZES in self.plans:
+            data["sizes"] = _sizes(one.sizes, one)
+            data["pressure"] = {kind: _extreme(found) for kind, found in one.pressure.items()}
+        if PROFILE in self.plans:
+            data |= _profile(contour)
+            data["sharpest"], data["hollow"] = _extreme(one.sharpest), _extreme(one.hollow)
+            if one.pressing is not None:
+                data["forces"] = _forces(one.pressing, one.cam.follower.end == ROLLER)
+            data["flaws"] = [_flaw(flaw) for flaw in one.flaws]
+        return data
+
+
+def numbers(study: Study, by: str) -> CamNumbers:
+    """Give the cams of a scene by a road (row of the table of techniques)."""
+    cams: CamStudy = study["cam"]
+    found = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
+    return CamNumbers(study.scene.heading(), by, found, study.plans)
+
+
+def _sizes(sizes: Sizes, one: CamFound) -> dict[str, Any]:
+    if one.cam.translates:
+        return {"roller": one.roller}
+    data: dict[str, Any] = {"R0": sizes.base, "roller": one.roller}
+    if one.cam.rocks:
+        pivot = [sizes.pivot.real, sizes.pivot.imag]
+        return data | {"L": sizes.centre, "psi0": sizes.initial, "O1": pivot, **_face(one)}
+    return data | ({} if one.cam.flat else {"e": sizes.offset}) | _face(one)
+
+
+def _face(one: CamFound) -> dict[str, Any]:
+    return {"face": list(one.face)} if one.cam.flat else {}
+
+
+def _profile(contour: Contour) -> dict[str, Any]:
+    data: dict[str, Any] = {
+        "pitch": pairs(contour.pitch),
+        "profile": pairs(contour.profile),
+        "alpha": plain(contour.pressure),
+        "rho": plain(contour.radius),
+        "sliding": plain(contour.sliding),
+    }
+    return data if contour.outer is None else data | {"outer": pairs(contour.outer)}
+
+
+def _forces(one: Pressing, rolls: bool) -> dict[str, Any]:
+    """Give what presses the follower on the cam; what a roller would wear, stuck on its pin, is not told."""
+    data = {"least": _extreme(one.least), "most": _extreme(one.most), "preload": one.preload}
+    return data if rolls else data | {"wear": _extreme(one.wear)}
+
+
+def _shock(one: Shock) -> dict[str, Any]:
+    return {"phi": one.turned, "order": one.order, "jump": one.jump}
+
+
+def _extreme(one: Extreme | None) -> dict[str, float] | None:
+    return None if one is None else {"value": one.value, "phi": one.turned}
+
+
+def _flaw(one: Flaw) -> dict[str, Any]:
+    return {"kind": one.kind, "from": one.start, "to": one.end, "worst": _extreme(one.worst)}
+
+
+MM = 1000.0  # of a metre
+Moves: TypeAlias = Mapping[Mark, Slopes]
+
+
+class Reading(NamedTuple):
+    """What is read off the diagram of the sizes: its letters, the marks that it lies between, how far those move it."""
+
+    name: str
+    marks: tuple[Mark, ...]
+    error: Callable[[Moves], Floats]
+
+
+def cam_by_hand(
+    drawing: CamDrawing, scales: Mapping[str, float], by: Slipping = slopes
+) -> dict[tuple[str, int], float]:
+    """Give what a hand may be out in the sizes that are read off their diagram, mm or degrees, by their letters.
+
+    `scales` are those of the figures, m a mm: "sizes". S and S' are known where a ruler touches; what is given and what
+    is read off other curves, has no error here.
+    """
+    if BOARD not in scales:
+        return {}
+    read = list(readings(drawing))
+    hand = SlippingHand(SLIP, {BOARD: np.array([scales[BOARD]])})
+    found = by(hand, *(mark for one in read for mark in one.marks))
+    return {(one.name, 0): float(one.error(found)[0]) for one in read}
+
+
+def readings(drawing: CamDrawing) -> Iterator[Reading]:
+    """Give what is read off the diagram: the place of O, and under a roller or a point the angles at its tangents."""
+    sizing = drawing.sizing
+    start, centre = sizing.start, sizing.centre
+    if start is None or centre is None:
+        return
+    yield from (_rocking if sizing.cam.rocks else _translating)(sizing, start, centre)
+    if not sizing.cam.flat:
+        yield from _angles(drawing, sizing, start, centre)
+
+
+def _translating(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+    cam, ends = sizing.cam, (start, centre)
+    if cam.given.base is None:
+        yield _distance("R_0", start, centre)
+    if not cam.flat:
+        if cam.given.offset is None:
+            yield Reading("e", ends, lambda moved: MM * number_error(moved[centre] - moved[start]))
+        yield Reading("S_0", ends, lambda moved: MM * number_error(-1j * (moved[centre] - moved[start])))
+
+
+def _rocking(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+    cam, pivot = sizing.cam, sizing.origin
+    assert pivot is not None  # of every rocker
+    if cam.given.base is None:
+        yield _level(sizing, centre) if cam.flat else _distance("R_0", start, centre)
+    if cam.given.centre is None:
+        yield _distance("L", pivot, centre)
+    first = () if cam.flat else (start,)  # the arm of a flat rocker is drawn where it is given
+    yield _turned("ψ_0", ((pivot, centre), *((pivot, one) for one in first)))
+
+
+def _level(sizing: Sizing, centre: Mark) -> Reading:
+    """Read the distance of the face from O, along the face's normal."""
+    leaning = complex(SlopeDiagram(sizing.cam).leaning(np.zeros(1))[0])
+    return Reading("R_0", (centre,), lambda moved: MM * number_error(moved[centre] / (1j * leaning)))
+
+
+def _angles(drawing: CamDrawing, sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+    """Read the largest pressure angles at D: between DO and the way of K, which on an arc leans with the arm."""
+    for kind, most in drawing.found.pressure.items():
+        touches = (
+            one.point
+            for one in sizing.binding
+            if isinstance(one.bound, PressureBound) and one.bound.kind == kind and one.bound.side * most.value > 0
+        )
+        end = next(touches, None) or _end(drawing, sizing, start, most.turned)
+        arm = ((sizing.origin, end.step.inputs[0]),) if sizing.cam.rocks and sizing.origin is not None else ()
+        yield _turned(f"α_{{{kind}}}", ((end, centre), *arm))
+
+
+def _end(drawing: CamDrawing, sizing: Sizing, start: Mark, turned: float) -> Mark:
+    """Lay K and D off at a turn of the cam, beside the diagram."""
+    board, diagram = Board(BOARD), SlopeDiagram(sizing.cam)
+    motion = drawing.course.at(np.array([turned]))
+    own = motion.s[0], motion.slope[0]
+    if sizing.cam.rocks:
+        return laid_on_arc(board, diagram, sizing.board["l"], own, "")[1]
+    return laid_end(board, diagram, start, own, "")[1]
+
+
+def _distance(name: str, start: Mark, end: Mark) -> Reading:
+    vector = np.asarray(between(start, end))
+    return Reading(name, (start, end), lambda moved: MM * size_error(vector, moved[end] - moved[start]))
+
+
+def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> Reading:
+    """Read the angle of a ray, or from the second ray to the first, degrees."""
+
+    def turn(moved: Moves, ray: tuple[Mark, Mark]) -> Slopes:
+        start, end = ray
+        return np.asarray(-1j * (moved[end] - moved[start]) / np.asarray(between(start, end)))
+
+    def error(moved: Moves) -> Floats:
+        first, *others = (turn(moved, ray) for ray in rays)
+        return np.asarray(np.degrees(number_error(first - sum(others))))
+
+    return Reading(name, tuple(mark for ray in rays for mark in ray), error)

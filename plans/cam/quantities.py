@@ -1,0 +1,301 @@
+"""One place for each extreme: where a cam has the same extreme at several, both roads name that of the construction."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from plans.analytic.cam.contour import Curve, forces_of
+from plans.analytic.cam.findings import cam_found
+from plans.analytic.cam.laws import travel
+from plans.analytic.cam.sizes import sizes
+from plans.cam.dimensions import dimensions
+from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
+from plans.cam.verdicts import TERM, Pair, Slack, Verdicts
+from plans.checks.comparison import Comparison, Finding
+from plans.model.cam import SHAPE, TABLE, Cam
+from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Flaw, Points, Pressing
+from plans.model.motion import Floats, Gap
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+EQUAL = 1e-9  # of an extreme value: what is as large is another place of the same extreme
+NEAR = 1e-6  # of the turn: a place where something is level is known to half of the digits
+Value = Callable[[Curve], Floats]
+
+
+def settled(theirs: CamFound, ours: CamFound) -> CamFound:
+    """Give what the analysis found with each extreme where the construction has it, if it finds it as large there."""
+    pressure = {
+        kind: _settled(theirs, one, ours.pressure.get(kind), lambda curve: curve.pressure)
+        for kind, one in theirs.pressure.items()
+    }
+    same = [one.kind for one in theirs.flaws] == [one.kind for one in ours.flaws]
+    pairs = zip(theirs.flaws, ours.flaws, strict=True) if same else ()
+    return replace(
+        theirs,
+        pressure={kind: one for kind, one in pressure.items() if one is not None},
+        sharpest=_settled(theirs, theirs.sharpest, ours.sharpest, lambda curve: curve.radius),
+        hollow=_settled(theirs, theirs.hollow, ours.hollow, lambda curve: curve.radius),
+        flaws=tuple(_flaw(theirs, *pair) for pair in pairs) if same else theirs.flaws,
+        pressing=_pressing(theirs, ours),
+    )
+
+
+def _pressing(theirs: CamFound, ours: CamFound) -> Pressing | None:
+    """Give the contact's forces so: under a steady load they are as large in many places of a dwell."""
+    own, other = theirs.pressing, ours.pressing
+    forces = forces_of(theirs.cam, theirs.roller)
+    if own is None or other is None or forces is None:
+        return own
+    return own._replace(
+        least=_settled(theirs, own.least, other.least, forces.normal) or own.least,
+        most=_settled(theirs, own.most, other.most, forces.normal) or own.most,
+        wear=_settled(theirs, own.wear, other.wear, forces.wear) or own.wear,
+    )
+
+
+def _settled(found: CamFound, own: Extreme | None, ours: Extreme | None, value: Value) -> Extreme | None:
+    """Give an extreme at the other place, if it is as large there; a pressure angle may have the other sign."""
+    if own is None or ours is None:
+        return own
+    for there in _sides(found, ours.turned, value):
+        if math.isclose(abs(there), abs(own.value), rel_tol=EQUAL) and there * ours.value > 0:
+            return Extreme(there, ours.turned)
+    return own
+
+
+def _sides(found: CamFound, turned: float, value: Value) -> list[float]:
+    """Give a value after a turn of the cam and before it."""
+    curves = (Curve(found.cam, found.sizes, np.array([turned]), before) for before in (False, True))
+    return [float(value(curve)[0]) for curve in curves]
+
+
+def _flaw(found: CamFound, own: Flaw, ours: Flaw) -> Flaw:
+    """Give a flaw with its worst place so: of one by its radius anywhere, of others only hard by."""
+    turned, near = ours.worst.turned, NEAR * found.cam.turn
+    beside = abs(turned - own.worst.turned) <= near
+    radii = _sides(found, turned, lambda curve: curve.radius) if own.kind in ("undercut", "hollow") else []
+    equal = any(math.isclose(abs(one), abs(own.worst.value), rel_tol=EQUAL) for one in radii)
+    return own._replace(worst=own.worst._replace(turned=turned)) if beside or equal else own
+
+
+@dataclass(frozen=True)
+class CamRoad:
+    """What one road found of all cams of a scene."""
+
+    by: str
+    cams: tuple[CamFound, ...]
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """Where nothing is found: a cam has a profile at every turn."""
+        return ()
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare both roads of a scene's cams, as far as it is asked (row of the table of techniques)."""
+    return compare_cams(study["cam"], frozenset(study.plans))
+
+
+def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
+    """Find each cam by analysis too, and put every quantity beside that of the construction."""
+    drawings = [*cams.drawings.values()]
+    theirs = tuple(settled(cam_found(one.cam, sizes(one.cam), one.turned), one.found) for one in drawings)
+    pairs = zip(drawings, theirs, strict=True)
+    lone = len(drawings) == 1
+    findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
+    return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
+
+
+def of_cam(comparison: Comparison, name: str) -> list[Finding]:
+    """List what was compared of one cam beside its law: sizes, profile, extremes, forces."""
+    lone = len(comparison.analysis.cams) == 1
+    return [one for one in comparison.findings if one.plan != LAWS and (lone or one.name.endswith(f" {name}"))]
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One cam by both roads; beside others its quantities bear its name."""
+
+    drawing: CamDrawing
+    theirs: CamFound
+    lone: bool = True
+
+    @property
+    def ours(self) -> CamFound:
+        """The cam by construction."""
+        return self.drawing.found
+
+    @cached_property
+    def slack(self) -> Slack:
+        """How far rounding can move it."""
+        return Slack(self.ours, self.drawing.sizing, self.ours.contour)
+
+    def near(self, one: Extreme | None) -> tuple[Slack, ...]:
+        """How far rounding can move it at the place of an extreme, on either side of it."""
+        if one is None:
+            return (self.slack,)
+        sides = (self.drawing.profile(np.array([one.turned]), before).contour for before in (False, True))
+        return tuple(Slack(self.ours, self.drawing.sizing, contour) for contour in sides)
+
+    def bent(self, one: Extreme | None) -> float:
+        """How far rounding can move 1/ρ at the place of an extreme, 1/m."""
+        return max(float(np.max(slack.curvature)) for slack in self.near(one))
+
+    def findings(self, plans: frozenset[str]) -> Iterator[Finding]:
+        """Compare what is asked for."""
+        if LAWS in plans:
+            yield from self.laws()
+            yield from map(self._pair, self.verdicts.shocks())
+            yield from self.diagrams()
+        if SIZES in plans:
+            yield from self.sizes()
+        if PROFILE in plans:
+            yield from self.profile()
+            yield from self.extremes()
+            yield from self.said()
+
+    @property
+    def verdicts(self) -> Verdicts:
+        """What both roads say of it beside its shape."""
+        return Verdicts(self.drawing, self.theirs, self.slack, self.near)
+
+    def said(self) -> Iterator[Finding]:
+        """Compare contact forces, flaws, and what would mend those."""
+        verdicts = self.verdicts
+        yield from map(self._pair, (*verdicts.forces(), *verdicts.flaws(), *verdicts.remedies()))
+
+    def _pair(self, one: Pair) -> Finding:
+        return self._row(*one)
+
+    def laws(self) -> Iterator[Finding]:
+        """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
+        own, other = self.ours.contour.travel, self.theirs.contour.travel
+        for order, name in enumerate(("S", "S'", "S''")):
+            yield self._row(LAWS, name, self._units[order], own[order], other[order], self.slack.travel(order))
+        for order, (name, one) in enumerate(self.ours.peaks.items(), 1):
+            size, its = abs(one.value), abs(self.theirs.peaks[name].value)
+            yield self._one(LAWS, f"{name}_max", self._units[order], size, its, self.slack.travel(order))
+
+    def diagrams(self) -> Iterator[Finding]:
+        """Compare the chords with the same chords by the ordinates of the analysis."""
+        drawn = self.drawing.diagrams
+        edges, slope, s = drawn.strips.edges, *self.chords
+        sums = TERM * len(edges)
+        first = self.slack.travel(1) + self.slack.travel(2) * self.ours.cam.turn + sums * _most(slope)
+        second = self.slack.travel(0) + first * self.ours.cam.turn + sums * _most(s)
+        yield self._row(LAWS, "S' chords", self._units[1], drawn.slope[1], slope, first)
+        yield self._row(LAWS, "S chords", self._units[0], drawn.travel.values, s, second)
+
+    @property
+    def chords(self) -> tuple[Floats, Floats]:
+        """S' at the ends of the strips and S at their edges, as chords find them from the analysis's S''."""
+        drawn, cam = self.drawing.diagrams, self.theirs.cam
+        edges = drawn.strips.edges
+        (gains, bends), slope = _gains(cam, edges), np.empty(len(edges) - 1)
+        for run in drawn.runs:
+            slope[run] = travel(cam, edges[run.start : run.start + 1]).slope + np.cumsum(gains[run])
+        steps = (slope - gains / 2 + np.diff(edges) * bends / 12) * np.diff(edges)
+        return slope, np.concatenate([[0.0], np.cumsum(steps)]) + float(travel(cam, edges[:1]).s[0])
+
+    @property
+    def gains(self) -> Floats:
+        """What S' gains over the strips by the mean ordinates of the analysis's S''."""
+        return _gains(self.theirs.cam, self.drawing.diagrams.strips.edges)[0]
+
+    def sizes(self) -> Iterator[Finding]:
+        """Compare the main sizes and the roller."""
+        own, other = self.ours, self.theirs
+        if not own.cam.translates:
+            yield self._one(SIZES, "R_0", "m", own.sizes.base, other.sizes.base, self.slack.centre)
+        if own.cam.rocks and not own.cam.translates:
+            yield self._one(SIZES, "L", "m", own.sizes.centre, other.sizes.centre, self.slack.centre)
+            turned = self.slack.centre / own.sizes.centre
+            yield self._one(SIZES, "ψ_0", "rad", own.sizes.initial, other.sizes.initial, turned + TERM)
+            yield self._one(SIZES, "O1", "m", own.sizes.pivot, other.sizes.pivot, self.slack.centre)
+        elif not own.cam.flat and not own.cam.translates:
+            yield self._one(SIZES, "e", "m", own.sizes.offset, other.sizes.offset, self.slack.centre)
+        if own.roller:
+            radius = own.sharpest.value**2 * self.bent(own.sharpest) if own.sharpest else 0.0
+            yield self._one(SIZES, "r_r", "m", own.roller, other.roller, radius + self.slack.centre)
+
+    def profile(self) -> Iterator[Finding]:
+        """Compare the profile at the numbered positions."""
+        own, other, slack = self.ours.contour, self.theirs.contour, self.slack
+        yield self._row(PROFILE, "K", "m", own.tip, other.tip, slack.lever)
+        yield self._row(PROFILE, "P", "m", own.pitch, other.pitch, slack.lever)
+        if self.ours.roller:
+            yield self._row(PROFILE, "Q", "m", own.profile, other.profile, slack.profile)
+        if own.outer is not None and other.outer is not None:
+            yield self._row(PROFILE, "Q'", "m", own.outer, other.outer, slack.profile)
+        yield self._row(PROFILE, "α", "rad", own.pressure, other.pressure, slack.angle)
+        yield self._row(PROFILE, "1/ρ", "1/m", *self._bends, slack.curvature)
+        if self.ours.cam.flat:
+            yield self._row(PROFILE, "ρ", "m", own.radius, other.radius, slack.radius)
+        yield self._row(PROFILE, "v_sl/ω", "m", own.sliding, other.sliding, slack.lever)
+
+    @property
+    def _bends(self) -> tuple[Floats, Floats]:
+        """1/ρ by both roads; of an edge under a flat face 0, for there ρ itself is compared."""
+        edge = 0.0 if self.ours.cam.flat else np.nan
+        return _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
+
+    def extremes(self) -> Iterator[Finding]:
+        """Compare the largest pressure angles and the sharpest places."""
+        own, other = self.ours, self.theirs
+        for kind, one in own.pressure.items():
+            angle = max(float(np.max(slack.angle)) for slack in self.near(one))
+            yield self._one(PROFILE, f"α_{kind}", "rad", abs(one.value), abs(other.pressure[kind].value), angle)
+        for name, one_, its in (("ρ_min", own.sharpest, other.sharpest), ("ρ_hollow", own.hollow, other.hollow)):
+            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), self.bent(one_))
+        for k, side in enumerate(("back", "front") if own.cam.flat else ()):
+            yield self._one(PROFILE, f"face_{side}", "m", own.face[k], other.face[k], self.slack.lever)
+
+    @property
+    def _units(self) -> Sequence[str]:
+        return dimensions(self.ours.cam)
+
+    def _one(self, plan: str, name: str, unit: str, own: complex, other: complex, allowed: float) -> Finding:
+        return self._row(plan, name, unit, np.array([own]), np.array([other]), allowed)
+
+    def _row(
+        self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
+    ) -> Finding:
+        off = np.asarray(np.abs(own - other), dtype=float)
+        name = name if self.lone else f"{name} {self.ours.cam.name}"
+        return Finding(plan, name, unit, own, other, off, np.broadcast_to(allowed, off.shape), _most(own))
+
+
+def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:
+    """Give what S' gains over strips, and how much S'' falls over them.
+
+    A mean ordinate of S'' is read from three, at both ends and at mid-strip; of a law by points it is the true one.
+    """
+    middles, width = (edges[:-1] + edges[1:]) / 2, np.diff(edges)
+    first, last = travel(cam, edges[:-1]), travel(cam, edges[1:], before=True)
+    by_points = [one for one in cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
+    straight = [(one.start < middles) & (middles < one.end) for one in by_points]
+    read = (first.bend + 4 * travel(cam, middles).bend + last.bend) / 6 * width
+    exact = np.any([np.zeros(len(middles), dtype=bool), *straight], axis=0)
+    return np.where(exact, last.slope - first.slope, read), first.bend - last.bend
+
+
+def _most(values: Floats | Points) -> float:
+    return float(np.max(np.abs(values), initial=0.0))
+
+
+def _over(radius: Floats, edge: float) -> Floats:
+    """Give 1/ρ; of a straight place 0, and what is said of an edge."""
+    bent = np.where(np.isinf(radius), 0.0, 1 / np.where(radius == 0, np.nan, radius))
+    return np.where(radius == 0, edge, bent)
+
+
+def _bent(one: Extreme | None) -> float:
+    return 1 / one.value if one is not None and one.value else 0.0

@@ -1,1 +1,0 @@
-"""Balancing by both roads beside each other (сравнение двух путей)."""

@@ -1,1 +1,0 @@
-"""Cams by both roads, compared (сравнение кулачков)."""

@@ -1,0 +1,125 @@
+"""Characteristic positions by both roads: each turn of the main shaft, the stroke, the window (сравнение)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.meet import EPS
+from plans.analytic import cyclogram as analysis
+from plans.checks.comparison import Comparison, Finding
+from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
+from plans.linkage.quantities import ANALYSIS as ROUNDINGS
+from plans.linkage.quantities import MOST_ALLOWED, road_of
+from plans.model.cyclogram import ANALYSIS, BEGIN, END, TURN, Cyclogram, Position
+from plans.words.words import Message, message
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+
+@dataclass(frozen=True)
+class CyclogramComparison(Comparison):
+    """The characteristic positions of a main mechanism by both roads."""
+
+    construction: Cyclogram
+    analysis: Cyclogram
+    findings: tuple[Finding, ...]
+
+    @property
+    def apart(self) -> Message:
+        """Say in what the two roads differ most: in what positions there are at all, or in one of them."""
+        ours, theirs = (tuple(one.role for one in road.positions) for road in (self.construction, self.analysis))
+        return super().apart if ours == theirs else message("check.positions", ours=len(ours), theirs=len(theirs))
+
+
+def compare_cyclogram(study: CyclogramStudy) -> CyclogramComparison:
+    """Find the characteristic positions by analysis too, and put each beside that of the construction."""
+    ours, watch = study.cyclogram, study.stations.watch
+    road = road_of(study.linkage)
+    theirs = analysis.cyclogram(road, study.task, study.output, watch.watched if watch else None)
+    if theirs is None:
+        theirs = Cyclogram("analysis", study.output, ours.sense, np.nan, ours.sliding, np.nan)
+    motion = road.motion(np.array([one.turned * ours.sense for one in ours.positions]), 0)
+    kappa = float(np.max(road.conditions(motion)))
+    return CyclogramComparison(ours, theirs, tuple(_findings(ours, theirs, kappa)))
+
+
+def comparison_of(study: Study) -> CyclogramComparison:
+    """Compare both roads of a scene's cyclogram (row of the table of techniques)."""
+    return compare_cyclogram(study[CYCLOGRAM])
+
+
+def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Finding]:
+    unit = "m" if ours.sliding else "rad"
+    rounding = ROUNDINGS * EPS * kappa
+    yield _finding("H", unit, ours.stroke, theirs.stroke, rounding * ours.stroke, ours.stroke)
+    yield _finding("θ", "rad", ours.overlap, theirs.overlap, rounding * kappa * TURN, TURN)
+    same = [one.role for one in ours.positions] == [one.role for one in theirs.positions]
+    others = theirs.positions if same else (None,) * len(ours.positions)
+    for number, (one, other) in enumerate(zip(ours.positions, others, strict=True)):
+        yield from _position(number, one, other, rounding)
+    if same:
+        ends = [one for one in ours.positions if one.turned in (ours.window.start, ours.window.end % TURN)]
+        allowed = sum(_allowed(one, rounding) for one in ends) + rounding
+        yield _finding("φ_rise", "rad", ours.window.angle, theirs.window.angle, allowed, TURN)
+
+
+def _position(number: int, one: Position, other: Position | None, rounding: float) -> Iterator[Finding]:
+    """Compare the turn of the main shaft in a position, and the pressure angle where that is extreme."""
+    turned = np.nan if other is None else one.turned + _apart(one.turned, other.turned)
+    yield _finding(f"φ_{number}", "rad", one.turned, turned, _allowed(one, rounding), TURN)
+    if one.angle is not None:
+        theirs = np.nan if other is None or other.angle is None else other.angle
+        yield _finding(f"α_{number}", "rad", one.angle, theirs, _allowed(one, rounding), np.pi / 2)
+
+
+def _allowed(one: Position, rounding: float) -> float:
+    """Allow what rounding can have moved: the notches, and of the analysis the root, as sharply as the place tells."""
+    return min(one.slack + rounding * TURN * max(one.condition, 1.0), MOST_ALLOWED * TURN)
+
+
+def _apart(one: float, other: float) -> float:
+    return (other - one + TURN / 2) % TURN - TURN / 2
+
+
+def _finding(name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
+    values = np.array([one]), np.array([other])
+    return Finding(CYCLOGRAM, name, unit, *values, np.abs(values[0] - values[1]), np.array([allowed]), largest)
+
+
+@dataclass(frozen=True)
+class CyclogramNumbers:
+    """The characteristic positions of a scene's main mechanism by one road."""
+
+    title: str
+    found: Cyclogram
+
+    @property
+    def flawed(self) -> bool:
+        """Whether something has no numbers: what has none is refused."""
+        return False
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        found, window = self.found, self.found.window
+        told: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
+        told["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}
+        told["positions"] = [_place(k, one) for k, one in enumerate(found.positions)]
+        return {"scene": self.title, "by": found.by, "cyclogram": told}
+
+
+def numbers(study: Study, by: str) -> CyclogramNumbers:
+    """Find the characteristic positions of a scene by a road (row of the table of techniques)."""
+    if by != ANALYSIS:
+        return CyclogramNumbers(study.scene.heading(), study[CYCLOGRAM].cyclogram)
+    return CyclogramNumbers(study.scene.heading(), study.comparison(CYCLOGRAM).analysis)
+
+
+def _place(number: int, one: Position) -> dict[str, Any]:
+    told = {"number": number, "role": one.role, "back": one.back, "turned": one.turned, "share": one.share}
+    bounded = one.role not in (BEGIN, END)  # where the tool stands a turn of the shaft does not move it
+    return told | {"place": one.place, "pressure": one.angle, "condition": one.condition if bounded else None}

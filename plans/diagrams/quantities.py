@@ -1,0 +1,178 @@
+"""The kinematic diagrams by both roads: the output's course at the positions, and the chords (сравнение диаграмм)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.calculus import ROUNDINGS
+from geometry.meet import EPS
+from plans.analytic.diagrams import ExactCourse, alone, diagrams
+from plans.checks.comparison import Comparison, Finding, plain
+from plans.diagrams.study import DIAGRAMS, DiagramsStudy
+from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, solved
+from plans.linkage.study import LinkageStudy
+from plans.linkage.travel import frame_slide
+from plans.model.diagrams import FEWEST, Diagrams
+from plans.model.motion import ACCELERATIONS, ORDERS, Floats
+from plans.words.words import Message, message
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+LETTERS = {True: ("S", "v", "a"), False: ("ψ", "ω", "ε")}  # of an output that slides, and of one that turns
+
+
+@dataclass(frozen=True)
+class DiagramsComparison(Comparison):
+    """The diagrams of an output by both roads; nothing where there are none."""
+
+    construction: Diagrams
+    analysis: Diagrams
+    findings: tuple[Finding, ...]
+    exact: ExactCourse  # the output's course anywhere on the axis, by analysis
+
+
+class NoDiagrams:
+    """What either road finds where there are no diagrams."""
+
+    by = "construction"
+    unanswered = ()
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare the diagrams of a scene (row of the table of techniques)."""
+    own: DiagramsStudy = study["diagrams"]
+    ours = own.diagrams
+    if ours is None:
+        return Comparison(NoDiagrams(), NoDiagrams(), ())
+    motion = motion_of(study)
+    output, road = own.linkage.output, motion.road
+    exact = ExactCourse(road, output, ours.axis, float(motion.analysis.phi[0]), road.extremes(output))
+    theirs = diagrams(exact, motion.analysis)
+    return DiagramsComparison(ours, theirs, tuple(_Bounds(own, ours, theirs, motion).findings()), exact)
+
+
+def motion_of(study: Study) -> MotionComparison:
+    """Give the motion by both roads up to accelerations, whatever else is asked for."""
+    found: MotionComparison = study.comparison("linkage")
+    whole = found.construction.order == ACCELERATIONS.number == found.analysis.order
+    return found if whole else compare(study["linkage"])
+
+
+class _Bounds:
+    """What rounding allows both roads to differ by, from what it allows the plans' own points or links."""
+
+    def __init__(self, own: DiagramsStudy, ours: Diagrams, theirs: Diagrams, motion: MotionComparison) -> None:
+        self.own, self.ours, self.theirs, self.motion = own, ours, theirs, motion
+        self.axis, self.omega = ours.axis, own.course.omega
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare S, v, a at the positions, v and a by chords, and exactly where these belong."""
+        letters = LETTERS[self.own.course.travel.sliding]
+        units = self.own.units
+        for order, (ours, theirs) in enumerate(zip(self.ours.at, self.theirs.at, strict=True)):
+            yield self._finding(letters[order], units[order], ours, theirs, self._plan(order))
+        chords = (
+            (f"{letters[1]} chords", units[1], self.ours.speeds, self.theirs.speeds, self._speeds),
+            (f"{letters[1]} middles", units[1], self.ours.true_speeds, self.theirs.true_speeds, self._middle(1)),
+            (f"{letters[2]} chords", units[2], self.ours.growths, self.theirs.growths, self._growths),
+            (f"{letters[2]} middles", units[2], self.ours.true_growths, self.theirs.true_growths, self._middle(2)),
+        )
+        for name, unit, ours, theirs, allowed in chords:
+            yield self._finding(name, unit, ours, theirs, allowed)
+
+    def _finding(self, name: str, unit: str, ours: Floats, theirs: Floats, allowed: Floats) -> Finding:
+        largest = float(np.nanmax(np.abs(theirs), initial=0.0))
+        return Finding(DIAGRAMS, name, unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
+
+    def _plan(self, order: int) -> Floats:
+        """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""
+        linkage: LinkageStudy = self.own.linkage
+        slide, told = frame_slide(linkage.mechanism, linkage.output.link), ORDERS[order]
+        if slide is None:
+            name = f"{told.link.symbol}_{linkage.output.link}"
+        else:
+            name = f"{told.point.symbol}_{linkage.output.point or slide.point}"
+        found = next(one for one in self.motion.of(told.plan) if one.name == name)
+        own = np.broadcast_to(found.allowed, found.construction.shape)[list(self.axis.numbers)]
+        return np.asarray(own + self._zero if order == 0 else own)
+
+    @property
+    def _zero(self) -> float:
+        """What may part the two zeros of S: each is a coordinate that is stationary, or the least or the mean one."""
+        largest = float(np.nanmax(np.abs(self.ours.at.s)) + abs(self.ours.count.zero))
+        return ANALYSIS * EPS * float(np.nanmax(self.motion.kappa, initial=1.0)) * largest
+
+    @property
+    def _speeds(self) -> Floats:
+        """What the ends of each chord of S allow its slope, (M - 1,)."""
+        s = self._plan(0) + EPS * np.abs(self.ours.at.s + self.ours.count.zero)
+        own = self.omega * (s[1:] + s[:-1]) / np.diff(self.axis.turned)
+        return np.asarray(own + EPS * ROUNDINGS * np.abs(self.ours.speeds))
+
+    @property
+    def _growths(self) -> Floats:
+        """What the ends of each chord of v allow its slope, (M,)."""
+        v, parts = self._speeds, np.diff(self.axis.turned)
+        ends = np.array([v[-1], v[0]]), np.array([parts[-1], parts[0]])
+        both, wide = (np.concatenate([end[:1], row, end[1:]]) for end, row in zip(ends, (v, parts), strict=True))
+        own = self.omega * (both[1:] + both[:-1]) * 2 / (wide[1:] + wide[:-1])
+        return np.asarray(own + EPS * ROUNDINGS * np.abs(self.ours.growths))
+
+    def _middle(self, order: int) -> Floats:
+        """Allow a value between positions what the worst position is allowed."""
+        shape = (self.ours.true_speeds if order == 1 else self.ours.true_growths).shape
+        lead = abs(self.ours.lead) * float(np.nanmax(self._plan(1))) if order > 1 else 0.0
+        return np.full(shape, float(np.nanmax(self._plan(order))) + lead)
+
+
+@dataclass(frozen=True)
+class DiagramsNumbers:
+    """The diagrams by one road with the output's letters; None and why where there are none."""
+
+    diagrams: Diagrams | None
+    left_out: Message | None
+    link: int
+    letters: tuple[str, str, str]
+
+    @property
+    def flawed(self) -> bool:
+        """Nothing is missing that is not missing in the motion."""
+        return False
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data; nothing where the diagrams are not wanted."""
+        if self.diagrams is None:
+            return {} if self.left_out is None else {"diagrams": {"left_out": str(self.left_out)}}
+        found, axis = self.diagrams, self.diagrams.axis
+        at = dict(zip(self.letters, map(plain, found.at), strict=True))
+        chords = {
+            f"{self.letters[1]}_chords": {"turned": plain(axis.middles), "values": plain(found.speeds)},
+            f"{self.letters[2]}_chords": {"turned": plain(axis.places), "values": plain(found.growths)},
+        }
+        positions = {"positions": list(axis.numbers), "turned": plain(axis.turned)}
+        return {"diagrams": {"output": self.link, **positions, **at, **chords}}
+
+
+def numbers(study: Study, by: str) -> DiagramsNumbers:
+    """Find the diagrams of a scene by a road (row of the table of techniques)."""
+    own: DiagramsStudy = study["diagrams"]
+    link = own.linkage.output.link
+    if not own.wanted or own.unfit:
+        return DiagramsNumbers(None, own.unfit if own.wanted else None, link, LETTERS[True])
+    letters = LETTERS[frame_slide(own.linkage.mechanism, link) is not None]
+    if by == "construction":
+        return DiagramsNumbers(own.diagrams, own.left_out, link, letters)
+    found = analysed(own)
+    left_out = None if found is not None else message("diagrams.few", least=FEWEST)
+    return DiagramsNumbers(found, left_out, link, letters)
+
+
+def analysed(own: DiagramsStudy) -> Diagrams | None:
+    """Find the diagrams by analysis alone."""
+    motion, extremes, road = solved(own.linkage, ACCELERATIONS.number, True)
+    return alone(road, own.linkage.output, extremes, motion, own.whole)

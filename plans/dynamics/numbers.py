@@ -1,0 +1,175 @@
+"""The numbers of a machine's motion as plain data, for `solve`: SI units, radians, null at gaps (числа динамики)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.errors import ConstructionError
+from plans.analytic.dynamics.speeds import Swing
+from plans.checks.comparison import gap_numbers, plain
+from plans.dynamics.form import DYNAMICS, DynamicsForm
+from plans.dynamics.quantities import compare_dynamics
+from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS
+from plans.linkage.quantities import compare
+from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
+from plans.model.motion import VELOCITIES, Floats, Pace, Rates
+from plans.model.run import Account, Failure, Run, Stage, SteadyTurn
+from plans.words.words import message, placed
+
+if TYPE_CHECKING:
+    from plans.dynamics.study import DynamicsStudy
+    from plans.study import Study
+
+
+@dataclass(frozen=True)
+class DynamicsNumbers:
+    """A machine's motion by one road, and which of it is told."""
+
+    title: str
+    account: Account
+    plans: frozenset[str]
+
+    @property
+    def flawed(self) -> bool:
+        """Whether something has no numbers."""
+        return bool(self.account.gaps)
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        account, data = self.account, dict[str, Any]()
+        if REDUCTION in self.plans:
+            data[REDUCTION] = _reduced(account.reduced)
+        if WORKS in self.plans and account.cycle is not None:
+            data[WORKS] = _cycle(account.cycle)
+        if FLYWHEEL in self.plans and account.flywheel is not None:
+            data[FLYWHEEL] = _flywheel(account.flywheel)
+        if SPEEDS in self.plans:
+            data[SPEEDS] = {"after": _speeds(account.speeds), "before": _speeds(account.before)}
+        if RUN in self.plans and account.run is not None:
+            data[RUN] = _run(account.run)
+        return {"scene": self.title, "by": account.by, "dynamics": data}
+
+
+def numbers(study: Study, by: str) -> DynamicsNumbers:
+    """Give a machine's motion by a road (row of the table of techniques)."""
+    account = study["dynamics"].account if by == CONSTRUCTION else study.comparison("dynamics").exact
+    return DynamicsNumbers(study.scene.heading(), account, study.plans)
+
+
+def _reduced(found: Reduced) -> dict[str, Any]:
+    return {
+        "phi": plain(found.phi),
+        "moment": plain(found.moment),
+        "inertia": plain(found.inertia),
+        "slope": plain(found.slope),
+        "gaps": [gap_numbers(gap) for gap in found.gaps],
+    }
+
+
+def _cycle(found: Cycle) -> dict[str, Any]:
+    return {
+        "turned": plain(found.turned),
+        "breaks": plain(found.breaks),
+        "moments": [plain(row) for row in found.moments],
+        "means": plain(found.means),
+        "work": plain(found.work),
+        "surplus": plain(found.surplus),
+        "inertia": plain(found.inertia),
+        "driving": found.driving + 0.0,
+    }
+
+
+def _flywheel(found: Flywheel) -> dict[str, Any]:
+    return {
+        "psi": np.arctan(found.slopes).tolist(),
+        "cuts": list(found.cuts),
+        "touches": [one._asdict() for one in found.touches],
+        "whole": found.whole,
+        "energy": found.energy,
+        "own": found.own,
+        "present": found.present,
+        "needed": found.needed,
+        "inertia": found.inertia,
+    }
+
+
+def _speeds(found: Speeds | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    return {
+        "turned": plain(found.turned),
+        "omega": plain(found.omega),
+        "epsilon": [plain(row) for row in found.epsilon],
+        "extremes": list(found.extremes),
+        "delta": found.delta,
+    }
+
+
+def _run(found: Run) -> dict[str, Any]:
+    return {
+        "stages": [_stage(found, stage) for stage in found.stages],
+        "steady": None if found.steady is None else _steady(found.steady),
+        "method": found.method._asdict(),
+        "failure": None if found.failure is None else _failure(found.failure),
+        "t": plain(found.t),
+        "turned": plain(found.turned),
+        "omega": plain(found.omega),
+        "epsilon": plain(found.epsilon),
+    }
+
+
+def _stage(run: Run, stage: Stage) -> dict[str, Any]:
+    return {
+        "name": stage.name,
+        "t": [float(run.t[stage.first]), float(run.t[stage.last])],
+        "works": stage.works._asdict(),
+        "energies": list(stage.energies),
+        "closing": stage.closing,
+    }
+
+
+def _steady(turn: SteadyTurn) -> dict[str, Any]:
+    return {
+        "start": turn.start,
+        "extremes": list(turn.extremes),
+        "mean": turn.mean,
+        "delta": turn.delta,
+        "period": turn.period,
+        "closing": turn.closing,
+        "repeats": turn.repeats,
+        "works": turn.works._asdict(),
+        "efficiency": turn.works.efficiency,
+    }
+
+
+def _failure(why: Failure) -> dict[str, Any]:
+    return {**why._asdict(), "advice": str(why.message)}
+
+
+class NoPace(ConstructionError):  # noqa: N818  (the exception tree's own word)
+    """Rates were asked of a machine that does not come to a steady motion."""
+
+
+def pace_of(study: Study) -> Pace | None:
+    """Give the rates of the crank in the steady motion of the machine, where the scene asks for them."""
+    scene = study.scene
+    if scene.of(DynamicsForm).drive.speed_from != DYNAMICS:
+        return None
+    dynamics: DynamicsStudy = study["dynamics"]
+    found = compare_dynamics(dynamics, compare(dynamics.linkage, VELOCITIES.number))
+    motion = found.after or found.before
+    if not isinstance(motion, Swing):
+        line, column = scene.place(("drive", "speed_from"))
+        raise NoPace(placed(f"{scene.file}:{line}:{column}", message("dynamics.no_pace")))
+    return _pace(motion, dynamics.reduction.start, dynamics.linkage.sense)
+
+
+def _pace(motion: Swing, start: float, sense: int) -> Pace:
+    def rates(phi: Floats) -> Rates:
+        turned = np.mod(sense * (phi - start), 2 * np.pi)
+        return Rates(sense * motion.omega(turned), sense * motion.epsilon(turned))
+
+    return rates

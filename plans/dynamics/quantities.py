@@ -1,0 +1,342 @@
+"""A machine's motion by both roads: reduction, works, loop, speeds; and the true error of the method (сравнение).
+
+The chords of the construction are held against the same chords by the analysis's own ordinates, so that nothing but
+rounding parts them; what the chords themselves leave out is told beside, against the exact turn, and is not judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.meet import EPS
+from geometry.strips import Departure, departure
+from plans.analytic.dynamics.flywheel import (
+    Exact,
+    book_slopes,
+    exact,
+    exact_cycle,
+    flywheel,
+    flywheel_of_points,
+    methods,
+    reduced_link,
+    sampled_cycle,
+    wheel,
+)
+from plans.analytic.dynamics.reduction import Reduction as Reducing
+from plans.analytic.dynamics.reduction import reduced
+from plans.analytic.dynamics.speeds import (
+    Stall,
+    Swing,
+    with_flywheel,
+    with_flywheel_of_points,
+    without_flywheel,
+    without_flywheel_of_points,
+)
+from plans.checks.comparison import Comparison, Finding
+from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
+from plans.forces.loading import loading
+from plans.forces.stroke import Stroke
+from plans.linkage.quantities import ANALYSIS, MotionComparison
+from plans.model.dynamics import Cycle, Flywheel, Methods, Speeds
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Track
+from plans.model.motion import Floats, Motion
+from plans.model.run import Account, Run
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+CHORDS_ORDER = (
+    2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
+)
+SAME = 1e-7  # rad: a break is known to half the digits of an angle, by a notch or by a root
+# Of the largest moment: what a straight line through two ordinates beside an edge leaves out, or rounds, there.
+BESIDE = 2.0**-32
+
+
+class Reductions(NamedTuple):
+    """The reduction at the positions of the scene by both roads."""
+
+    study: DynamicsStudy
+    motion: MotionComparison
+    theirs: Account
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare reduced moment, inertia and its slope."""
+        ours, lever = self.study.reduced, self.study.reduction.own
+        pairs = (
+            ("M_red", "N*m", "moment", lever.acting, 1),
+            ("J_red", "kg*m2", "inertia", lever.moved, 1),
+            ("dJ/dφ", "kg*m2", "slope", lever.hindering, CHORDS_ORDER),
+        )
+        for name, unit, field, marks, order in pairs:
+            values = getattr(ours, field), getattr(self.theirs.reduced, field)
+            largest = _gross(marks)
+            off = lever.off(marks) * (2 if field == "slope" else 1)
+            allowed = off + ANALYSIS * EPS * self.motion.kappa ** (order + 1) * largest
+            yield Finding(REDUCTION, name, unit, *values, np.abs(values[0] - values[1]), allowed, largest)
+
+
+def _gross(marks: Iterable[Mark]) -> float:
+    """Give the largest sum of moments by their sizes: they may cancel each other."""
+    sizes = sum((np.abs(np.asarray(mark.point)) for mark in marks), np.zeros(1))
+    return float(np.nanmax(sizes, initial=0.0))
+
+
+class Chords:
+    """The works, the loop and the speeds by both roads on the same strips, with what rounding allows them."""
+
+    def __init__(self, study: DynamicsStudy, cycle: Cycle, theirs: Account, turn: Exact) -> None:
+        assert theirs.cycle is not None  # it was made of this one
+        self.study, self.ours, self.theirs, self.turn = study, cycle, theirs.cycle, turn
+        self.wheels, self.account = (study.flywheel, theirs.flywheel), theirs
+        works = study.works
+        self.size, self.bent = _gross(works.middle.acting), works.bent.ravel()
+        self.mean = works.middle.off(works.middle.acting) + turn.noise * self.size
+        self.mass = works.edge.off(works.edge.moved) + turn.noise * _gross(works.edge.moved)
+        areas = np.cumsum(np.diff(cycle.turned) * self.mean)
+        self.work = works.curve.slacks + np.concatenate(([0.0], areas))
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare all that is drawn over the turn."""
+        ours, theirs = self.ours, self.theirs
+        yield self._breaks()
+        yield _finding(WORKS, "M_red", "N*m", (ours.means, theirs.means), self.mean)
+        sides = ours.moments.ravel(), theirs.moments.ravel()
+        yield _finding(WORKS, "M_red±", "N*m", sides, np.repeat(self.mean, 2) + BESIDE * self.size + self.bent)
+        yield _finding(WORKS, "J_red", "kg*m2", (ours.inertia, theirs.inertia), self.mass)
+        yield _finding(WORKS, "A", "J", (ours.work, theirs.work), self.work)
+        yield _finding(WORKS, "ΔT", "J", (ours.surplus, theirs.surplus), self._surplus, _largest(ours.work))
+        yield self._settled()
+        for field, names in (("speeds", ("ω", "ε")), ("before", ("ω_0", "ε_0"))):
+            yield from self._speeds(names, getattr(self.study, field), getattr(self.account, field))
+        if self.wheels[0] is not None and self.wheels[1] is not None:
+            yield from self._flywheel(self.wheels[0], self.wheels[1])
+            yield from self._methods(self.wheels[0])
+            yield from self._rim(self.wheels[1])
+
+    @property
+    def _surplus(self) -> Floats:
+        return np.asarray(self.work + self.work[-1] + 4 * EPS * _largest(self.ours.work))
+
+    def _breaks(self) -> Finding:
+        """Compare where the moment jumps or bends, of each road the nearest of the other; position 0 is always one."""
+        ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
+        pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
+        both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
+        return _finding(WORKS, "φ", "rad", (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
+
+    def _settled(self) -> Finding:
+        """See that the exact turn is exact."""
+        error = np.array([self.turn.error])
+        allowed = np.array([self.turn.noise if self.turn.settled else 0.0])
+        return Finding(WORKS, "M_red, J_red exact", "", error, 0 * error, error, allowed, 1.0)
+
+    def _flywheel(self, ours: Flywheel, theirs: Flywheel) -> Iterator[Finding]:
+        steep, mass = ours.slopes[1], 2 * float(self.mass.max())
+        cut = float(self._surplus.max()) + steep * mass
+        largest = max(map(abs, (*ours.cuts, *theirs.cuts, _largest(self.ours.work))))
+        names = ("o1l", "o1k")
+        for name, one, other in zip(names, ours.cuts, theirs.cuts, strict=True):
+            yield _single(FLYWHEEL, name, "J", one, other, cut + 4 * EPS * largest, largest)
+        whole = self._whole(ours)
+        yield _single(FLYWHEEL, "J_0", "kg*m2", ours.whole, theirs.whole, whole, abs(ours.whole))
+        energy = steep * whole + cut
+        yield _single(FLYWHEEL, "T_0", "J", ours.energy, theirs.energy, energy, abs(ours.energy))
+
+    def _methods(self, ours: Flywheel) -> Iterator[Finding]:
+        """Compare J0 by the other methods, from the points of the same loop."""
+        task, told = self.study.task, self.study.methods
+        if told is None or task.delta is None:
+            return
+        mean, even = task.speed**2 / 2, task.speed**2 * task.delta
+        level = flywheel_of_points(self.theirs, task, (mean, mean)).cuts
+        gutyar = flywheel_of_points(self.theirs, task).cuts
+        book = flywheel_of_points(self.theirs, task, book_slopes(task))
+        allowed, largest = 2 * self._whole(ours), abs(ours.whole)
+        pairs = {
+            "book": (told.book, book.whole),
+            "mertsalov": (told.mertsalov, (level[1] - level[0]) / even),
+            "gutyar": (told.gutyar, (gutyar[1] - gutyar[0]) / even),
+        }
+        for name, (one, other) in pairs.items():
+            yield _single(FLYWHEEL, f"J_0 {name}", "kg*m2", one, other, allowed, largest)
+
+    def _rim(self, theirs: Flywheel) -> Iterator[Finding]:
+        """Compare mass and section of the rim."""
+        one, other = self.study.wheel, wheel(theirs.inertia, self.study.task.rim)
+        if one is None or other is None or self.wheels[0] is None:
+            return
+        share = self._whole(self.wheels[0]) / theirs.inertia + 16 * EPS
+        for name, unit in (("inertia", "kg*m2"), ("mass", "kg"), ("thickness", "m"), ("breadth", "m")):
+            size = abs(getattr(other, name))
+            yield _single(FLYWHEEL, name, unit, getattr(one, name), getattr(other, name), share * size, size)
+
+    def _whole(self, ours: Flywheel) -> float:
+        """Give how far rounding can have moved J0: both segments over the difference of the slopes."""
+        low, high = ours.slopes
+        cut = float(self._surplus.max()) + 2 * high * float(self.mass.max())
+        far = max(map(abs, (*ours.cuts, _largest(self.ours.work))))
+        return 2 * (cut + 4 * EPS * far) / (high - low) + 8 * EPS * high / (high - low) * abs(ours.whole)
+
+    def _speeds(self, names: tuple[str, str], ours: Speeds | None, theirs: Speeds | None) -> Iterator[Finding]:
+        """Compare a motion; one road alone that lets the machine stop is infinitely off."""
+        told = ours or theirs
+        if told is None:
+            return
+        masses = np.maximum(told.inertia + self.ours.varying, 0.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            off = self._energy(told) / (masses * told.omega)
+        pair = [np.full_like(told.omega, np.nan) if one is None else one.omega for one in (ours, theirs)]
+        yield _finding(SPEEDS, names[0], "rad/s", (pair[0], pair[1]), np.asarray(off))
+        if ours is not None and theirs is not None:
+            grown = self._growth(told, off, masses)
+            values = ours.epsilon.ravel(), theirs.epsilon.ravel()
+            yield _finding(SPEEDS, names[1], "rad/s2", values, np.repeat(grown, 2)[1:-1])
+
+    def _energy(self, told: Speeds) -> Floats:
+        """Give how far rounding can have moved the energy of the machine at each edge, J."""
+        steep = told.extremes[1] ** 2
+        wheel = self.wheels[0]
+        whole = 0.0
+        if wheel is not None and wheel.needed > 0 and told.inertia == wheel.whole:
+            whole = self._whole(wheel) * (wheel.slopes[1] - wheel.slopes[0])
+        cut = 4 * float(self._surplus.max()) + 4 * steep * float(self.mass.max())
+        return np.asarray(whole + cut + 16 * EPS * abs(told.energy) + 0 * told.omega)
+
+    def _growth(self, told: Speeds, off: Floats, masses: Floats) -> Floats:
+        """Give how far rounding can have moved the acceleration at each edge, rad/s2."""
+        slope, bend = self.study.works.edge.slope, 2 * self.study.works.edge.off(self.study.works.edge.hindering)
+        bend = bend + self.turn.noise * _largest(slope)
+        beside = BESIDE * self.size + float(self.bent.max())
+        moved = float(self.mean.max()) + beside + told.omega * off * np.abs(slope) + told.omega**2 * bend
+        largest = np.maximum(np.abs(told.epsilon).max(), 0.0)
+        return np.asarray((moved + largest * self.mass) / masses)
+
+
+def _nearest(one: float, places: Floats) -> float:
+    """Give the nearest of some angles of a turn, on the same side of its end."""
+    apart = np.angle(np.exp(1j * (places - one)))
+    return float(one + apart[np.argmin(np.abs(apart))])
+
+
+def _largest(values: Floats) -> float:
+    return float(np.abs(values).max(initial=0.0))
+
+
+def _finding(
+    plan: str, name: str, unit: str, pair: tuple[Floats, Floats], allowed: Floats, largest: float | None = None
+) -> Finding:
+    most = _largest(pair[1]) if largest is None else largest
+    return Finding(plan, name, unit, *pair, np.abs(pair[0] - pair[1]), allowed, most)
+
+
+def _single(plan: str, name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
+    return _finding(plan, name, unit, (np.array([one]), np.array([other])), np.array([allowed]), largest)
+
+
+ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
+
+
+@dataclass(frozen=True)
+class DynamicsComparison(Comparison):
+    """A machine's motion by both roads, over its positions by both; `exact` is the turn without the chords' error."""
+
+    construction: Account
+    analysis: Account
+    findings: tuple[Finding, ...]
+    motion: MotionComparison
+    exact: Account
+    turn: Exact | None = None  # the exact turn at any angle; None where the crank cannot turn fully
+    after: Swing | Stall | None = None  # the exact motion with the flywheel
+    before: Swing | Stall | None = None  # and without one
+    methods: Methods | None = None  # J0 by other methods, exact
+
+    @property
+    def agrees(self) -> bool:
+        """Whether both roads find the same over the same motion."""
+        return super().agrees and self.motion.agrees
+
+    @property
+    def error(self) -> Departure | None:
+        """The true error of the chords in J0, as a share of it; None where no fluctuation is asked for."""
+        drawn, true = self.construction.flywheel, self.exact.flywheel
+        return None if drawn is None or true is None else departure([drawn.whole], [true.whole])
+
+
+def comparison_of(study: Study) -> DynamicsComparison:
+    """Compare a scene's machine (row of the table of techniques)."""
+    return compare_dynamics(study["dynamics"], study.comparison("linkage"))
+
+
+def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:
+    """Compare the motion of a machine whose positions are compared."""
+    road, strokes = _road(study, motion)
+    theirs = Account("analysis", reduced(road, study.linkage.turn.phi))
+    both = Reductions(study, motion, theirs)
+    ours = study.account
+    if ours.cycle is None:
+        return DynamicsComparison(ours, theirs, tuple(both.findings()), motion, theirs)
+    turn = exact(road, strokes)
+    sampled = _sampled(study, theirs, turn, ours.cycle)
+    true, after, before = _exact(study, theirs, turn, ours.cycle)
+    chords = Chords(study, ours.cycle, sampled, turn)
+    found = (*both.findings(), *chords.findings())
+    return DynamicsComparison(ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task))
+
+
+def exact_turn(study: DynamicsStudy, motion: MotionComparison) -> Exact:
+    """Find the turn of a machine without any error but rounding, by the road that its positions were compared by."""
+    return exact(*_road(study, motion))
+
+
+def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, Stroke]]:
+    strokes = study.statics.over(motion.road.extremes)
+    loads, start = partial(_loads, study, strokes), float(study.linkage.turn.phi[0])
+    return Reducing(motion.road, study.statics.machine, loads, start), strokes
+
+
+def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:
+    return loading(study.statics.machine, motion, strokes)
+
+
+def _sampled(study: DynamicsStudy, theirs: Account, turn: Exact, cycle: Cycle) -> Account:
+    """Do what the construction does, with the ordinates of the analysis."""
+    task, sampled = study.task, sampled_cycle(turn, cycle.turned)
+    found, slope = flywheel_of_points(sampled, task) if task.delta else None, turn.slope(cycle.turned)
+    speeds = with_flywheel_of_points(sampled, slope, task, found) if found else None
+    before = without_flywheel_of_points(sampled, slope, task)
+    return replace(theirs, cycle=sampled, flywheel=found, speeds=speeds, before=before)
+
+
+def _exact(
+    study: DynamicsStudy, theirs: Account, turn: Exact, cycle: Cycle
+) -> tuple[Account, Swing | Stall | None, Swing | Stall]:
+    """Account for the turn without any error but rounding."""
+    task = study.task
+    found = flywheel(turn, task) if task.delta else None
+    before = without_flywheel(turn, task)
+    after = with_flywheel(turn, task, found) if found else None
+    speeds = [_told(one, cycle.turned) for one in (after, before)]
+    true = replace(theirs, cycle=exact_cycle(turn, cycle.turned), flywheel=found, speeds=speeds[0], before=speeds[1])
+    if study.motor is not None:
+        true = replace(true, run=_run(study, turn))
+    return true, after, before
+
+
+def _run(study: DynamicsStudy, turn: Exact) -> Run:
+    """Find the run of the machine with the flywheel that was constructed."""
+    from plans.analytic.dynamics.run import run  # noqa: PLC0415  (only a scene with a motor pays for the solver)
+
+    assert study.motor is not None  # asked before
+    return run(reduced_link(turn, study.constant), study.motor, study.run_task)
+
+
+def _told(found: Swing | Stall | None, turned: Floats) -> Speeds | None:
+    return found.speeds(turned) if isinstance(found, Swing) else None

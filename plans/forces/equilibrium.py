@@ -1,0 +1,152 @@
+"""Equilibrium of a force plan: sums of forces and moments on links, groups and the whole, power, energy (проверка).
+
+Every sum is taken anew from the reactions as they are told, the loads, the masses and the motion of the same road, with
+what rounding allows it: the bounds of the reactions carried from step to step, and a rounding of every term.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from geometry.meet import EPS, cross, dot
+from geometry.precision import OWN
+from plans.checks.comparison import Finding
+from plans.linkage.quantities import largest_of
+from plans.model.dyad import Group
+from plans.model.kinetostatics import Kinetostatics, Loading
+from plans.model.machine import Body, Machine
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Floats, Motion
+
+
+class LinkForce(NamedTuple):
+    """A force N on a link at r m, with how far rounding can have moved it; a couple N*m is a force of none."""
+
+    link: int
+    r: Any
+    force: Any
+    couple: Any
+    off: Any  # of the force, N
+    off_couple: Any  # N*m
+
+
+# How far rounding can have moved a force N and a moment N*m over the positions: the reaction of each pair by its key
+# "3-4", the inertia of each link by its number "3", and what drives the crank by BALANCING.
+Bounds = Mapping[str, tuple[Floats, Floats]]
+BALANCING = "balancing"
+EQUILIBRIUM = "equilibrium"  # the plan of the findings
+
+
+def acting(
+    mechanism: Mechanism, machine: Machine, motion: Motion, loading: Loading, forces: Kinetostatics, bounds: Bounds
+) -> list[LinkForce]:
+    """List everything that acts on the moving links: inertia, weights, loads, reactions, and what drives the crank."""
+    zero = np.zeros(len(motion.phi))
+    found = [_body(mechanism, machine, motion, body, bounds[str(body.link)]) for body in machine.bodies.values()]
+    for load in loading.forces:
+        if load.link != FRAME:
+            found.append(
+                LinkForce(load.link, motion.points[load.point].r, load.force, zero, EPS * abs(load.force), zero)
+            )
+    for twist in loading.moments:
+        found.append(LinkForce(twist.link, 0j * zero, 0j * zero, twist.moment, zero, EPS * abs(twist.moment)))
+    for key, one in forces.reactions.items():
+        moment = zero if one.moment is None else one.moment
+        off, off_moment = bounds[key]
+        found.append(LinkForce(one.taker, one.r, one.force, moment, off, off_moment))
+        found.append(LinkForce(one.giver, one.r, -one.force, -moment, off, off_moment))
+    return [one for one in (*found, _drive(mechanism, forces, bounds[BALANCING])) if one.link != FRAME]
+
+
+def _body(
+    mechanism: Mechanism, machine: Machine, motion: Motion, body: Body, bound: tuple[Floats, Floats]
+) -> LinkForce:
+    """Give inertia and weight of a link; where it is and how it moves follow from one of its points and its turning."""
+    turned = motion.links[body.link]
+    name, own = next(iter(mechanism.links[body.link].points.items()))
+    point = motion.points[name]
+    arm = (body.centre - own) * np.exp(1j * turned.angle)
+    bent = point.a + (1j * turned.epsilon - turned.omega**2) * arm
+    force = body.mass * (machine.gravity - bent)
+    # Taken here from a point and the turning of the link, on the plan from the image of the mass centre: twice a bound.
+    rounded = OWN * EPS * (np.abs(body.mass * machine.gravity) + body.mass * (np.abs(point.a) + np.abs(bent - point.a)))
+    couple = -body.inertia * turned.epsilon
+    return LinkForce(body.link, point.r + arm, force, couple, 2 * bound[0] + rounded, 2 * bound[1])
+
+
+def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Floats]) -> LinkForce:
+    told, link = forces.balancing, mechanism.drive.link
+    zero = 0.0 * told.moment
+    if told.force is None or told.r is None:
+        return LinkForce(link, 0j * zero, 0j * zero, told.moment, zero, bound[1])
+    return LinkForce(link, told.r, told.force, zero, bound[0], zero)
+
+
+def balance(
+    name: str, parts: Sequence[LinkForce], own: Floats, most: tuple[float, float] | None = None
+) -> tuple[Finding, Finding]:
+    """Sum forces and moments about the shaft; `own` is the bound m of the places.
+
+    `most` are the largest force N and moment N*m of the machine: on a link that nothing loads rounding alone is left.
+    """
+    force = np.sum([one.force for one in parts], axis=0)
+    moment = np.sum([cross(one.r, one.force) + one.couple for one in parts], axis=0)
+    sizes, arms = np.array([np.abs(one.force) for one in parts]), np.array([np.abs(one.r) for one in parts])
+    off = np.array([one.off for one in parts])
+    slack = off.sum(axis=0) + len(parts) * EPS * sizes.max(axis=0)
+    turned = np.array([one.off_couple + EPS * np.abs(one.couple) for one in parts]).sum(axis=0)
+    lever = (arms * off).sum(axis=0) + (sizes * own).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
+    most = largest(parts) if most is None else most
+    return (
+        vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
+        vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
+    )
+
+
+def largest(parts: Sequence[LinkForce]) -> tuple[float, float]:
+    """Give the largest force N and the largest moment N*m about the shaft that act anywhere, over all positions."""
+    moments = [np.abs(one.r) * np.abs(one.force) + np.abs(one.couple) for one in parts]
+    return largest_of([np.abs(one.force) for one in parts]), largest_of(moments)
+
+
+def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], own: Floats) -> list[Finding]:
+    """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
+    found: list[Finding] = []
+    most = largest(parts)
+    for link in sorted(set(mechanism.links) - {FRAME}):
+        found += balance(str(link), [one for one in parts if one.link == link], own, most)
+    for group in groups:
+        found += balance("-".join(map(str, group.links)), [one for one in parts if one.link in group.links], own, most)
+    return [*found, *balance("whole", parts, own, most)]
+
+
+def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slack: Floats, turning: Floats) -> Finding:
+    """Sum the power W of all that acts on the moving links: reactions of ideal pairs have none (M5.8).
+
+    `slack` m/s and `turning` rad/s are the bounds of the velocities.
+    """
+    terms, bounds = [], []
+    for one in parts:
+        turned, name = motion.links[one.link], next(iter(mechanism.links[one.link].points))
+        point = motion.points[name]
+        v = point.v + 1j * turned.omega * (one.r - point.r)
+        terms.append(dot(one.force, v) + one.couple * turned.omega)
+        bounds.append(
+            np.abs(v) * one.off
+            + np.abs(turned.omega) * one.off_couple
+            + np.abs(one.force) * slack
+            + np.abs(one.couple) * turning
+        )
+    sizes = np.array([np.abs(term) for term in terms])
+    allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
+    fastest = [np.abs(point.v) for point in motion.points.values()]
+    most = max(largest_of([sizes]), largest(parts)[0] * largest_of(fastest))
+    return vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)
+
+
+def vanishing(name: str, unit: str, left: Floats, allowed: Floats, largest: float) -> Finding:
+    """Put a sum that must vanish beside the zero that it must be."""
+    return Finding(EQUILIBRIUM, name, unit, left, 0.0 * left, left, allowed, largest)

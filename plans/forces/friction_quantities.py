@@ -1,0 +1,229 @@
+"""Friction by both roads: powers, efficiency, wear, and where the machine jams (сравнение трения и кпд)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.hand_error import SlippingHand, slopes
+from plans.checks.by_hand import SLIP, Slipping, errors_by_hand
+from plans.checks.comparison import Comparison, Finding
+from plans.forces.cut import indices
+from plans.forces.force_template import ForcePlans
+from plans.forces.friction import rate
+from plans.forces.primary import BALANCING, DRIVING, balancing_quantity
+from plans.forces.statics import Statics
+from plans.linkage.quantities import MotionComparison, cap, largest_of, with_analysis
+from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
+from plans.model.losses import Friction
+from plans.model.machine import Rubbing
+from plans.model.mechanism import Mechanism
+from plans.model.motion import VELOCITIES, Floats
+
+FRICTION = "friction"  # the plan of the findings
+ORDER = 3  # powers rest on reactions
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
+def compare_friction(
+    statics: Statics, motion: MotionComparison, forces: Comparison, theirs: Friction
+) -> tuple[Friction, tuple[Finding, ...]]:
+    """Give friction by construction, and compare it with that of the analysis, over forces that are compared."""
+    study, ours = statics.study, statics.friction
+    assert ours is not None  # the machine has friction
+    both = _Compared(statics, motion, forces, (ours, theirs))
+    powers = both.powers(statics.loading(motion.construction))
+    told = *cap(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
+    return ours, told
+
+
+class _Compared:
+    """What friction takes by both roads, with what the differences of reactions and rates allow of it."""
+
+    def __init__(
+        self, statics: Statics, motion: MotionComparison, forces: Comparison, both: tuple[Friction, Friction]
+    ) -> None:
+        self.mechanism: Mechanism = statics.study.mechanism
+        self.machine, self.motion, self.compared = statics.machine, motion, forces
+        self.forces: Kinetostatics = forces.construction
+        self.ours, self.theirs = both
+        self.known = np.isfinite(self.ours.lost + self.theirs.lost)
+        named = {finding.name: finding for finding in forces.of("forces")}
+        self.named: Callable[[str], Finding | None] = named.get
+        self.slow = self._off("ω_")  # rad/s that any link's rate may differ by
+        self.slip = self._off("v_") + self.slow * self.forces.size  # m/s that of any point of a link may
+        reactions = self.forces.reactions
+        rates = {key: rate(self.mechanism, motion.construction, reactions[key]) for key in self.ours.powers}
+        self.rates = {key: np.abs(one) for key, one in rates.items()}
+        self.largest = max((self._largest(key) for key in self.rates), default=0.0)
+
+    def _off(self, symbol: str) -> Floats:
+        told = [one.allowed for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
+        rows = [np.broadcast_to(row, len(self.ours.phi)) for row in told]
+        return np.max(rows, axis=0) if rows else np.zeros(len(self.ours.phi))
+
+    def _off_rate(self, one: Reaction) -> Floats:
+        return 2.0 * (self.slow if one.along is None else self.slip)
+
+    def _arm(self, one: Reaction, rubs: Rubbing) -> float:
+        """Give what friction takes of the machine's largest force at the most: N of a slide, N*m of a journal."""
+        if one.along is None:
+            return rubs.radius
+        return 1.0 + (2.0 * self.forces.size / rubs.length if rubs.length else 0.0)
+
+    def _fast(self, key: str) -> float:
+        """Give the largest rate of the machine that a pair may have: rad/s, or of a slide m/s."""
+        symbol = "ω_" if self.forces.reactions[key].along is None else "v_"
+        told = [one.largest for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
+        return max([*told, largest_of([self.rates[key]])])
+
+    def _largest(self, key: str) -> float:
+        """Give the power W of a pair that bears the machine's largest force at its largest rate."""
+        rubs = self.machine.friction[key]
+        arm = rubs.coefficient * self._arm(self.forces.reactions[key], rubs)
+        return arm * self.forces.largest * self._fast(key)
+
+    def _pressed(self, key: str) -> Floats:
+        """Give by how much what presses in a pair may differ: N of a slide, N*m of a journal."""
+        one, rubs = self.forces.reactions[key], self.machine.friction[key]
+        force, moment = (self.named(f"{letter}_{indices(one.giver, one.taker)}") for letter in "RM")
+        assert force is not None  # every reaction was compared
+        if one.along is None:
+            return rubs.radius * force.allowed
+        return np.asarray(force.allowed + (2.0 * moment.allowed / rubs.length if moment and rubs.length else 0.0))
+
+    def _lost(self, key: str) -> Floats:
+        """Give by how much the power W lost in a pair may differ: its pressure's error by its rate, and the reverse."""
+        rubs, steady = self.machine.friction[key], self._off_rate(self.forces.reactions[key])
+        pressed = np.where(self.rates[key] > 0, self.ours.powers[key] / self.rates[key], 0.0)
+        own = rubs.coefficient * self._pressed(key) * self.rates[key] + pressed * steady
+        return with_analysis(own, ORDER, self.motion.kappa, self.largest)
+
+    def _used(self, loads: Loading) -> Floats:
+        forces = sum((np.abs(load.force) for load in loads.forces if load.useful), np.zeros(len(self.ours.phi)))
+        moments = sum((np.abs(one.moment) for one in loads.moments if one.useful), np.zeros(len(self.ours.phi)))
+        largest = max(self.largest, largest_of([self.ours.useful]))
+        return with_analysis(forces * self.slip + moments * self.slow, ORDER, self.motion.kappa, largest)
+
+    def finding(self, named: tuple[str, str], pair: tuple[Floats, Floats], allowed: Floats, largest: float) -> Finding:
+        """Put one quantity by both roads beside each other, where both have forces."""
+        count = len(pair[0])
+        ours, theirs = (np.where(self.known, row, np.nan) if count == len(self.known) else row for row in pair)
+        return Finding(FRICTION, *named, ours, theirs, np.abs(ours - theirs), allowed, largest)
+
+    def powers(self, loads: Loading) -> Iterator[Finding]:
+        """Compare the powers lost in the pairs, and those that the useful loads take."""
+        for key, ours in self.ours.powers.items():
+            pair = ours, self.theirs.powers[key]
+            yield self.finding((f"N_{_index(key)}", "W"), pair, self._lost(key), self.largest)
+        self.off_used, used = self._used(loads), (self.ours.useful, self.theirs.useful)
+        yield self.finding(("N_us", "W"), used, self.off_used, max(self.largest, largest_of([self.ours.useful])))
+
+    def locking(self) -> Iterator[Finding]:
+        """Compare friction over driving force, and the power that drives, of the pairs that a group moves.
+
+        The construction's share is that of its ray, over the part of the ray that drives: kappa once.
+        """
+        for key, ours in self.ours.locking.items():
+            largest = max(largest_of([ours]), self.machine.friction[key].coefficient)
+            allowed = with_analysis(np.zeros(len(ours)), ORDER, self.motion.kappa, largest)
+            yield self.finding((f"locking {_index(key)}", "1"), (ours, self.theirs.locking[key]), allowed, largest)
+            yield self._driving(key)
+
+    def _driving(self, key: str) -> Finding:
+        one, rubs = self.forces.reactions[key], self.machine.friction[key]
+        arm = (self.forces.size if one.along is None else 1.0) * (1.0 + self.ours.locking[key])
+        most = max((finding.allowed for finding in self.compared.of("forces") if finding.unit == "N"), key=_most)
+        largest = largest_of([arm * self.forces.largest]) * self._fast(key) + self._largest(key)
+        turning = self._pressed(key) * rubs.coefficient
+        own = (arm * most + turning) * self.rates[key] + arm * self.forces.largest * self._off_rate(one)
+        allowed = with_analysis(own, ORDER, self.motion.kappa, largest)
+        pair = self.ours.driving[key], self.theirs.driving[key]
+        return self.finding((f"driving {_index(key)}", "W"), pair, allowed, largest)
+
+    def efficiency(self) -> Iterator[Finding]:
+        """Compare the efficiencies where the power is more than what its own roundings allow."""
+        lost = sum((self._lost(key) for key in self.ours.powers), np.zeros(len(self.ours.phi)))
+        off, whole = lost + self.off_used, self.ours.useful + self.ours.lost
+        judged = np.where(whole > off, self.theirs.efficiency, self.ours.efficiency)
+        yield self.finding(("η", "1"), (self.ours.efficiency, judged), np.asarray(off / whole), 1.0)
+        if np.nansum(whole) > np.nansum(off) and not self.ours.cycle is self.theirs.cycle is None:
+            told = np.array([self.ours.cycle], dtype=float), np.array([self.theirs.cycle], dtype=float)
+            yield self.finding(("η cycle", "1"), told, np.array([np.nansum(off) / np.nansum(whole)]), 1.0)
+
+    def wear(self) -> Iterator[Finding]:
+        """Compare the shares of the pairs in the work of friction, where that is more than its own roundings allow."""
+        total = float(np.nansum(self.ours.lost))
+        lost = {key: float(np.nansum(self._lost(key))) for key in self.ours.powers}
+        if total <= sum(lost.values()):
+            return
+        for key in self.ours.wear:
+            pair = np.array([self.ours.wear[key]]), np.array([self.theirs.wear.get(key, np.nan)])
+            allowed = np.array([(lost[key] + self.ours.wear[key] * sum(lost.values())) / total])
+            yield self.finding((f"wear {_index(key)}", "1"), pair, allowed, 1.0)
+
+    def jams(self) -> Iterator[Finding]:
+        """Compare where pairs jam: one road alone may only where the ratio is 1, or the power 0, to its rounding."""
+        named = {finding.name: finding for finding in self.locking()}
+        for key, ratio in self.ours.locking.items():
+            edge = np.abs(ratio - 1.0) <= named[f"locking {_index(key)}"].allowed
+            edge |= np.abs(self.ours.driving[key]) <= named[f"driving {_index(key)}"].allowed
+            pair = _jammed(self.ours, key), _jammed(self.theirs, key)
+            yield self.finding((f"jam {_index(key)}", "1"), pair, np.where(edge, 1.0, 0.0), 1.0)
+
+
+def _jammed(found: Friction, key: str) -> Floats:
+    """Give 1 in the positions in which a pair jams, else 0."""
+    rows = np.zeros(len(found.phi))
+    rows[[jam.position for jam in found.jams if jam.pair == key]] = 1.0
+    return rows
+
+
+def _index(key: str) -> str:
+    giver, taker = map(int, key.split("-"))
+    return indices(giver, taker)
+
+
+def _most(allowed: Floats) -> float:
+    return float(np.nanmax(allowed, initial=0.0))
+
+
+# The figures of a force sheet on which each board of the record is drawn.
+FIGURES = {"positions": "scheme-", "forces": "forces-", "lever": "lever"}
+
+
+def forces_by_hand(
+    statics: Statics, position: int, scales: Mapping[str, float], by: Slipping = slopes
+) -> dict[tuple[str, int], float]:
+    """Give what a hand may be out on the force sheet of one position, by the names of the findings.
+
+    Arms are measured on the schemes of the groups, and all polygons drawn, each as the coarsest of them: `scales` are
+    those of the figures, true units a mm: "scheme-4-5", "forces-4-5", "lever". Inertia forces and the lever's images
+    are known from the kinematics.
+    """
+    drawn = statics.drafts([position]).plans
+    coarsest = {
+        plan: [mu for name, mu in scales.items() if name.startswith(figure)] for plan, figure in FIGURES.items()
+    }
+    rows = {plan: np.array([max(found)]) for plan, found in coarsest.items() if found}
+    found = errors_by_hand(dict(_forces_read(drawn)), SlippingHand(SLIP, rows), by)
+    if drawn.lever is not None:
+        name, _, share = balancing_quantity(statics.study.mechanism.drive)
+        hung = errors_by_hand({name: drawn.lever.moment}, SlippingHand(SLIP, rows), by)
+        found[f"{name} lever"] = share * hung[name]
+    return {(name, position): float(error[0]) for name, error in found.items()}
+
+
+def _forces_read(drawn: ForcePlans) -> Iterator[tuple[str, Mark]]:
+    """Give where a force plan and its lever show what is read off them, by the names of the findings."""
+    plan = drawn.plan
+    for support in (one for cut in plan.cuts for one in cut.reactions):
+        index = indices(*sorted((support.giver, support.taker)))
+        yield f"R_{index}", support.force
+        if support.moment is not None:
+            yield f"M_{index}", support.moment
+    yield BALANCING, plan.balancing
+    if plan.drive is not None:
+        yield DRIVING, plan.drive

@@ -1,0 +1,339 @@
+"""The forces by both roads: reactions, balancing moment, lever, and all sums that must vanish (сравнение сил)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.meet import EPS
+from geometry.precision import errors
+from plans.analytic.energy import energy_balance
+from plans.analytic.kinetostatics import kinetostatics
+from plans.analytic.power import balancing_moment
+from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
+from plans.forces.cut import INERTIA, Support, indices
+from plans.forces.equilibrium import BALANCING, Bounds, acting, balances, power
+from plans.forces.force_template import ForcePlans
+from plans.forces.primary import BALANCING as BALANCED
+from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
+from plans.forces.statics import Statics
+from plans.forces.stroke import Stroke
+from plans.linkage.primaries.ram import lever
+from plans.linkage.quantities import ANALYSIS, MotionComparison, MotionNumbers, cap, largest_of, with_analysis
+from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
+from plans.model.losses import Friction
+from plans.model.machine import Track
+from plans.model.motion import FORCES, ORDERS, Floats
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
+ENERGY = "energy"  # by what a finding of the balancing moment is told that no road of its own finds
+
+
+@dataclass(frozen=True)
+class ForceComparison(Comparison):
+    """The forces of a linkage by both roads, over its motion by both."""
+
+    construction: Kinetostatics
+    analysis: Kinetostatics
+    findings: tuple[Finding, ...]
+    motion: MotionComparison
+    friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
+
+    @property
+    def exact(self) -> tuple[Finding, ...]:
+        """The findings of forces but for the energy's, which is found by differences of positions."""
+        return tuple(one for one in self.of(FORCES) if not one.name.endswith(ENERGY))
+
+    @property
+    def agrees(self) -> bool:
+        """Whether both roads find the same forces over the same motion."""
+        return super().agrees and self.motion.agrees
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
+def compare_forces(statics: Statics, motion: MotionComparison) -> ForceComparison:
+    """Compare the forces of a study whose motion is compared."""
+    machine, study = statics.machine, statics.study
+    found = statics.over(motion.road.extremes)
+    loads = statics.loading_over(motion.analysis, found)
+    theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
+    known = ANALYSIS * EPS * motion.kappa ** (ORDER + 1) < 1.0
+    ours, theirs = (replace(one, known=known) for one in (statics.forces, theirs))
+    both = ForceFindings(statics, motion, ours, theirs)
+    told = [*both.reactions(), *both.cylinder(found), *both.balancing(loads)]
+    forces = *cap(study, told), both.energy(loads)
+    compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion)
+    return _with_friction(statics, compared, loads) if machine.friction else compared
+
+
+def comparison_of(study: Study) -> ForceComparison:
+    """Compare the forces of a scene (row of the table of techniques)."""
+    return compare_forces(study["forces"], study.comparison("linkage"))
+
+
+def _with_friction(statics: Statics, comparison: ForceComparison, loads: Loading) -> ForceComparison:
+    """Add friction, where the scene gives coefficients."""
+    from plans.analytic.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
+    from plans.forces.friction_quantities import compare_friction  # noqa: PLC0415
+
+    motion = comparison.motion
+    theirs = friction(motion.road, statics.machine, motion.analysis, loads, comparison.analysis, statics.pairs)
+    ours, findings = compare_friction(statics, motion, comparison, theirs)
+    return replace(comparison, findings=(*comparison.findings, *findings), friction=(ours, theirs))
+
+
+class ForceFindings:
+    """The forces of a study by both roads over a motion, with what rounding allows the construction."""
+
+    def __init__(
+        self,
+        statics: Statics,
+        motion: MotionComparison,
+        ours: Kinetostatics,
+        theirs: Kinetostatics,
+        plans: ForcePlans | None = None,
+        borne: float = 0.0,  # N: of inertia; where counterweights hold it on each link, reactions are its rounding
+    ) -> None:
+        self.statics, self.motion, self.ours, self.theirs = statics, motion, ours, theirs
+        self.plans = plans or statics.drafts().plans
+        self.largest = max(ours.largest, borne)
+        places = np.array([point.r for point in motion.construction.points.values()])
+        self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
+        self.supports = {_key(one): one for cut in self.plans.plan.cuts for one in cut.reactions}
+        marks = [mark for one in self.supports.values() for mark in (one.force, one.moment) if mark is not None]
+        lever = [] if self.plans.lever is None else [self.plans.lever.moment]
+        plan = self.plans.plan
+        drive = [plan.balancing, *([plan.drive] if plan.drive is not None else []), *lever]
+        self.errors = errors(*marks, *drive, *self._borne())
+
+    def _borne(self) -> Iterator[Mark]:
+        """Give the inertia forces and couples of all links."""
+        plan = self.plans.plan
+        for link in plan.loads:
+            yield from (load.force for load in plan.loads[link] if load.kind == INERTIA)
+            yield from (couple.moment for couple in plan.couples[link] if couple.kind == INERTIA)
+
+    def off(self, mark: Mark | None) -> Floats:
+        """Give how far rounding can have moved a mark, over the positions."""
+        count = len(self.ours.phi)
+        return np.zeros(count) if mark is None else np.broadcast_to(self.errors[mark].place, count)
+
+    def finding(self, named: tuple[str, str], pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
+        """Put one quantity by both roads beside each other."""
+        allowed = with_analysis(off, ORDER, self.motion.kappa, largest)
+        return Finding(FORCES, *named, *pair, np.abs(pair[0] - pair[1]), allowed, largest)
+
+    def reactions(self) -> Iterator[Finding]:
+        """Compare the reactions, and the moments of the sliding pairs."""
+        for key, ours in self.ours.reactions.items():
+            theirs, support, index = self.theirs.reactions[key], self.supports[key], indices(ours.giver, ours.taker)
+            yield self.finding((f"R_{index}", "N"), (ours.force, theirs.force), self.off(support.force), self.largest)
+            if ours.moment is not None:
+                pair = ours.moment, theirs.moment
+                yield self.finding((f"M_{index}", "N*m"), pair, self.off(support.moment), self.largest * self.size)
+
+    def balancing(self, loads: Loading) -> Iterator[Finding]:
+        """Compare what the drive gives: with the equilibrium and the power of the other road; the lever."""
+        plan, hung_on, machine = self.plans.plan, self.plans.lever, self.statics.machine
+        road, solved = self.motion.road, self.motion.analysis
+        ours, theirs, off = self.ours.balancing, self.theirs.balancing, self.off(plan.balancing)
+        largest = self._largest_moment
+        if ours.force is not None and self._told.name != DRIVING:
+            yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
+        yield self._whole(self._told_by("", (ours.moment, self._due), off, largest))
+        if hung_on is not None:
+            hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
+            resting = np.asarray(self.statics.study.rates.omega) == 0  # a lever without arms balances nothing
+            both = (np.where(resting, np.nan, one) for one in (hung, theirs.moment))
+            yield self._told_by("lever", tuple(both), self.off(hung_on.moment), largest)
+        powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
+        yield self._told_by("power", (ours.moment, powered), off, largest)
+
+    def _whole(self, told: Finding) -> Finding:
+        """Hold the force itself of what a slide is pushed with, beside its moment over the drive's unit."""
+        ours, theirs = self.ours.balancing.force, self.theirs.balancing.force
+        if not self.statics.study.mechanism.drive.pushed or ours is None or theirs is None:
+            return told
+        return told._replace(difference=np.maximum(told.difference, np.abs(ours - theirs)))
+
+    @property
+    def _due(self) -> Floats:
+        """The moment N*m that the analysis gives the crank, (N,); none at all where a cylinder turns it.
+
+        Either road is given the cylinder's force by one formula: what holds it is that nothing is left to balance.
+        """
+        moment = self.theirs.balancing.moment
+        return moment if self.statics.study.mechanism.drive.ram is None else np.asarray(0.0 * moment)
+
+    @property
+    def _told(self) -> BalancingQuantity:
+        """What the balances are told in: a cylinder leaves the crank no moment but rounding."""
+        drive = self.statics.study.mechanism.drive
+        return balancing_quantity(drive) if drive.pushed else BalancingQuantity(BALANCED, "N*m")
+
+    def cylinder(self, found: Mapping[Track, Stroke]) -> Iterator[Finding]:
+        """Compare the force of a cylinder that turns the crank, where one does: its power is that of all others."""
+        statics, motion, drive = self.statics, self.motion, self.statics.study.mechanism.drive
+        if drive.ram is None:
+            return
+        ours = statics.given(self.ours, motion.construction)
+        theirs = statics.given(self.theirs, motion.analysis, found)
+        arm = lever(statics.study.mechanism, motion.analysis)
+        off = self.off(self.plans.plan.balancing) / arm
+        yield self.finding((DRIVING, "N"), (ours, theirs), off, max(self.largest, largest_of([np.abs(ours)])))
+
+    def _told_by(self, how: str, pair: tuple[Any, ...], off: Floats, largest: float) -> Finding:
+        """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
+        name, unit, share = self._told
+        both = share * pair[0], share * pair[1]
+        return self.finding((f"{name} {how}".strip(), unit), both, share * off, share * largest)
+
+    def energy(self, loads: Loading) -> Finding:
+        """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""
+        plan, machine, ours = self.plans.plan, self.statics.machine, self.ours.balancing
+        off, largest = self.off(plan.balancing), self._largest_moment
+        stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
+        judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
+        one = self._told_by(ENERGY, (ours.moment, judged), off, largest)
+        more = self._told.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
+        return one._replace(allowed=one.allowed + more)
+
+    @property
+    def _largest_moment(self) -> float:
+        mechanism = self.statics.study.mechanism
+        crank = mechanism.links[mechanism.drive.link].points.values()
+        arm = mechanism.drive.unit if mechanism.drive.pushed else max(map(abs, crank))
+        return max(largest_of([np.abs(self.ours.counted(self.ours.balancing.moment))]), self.largest * arm)
+
+    def sums(self) -> Iterator[Finding]:
+        """Check the equilibrium of every link, group and the whole, and the power, by the construction alone."""
+        study, machine = self.statics.study, self.statics.machine
+        motion = self.motion.construction
+        loads = self.statics.loading(motion)
+        parts = acting(study.mechanism, machine, motion, loads, self.ours, self._bounds())
+        yield from balances(study.mechanism, study.groups, parts, self._most(0, "r_"))
+        yield power(study.mechanism, motion, parts, self._most(1, "v_"), self._most(1, "ω_"))
+
+    def _most(self, order: int, symbol: str) -> Floats:
+        """Give the largest difference that the plan of an order is allowed in its points, or its links' rates."""
+        told = [one.allowed for one in self.motion.of(ORDERS[order].plan) if one.name.startswith(symbol)]
+        return np.asarray(np.max([np.broadcast_to(row, len(self.ours.phi)) for row in told], axis=0))
+
+    def _bounds(self) -> Bounds:
+        plan = self.plans.plan
+        found = {key: (self.off(one.force), self.off(one.moment)) for key, one in self.supports.items()}
+        for link in plan.loads:
+            forces = [self.off(load.force) for load in plan.loads[link] if load.kind == INERTIA]
+            couples = [self.off(one.moment) for one in plan.couples[link] if one.kind == INERTIA]
+            found[str(link)] = (sum(forces, self.off(None)), sum(couples, self.off(None)))
+        found[BALANCING] = (self.off(plan.drive), self.off(plan.balancing))
+        return found
+
+
+def _key(support: Support) -> str:
+    return f"{min(support.giver, support.taker)}-{max(support.giver, support.taker)}"
+
+
+@dataclass(frozen=True)
+class ForceNumbers:
+    """The forces of a linkage by one road, and what friction takes; either where it is asked for."""
+
+    datum: complex
+    solved: Kinetostatics
+    forces: bool
+    friction: Friction | None
+    push: Floats | None = None  # N: of a drive over a stroke, the force told in place of a moment
+
+    @property
+    def flawed(self) -> bool:
+        """Whether some position has no forces, or some pair jams."""
+        return bool(self.solved.gaps) or (self.friction is not None and bool(self.friction.jams))
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data; their gaps stand in the place of those of the motion."""
+        told: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in self.solved.gaps]}
+        if self.forces:
+            told |= described(self.solved, self.datum)
+        if self.forces and self.push is not None:
+            told["balancing"] = {"push": plain(self.push)} | told["balancing"]
+            told["balancing"].pop("moment")
+        return told if self.friction is None else told | rubbed(self.friction)
+
+
+def numbers(study: Study, by: str) -> ForceNumbers:
+    """Find the forces of a scene by a road, over its motion by the same."""
+    statics, below = study["forces"], study.numbers("linkage", by)
+    rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
+    solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)
+    push = None
+    if not statics.study.mechanism.drive.turns:
+        push = statics.given(solved, below.motion)
+    return ForceNumbers(below.datum, solved, "forces" in study.plans, friction, push)
+
+
+def _constructed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:
+    if not rubs:
+        return statics.forces, None
+    from plans.forces.friction import friction  # noqa: PLC0415  (only friction pays for it)
+
+    study, motion = statics.study, below.motion
+    loads = statics.loading(motion)
+    times = study.turn.times
+    return statics.forces, friction(
+        study.mechanism, study.groups, statics.machine, motion, loads, statics.forces, times
+    )
+
+
+def _analysed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:
+    from plans.analytic.kinetostatics import kinetostatics  # noqa: PLC0415  (only the analysis pays for it)
+
+    road, motion, machine = below.road, below.motion, statics.machine
+    assert road is not None  # the motion was found by analysis too
+    loads = statics.loading_over(motion, statics.over(road.extremes))
+    solved = kinetostatics(road, machine, motion, loads, statics.pairs)
+    if not rubs:
+        return solved, None
+    from plans.analytic.friction import friction  # noqa: PLC0415  (only friction pays for it)
+
+    return solved, friction(road, machine, motion, loads, solved, statics.pairs)
+
+
+def described(forces: Kinetostatics, datum: complex) -> dict[str, Any]:
+    """Give the reaction of link a on link b under "a-b", and what the drive gives."""
+    balancing = forces.balancing
+    drive: dict[str, Any] = {"moment": plain(balancing.moment)}
+    if balancing.force is not None and balancing.r is not None:
+        drive |= {"force": pairs(balancing.force), "at": pairs(balancing.r + datum)}
+    reactions = sorted(forces.reactions.items(), key=lambda item: (item[1].giver, item[1].taker))
+    return {"reactions": {key: _reaction(one, forces.arm(key), datum) for key, one in reactions}, "balancing": drive}
+
+
+def _reaction(one: Reaction, arm: Any, datum: complex) -> dict[str, Any]:
+    """Give a reaction where it is told; of a sliding pair its moment there, and the arm along the slide."""
+    told: dict[str, Any] = {"point": one.point, "force": pairs(one.force), "at": pairs(one.r + datum)}
+    if one.moment is not None:
+        told |= {"moment": plain(one.moment), "arm": plain(arm)}
+    return told
+
+
+def rubbed(friction: Friction) -> dict[str, Any]:
+    """Give what friction takes: power and share of wear of each pair, and the efficiency."""
+    worn: Mapping[str, float] = friction.wear
+    powers = {key: {"power": plain(power), "share": worn.get(key)} for key, power in friction.powers.items()}
+    return {
+        "friction": powers,
+        "efficiency": {
+            "instantaneous": plain(friction.efficiency),
+            "cycle": friction.cycle,
+            "useful": plain(friction.useful),
+            "lost": plain(friction.lost),
+        },
+        "jams": [{**jam._asdict(), "advice": str(jam.advice)} for jam in friction.jams],
+    }

@@ -1,0 +1,293 @@
+"""What the vectors of the plans must be by analysis alone: the other road's word on every named arrow (ожидаемые)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from geometry.board import Mark, between
+from geometry.precision import errors
+from geometry.span import Span
+from plans.checks.comparison import Finding
+from plans.linkage.drafts import Drafts
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
+from plans.linkage.letters import Letters
+from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
+from plans.linkage.quantities import MotionComparison, with_analysis
+from plans.linkage.study import LinkageStudy
+from plans.model.dyad import Group
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import ACCELERATIONS, ORDERS, VELOCITIES, Complexes, Floats, Motion, Order
+
+# A vector by the plan's subject and the names of its ends: ("velocities", "a", "b").
+Arrow = tuple[str, str, str]
+
+
+class Expected:
+    """The vectors of the plans of one position, from the motion by analysis; the relative-motion formulas are M3.1."""
+
+    def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: Letters) -> None:
+        self.mechanism, self.motion, self.k, self.letters = mechanism, motion, position, letters
+
+    def arrows(self, groups: Sequence[Group]) -> dict[Arrow, complex]:
+        """Give every arrow that a plan may show between named points, normal and Coriolis ends."""
+        found = dict(self._absolute())
+        told = [*PRIMARIES[self.mechanism.drive.kind].vectors(self.mechanism)]
+        for group in groups:
+            told += KINDS[group.kind].vectors(group)
+        for vector in told:
+            found.update(self._of(vector))
+        return found
+
+    def _of(self, vector: Vector) -> Iterable[tuple[Arrow, complex]]:
+        match vector:
+            case Turning():
+                return self._turning(vector)
+            case Slotted():
+                return self._slotted(vector)
+        return ()
+
+    def moving(self) -> list[str]:
+        """Give the points that have velocities of their own."""
+        return [name for name in self.motion.points if name not in self.mechanism.links[FRAME].points]
+
+    def _absolute(self) -> Iterator[tuple[Arrow, complex]]:
+        for name in self.moving():
+            yield ("velocities", "p", self.letters.small(name)), self.v(name)
+            yield ("accelerations", "π", self.letters.small(name)), self.a(name)
+
+    def r(self, name: str) -> complex:
+        """Place of a point, m."""
+        return complex(self.motion.points[name].r[self.k])
+
+    def v(self, name: str) -> complex:
+        """Velocity of a point, m/s."""
+        return complex(self.motion.points[name].v[self.k])
+
+    def a(self, name: str) -> complex:
+        """Acceleration of a point, m/s2."""
+        return complex(self.motion.points[name].a[self.k])
+
+    def centre(self, link: int, own: complex, order: int) -> complex:
+        """Velocity (order 1) or acceleration (2) of a place of a link, by that of its first point (M3.1)."""
+        name, first = next(iter(self.mechanism.links[link].points.items()))
+        turned, rates = (own - first) * np.exp(1j * self.motion.links[link].angle[self.k]), self.motion.links[link]
+        omega, epsilon = float(rates.omega[self.k]), float(rates.epsilon[self.k])
+        spun = 1j * omega if order == 1 else 1j * epsilon - omega**2
+        return complex(self.motion.points[name][order][self.k] + spun * turned)
+
+    def omega(self, link: int) -> float:
+        """Angular velocity of a link, rad/s."""
+        return float(self.motion.links[link].omega[self.k])
+
+    def image(self, name: str, pole: str) -> str:
+        """Name a point's image on a plan: the pole for a fixed point."""
+        return pole if name in self.mechanism.links[FRAME].points else self.letters.small(name)
+
+    def _turning(self, vector: Turning) -> Iterator[tuple[Arrow, complex]]:
+        """A tip over a start: its velocity, the normal part of its acceleration, and the tangential one from there."""
+        link, start, tip = vector
+        yield ("velocities", self.image(start, "p"), self.letters.small(tip)), self.v(tip) - self.v(start)
+        image = self.image(start, "π")
+        end = self.letters.normal(tip, "" if image == "π" else start)
+        normal = -(self.omega(link) ** 2) * (self.r(tip) - self.r(start))
+        yield ("accelerations", image, end), normal
+        yield ("accelerations", end, self.letters.small(tip)), self.a(tip) - self.a(start) - normal
+
+    def _slotted(self, vector: Slotted) -> Iterator[tuple[Arrow, complex]]:
+        """The point of the slotted link under the pin: its velocity, the slip, Coriolis and normal parts (M3.4)."""
+        link, pivot, pin = vector
+        under, spin = self.letters.under(pin, link), self.omega(link)
+        arm = self.r(pin) - self.r(pivot)
+        turning = 1j * spin * arm
+        slip = self.v(pivot) + turning - self.v(pin)
+        yield ("velocities", self.image(pivot, "p"), under), turning
+        yield ("velocities", self.image(pin, "p"), under), slip
+        yield ("velocities", "p", under), self.v(pivot) + turning
+        yield ("accelerations", self.image(pin, "π"), self.letters.coriolis(pin, link)), 2j * spin * slip
+        yield ("accelerations", self.image(pivot, "π"), self.letters.normal(under.upper())), -(spin**2) * arm
+
+
+Masses: TypeAlias = Mapping[str, tuple[int, complex]]
+NONE: Masses = MappingProxyType({})
+NORMAL, TANGENTIAL, CORIOLIS, RELATIVE = "n", "t", "k", "r"
+
+
+class Part(NamedTuple):
+    """A vector of a plan beside those of its points: its letters, where the plan shows it, its value by analysis."""
+
+    order: Order
+    name: str  # "v_BA", "a^n_BA"
+    span: Span
+    analysis: Complexes
+
+
+def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses = NONE) -> tuple[Finding, ...]:
+    """Compare the parts of all velocities and accelerations over the positions of a study, (N,) m/s or m/s2.
+
+    `masses` are the mass centres that no point names, by their letters: link, and place in its own frame.
+    """
+    drafts, made = study.drafts(), comparison.construction
+    gone = np.any([np.isnan(point[made.order]) for point in made.points.values()], axis=0)
+    parts = _Parts(study, drafts, comparison.analysis, masses).all()
+    bounds = errors(*(mark for part in parts for mark in part.span))
+    told = []
+    for part in parts:
+        ours = np.where(gone, np.nan, between(*part.span))
+        theirs = np.where(gone, np.nan, part.analysis)
+        own = sum((bounds[mark].place for mark in part.span), np.zeros(1))
+        largest = comparison.of(part.order.plan)[0].largest
+        allowed = with_analysis(own, part.order.number, comparison.kappa, largest)
+        unit = part.order.point.unit
+        told.append(Finding(part.order.plan, part.name, unit, ours, theirs, np.abs(ours - theirs), allowed, largest))
+    return tuple(told)
+
+
+def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = NONE) -> dict[str, Span]:
+    """Give where the plans of some positions show each part, by its letters."""
+    return {part.name: part.span for part in _Parts(study, drafts, motion, masses).all()}
+
+
+def alike(told: Iterable[Finding], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Finding, ...]]:
+    """Put together what is one vector or one rate by its cause: of a link that never turns, of links joined by a slide.
+
+    `told` are findings of velocities and accelerations; each stays in the place of the first that it is put with.
+    """
+    turning = mechanism.turning_with
+    carried = {name: link for name, (link, _) in masses.items() if turning[link] == FRAME}
+    carried |= {name: n for n, link in mechanism.links.items() if turning[n] == FRAME for name in link.points}
+    found: dict[tuple[str, object], list[Finding]] = {}
+    for one in told:
+        symbol, _, index = one.name.partition("_")
+        rate = symbol in (VELOCITIES.link.symbol, ACCELERATIONS.link.symbol)
+        found.setdefault((symbol, turning[int(index)] if rate else carried.get(index, index)), []).append(one)
+    return [tuple(same) for same in found.values()]
+
+
+def carried_from(line: Mark, direction: Mark) -> bool:
+    """Tell whether a line was drawn along a direction of the plan of positions."""
+    return line.step.inputs[1].step.inputs == (direction,)
+
+
+class _Parts(NamedTuple):
+    """The parts on the plans of some positions, and the motion there by analysis."""
+
+    study: LinkageStudy
+    drafts: Drafts
+    motion: Motion
+    masses: Masses
+
+    def all(self) -> list[Part]:
+        """List the parts, each once, in the order in which the plans are drawn."""
+        mechanism = self.study.mechanism
+        vectors = list(PRIMARIES[mechanism.drive.kind].vectors(mechanism))
+        for group in self.study.groups:
+            vectors += KINDS[group.kind].vectors(group)
+        told = [*self._centres(), *(part for vector in vectors for part in self._of(vector))]
+        return list({part.name: part for part in told}.values())
+
+    def _centres(self) -> Iterator[Part]:
+        """Tell mass centres by the first point of their link."""
+        for order in ORDERS[1:]:
+            plan = self.drafts.plan(order.number)
+            for name, (link, own) in self.masses.items():
+                span = Span(plan.pole, plan.place(link, own, plan.letter(name)))
+                origin, first = next(iter(self.study.mechanism.links[link].points.items()))
+                turned = (own - first) * np.exp(1j * self._rate(link, 0))
+                yield Part(order, f"{order.point.symbol}_{name}", span, self._over(link, origin, turned, order.number))
+
+    def _of(self, vector: Vector) -> Iterator[Part]:
+        match vector:
+            case Turning():
+                yield from self._turning(vector)
+            case Slotted():
+                yield from self._slotted(vector)
+            case _:
+                yield from self._sliding(vector)
+
+    def _turning(self, vector: Turning) -> Iterator[Part]:
+        """Tell a tip about its start: by omega and epsilon of their link over the arm between them."""
+        speeds, plan = self.drafts.velocities, self.drafts.accelerations
+        arm = self._at(vector.tip, 0) - self._at(vector.start, 0)
+        n = plan.board[plan.written.normal(vector.tip, "" if plan.point(vector.start) is plan.pole else vector.start)]
+        over = vector.tip if self._still(vector.start) else vector.tip + vector.start
+        if not self._still(vector.start):
+            span = Span(speeds.point(vector.start), speeds.point(vector.tip))
+            yield Part(VELOCITIES, f"v_{over}", span, 1j * self._rate(vector.link, 1) * arm)
+        yield from self._about(vector.link, arm, (over, plan.point(vector.start), n, plan.point(vector.tip)))
+
+    def _about(self, link: int, arm: Complexes, told: tuple[str, Mark, Mark, Mark]) -> Iterator[Part]:
+        """Tell the normal and the tangential part of an acceleration about a point of a link."""
+        over, start, normal, end = told
+        omega, epsilon = self._rate(link, 1), self._rate(link, 2)
+        yield Part(ACCELERATIONS, f"a^{NORMAL}_{over}", Span(start, normal), -(omega**2) * arm)
+        yield Part(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
+
+    def _slotted(self, vector: Slotted) -> Iterator[Part]:
+        """Tell the point of a slotted link that lies under the pin."""
+        link, pivot, pin = vector
+        speeds, plan = self.drafts.velocities, self.drafts.accelerations
+        under, letter = plan.written.under(pin, link), self._under(pin, link)
+        arm = self._at(pin, 0) - self._at(pivot, 0)
+        over = letter if self._still(pivot) else letter + pivot
+        speed = 1j * self._rate(link, 1) * arm
+        yield Part(VELOCITIES, f"v_{over}", Span(speeds.point(pivot), speeds.board[under]), speed)
+        if not self._still(pivot):
+            yield Part(VELOCITIES, f"v_{letter}", Span(speeds.pole, speeds.board[under]), self._carried(link, pin, 1))
+        whole = Span(plan.pole, plan.board[under])
+        yield Part(ACCELERATIONS, f"a_{letter}", whole, self._carried(link, pin, 2))
+        normal = plan.board[plan.written.normal(under.upper())]
+        yield from self._about(link, arm, (over, plan.point(pivot), normal, plan.board[under]))
+
+    def _sliding(self, vector: Sliding) -> Iterator[Part]:
+        """Tell a pin over the point of a moving guide that lies under it, or that point over the pin."""
+        host, pin, sense = vector.host, vector.pin, -1.0 if vector.held else 1.0
+        letters = (self._under(pin, host), pin)
+        over = "".join(letters if vector.held else reversed(letters))
+        speed, whole = (sense * (self._at(pin, k) - self._carried(host, pin, k)) for k in (1, 2))
+        span, _ = self._slip(self.drafts.velocities, vector)
+        yield Part(VELOCITIES, f"v_{over}", span, speed)
+        turned = 2j * self._rate(host, 1) * speed
+        span, coriolis = self._slip(self.drafts.accelerations, vector)
+        if coriolis is not None:
+            yield Part(ACCELERATIONS, f"a^{CORIOLIS}_{over}", coriolis, turned)
+        yield Part(ACCELERATIONS, f"a^{RELATIVE}_{over}", span, whole - turned)
+
+    def _slip(self, plan: Plan, vector: Sliding) -> tuple[Span, Span | None]:
+        """Find the vector along the guide in the line it was drawn by, and the Coriolis part on which that stands."""
+        under = plan.written.under(vector.pin, vector.host)
+        end = plan.board[under] if vector.held else plan.point(vector.pin)
+        direction = plan.positions.units[vector.pair]
+        assert direction is not None  # every guide has a direction on the plan of positions
+        line = next(one for one in end.step.inputs if one.step.op == "parallel" and carried_from(one, direction))
+        start = line.step.inputs[0]
+        laid = start.name == plan.written.coriolis(vector.pin, vector.host, vector.pair) and start.step.op == "lay_off"
+        return Span(start, end), Span(start.step.inputs[0], start) if laid else None
+
+    def _at(self, point: str, order: int) -> Complexes:
+        return self.motion.points[point][order]
+
+    def _rate(self, link: int, order: int) -> Floats:
+        return self.motion.links[link][order]
+
+    def _carried(self, link: int, pin: str, order: int) -> Complexes:
+        """Give velocity or acceleration of the point of a link that lies under a pin."""
+        origin = next(name for name in self.study.mechanism.links[link].points if name in self.motion.points)
+        return self._over(link, origin, self._at(pin, 0) - self._at(origin, 0), order)
+
+    def _over(self, link: int, origin: str, arm: Complexes, order: int) -> Complexes:
+        """Give velocity or acceleration of the end of an arm that a link turns about one of its points."""
+        omega, epsilon = self._rate(link, 1), self._rate(link, 2)
+        turning = 1j * omega * arm if order == 1 else (1j * epsilon - omega**2) * arm
+        return np.asarray(self._at(origin, order) + turning)
+
+    def _under(self, pin: str, link: int) -> str:
+        return self.drafts.velocities.written.under(pin, link).upper().replace("_", "")
+
+    def _still(self, point: str) -> bool:
+        return point in self.study.mechanism.links[FRAME].points

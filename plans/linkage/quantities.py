@@ -1,0 +1,318 @@
+"""Comparison of the two roads: every quantity by construction and by analysis, and the difference allowed (сравнение).
+
+A difference is judged against the largest vector of its plan, for a true zero has no per cent. The allowed one is
+derived: the construction's own error carried from step to step (geometry.precision), and the analytic solver's, whose
+linear systems magnify a rounding by the condition of the Jacobian once for every order of derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.meet import EPS
+from geometry.precision import condition, errors
+from plans.analytic.kinematics import Analysis
+from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
+from plans.linkage.drafts import Drafts
+from plans.linkage.margin import margins
+from plans.linkage.primaries import stroke
+from plans.linkage.primaries.between import apart
+from plans.linkage.primaries.ram import lever, triangle
+from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.model.mechanism import FRAME, Mechanism, Ram
+from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, Extremes, Floats, Motion, numbers_of, stroke_rates
+from plans.words.words import Message, message
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+SYMBOLS = ("s", "v", "a")
+ROUNDINGS = 16.0  # of a distance by two places, each of a few roundings itself
+
+
+def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Iterator[Finding]:
+    """Hold the law of the cylinder that drives against the distance of its points, and what that grows by."""
+    ram, told = study.mechanism.drive.ram, stroke_of(study.mechanism, len(solved.phi))
+    assert ram is not None  # asked only where there is one
+    rows = [apart(study.mechanism, solved, k) for k in range(order + 1)]
+    length = np.abs(rows[0])
+    along = np.conj(rows[0] / length)
+    found = [length]
+    found += [(along * rows[1]).real] if order > 0 else []
+    found += [(along * rows[2]).real + (along * rows[1]).imag ** 2 / length] if order > 1 else []
+    # The crank's angle is known to a rounding of the length over the share of its turning that goes along the cylinder.
+    arm = _arm(study, ram)
+    blunt = np.maximum(arm, length) / lever(study.mechanism, solved)
+    for k, row in enumerate(found):
+        due = np.where(np.isnan(row), np.nan, told[k])
+        fastest = float(np.abs(told[1]).max()) ** k / arm ** (k - 1)
+        largest = max(float(np.nanmax(np.abs(due), initial=0.0)), fastest)
+        allowed = ROUNDINGS * EPS * (kappa * blunt) ** (k + 1) * largest
+        name = f"{SYMBOLS[k]}_{ram.foot}{ram.point}"
+        yield Finding(ORDERS[k].plan, name, ORDERS[k].point.unit, due, row, np.abs(due - row), allowed, largest)
+
+
+def stroke_of(mechanism: Mechanism, count: int) -> tuple[Floats, Floats, Floats]:
+    """Give what a scene says of its cylinder at so many even places of the stroke: length m, m/s, m/s2, (N,) each."""
+    ram = mechanism.drive.ram
+    assert ram is not None  # asked only where there is one
+    lengths = np.linspace(ram.begin, ram.end, count)
+    return lengths, *stroke_rates(mechanism.drive, lengths, ram.speed, ram.acceleration)
+
+
+def _arm(study: LinkageStudy, ram: Ram) -> float:
+    """Give the crank's arm m that a cylinder turns by; between two links none is nearer to that than its length."""
+    return abs(triangle(study.mechanism).own) if ram.links is None else min(ram.begin, ram.end)
+
+
+# A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
+ANALYSIS = 8.0
+
+# A difference allowed beyond this share of the plan's largest would let a drawn error through: except in positions that
+# are named as too near a dead centre it is not, however bad the conditions.
+MOST_ALLOWED = 1e-6
+NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length moves such a point by 6 mm
+
+EXTREME_NAMES = ("φ_start", "φ_end", "H", "θ")
+
+
+@dataclass(frozen=True)
+class MotionComparison(Comparison):
+    """The motion of a linkage by both roads."""
+
+    construction: Motion
+    analysis: Motion
+    findings: tuple[Finding, ...]
+    kappa: Floats  # condition of the scaled Jacobian at every position
+    road: Analysis  # by which the analysis was made
+
+    @property
+    def apart(self) -> Message:
+        """Say in what the two roads differ most: in the places themselves, they assemble the mechanism in two ways."""
+        if self.foremost.plan == POSITIONS.plan:
+            return message("check.assembly", name=self.foremost.name)
+        return super().apart
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
+def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
+    """Compare construction and analysis over all positions of a study, up to an order of derivative."""
+    drawn = study.motion(order)
+    road = road_of(study)
+    solved = road.motion(study.turn.phi, order)
+    kappa = road.conditions(solved)
+    drafts = study.drafts()
+    findings: list[Finding] = []
+    for k in range(order + 1):
+        findings += _points(study, drafts, k, drawn, solved, kappa)
+        findings += _links(drafts, k, drawn, solved, kappa)
+    if study.mechanism.drive.ram is not None:
+        findings += law(study, solved, kappa, order)
+    return MotionComparison(drawn, solved, cap(study, findings), kappa, road)
+
+
+def road_of(study: LinkageStudy) -> Analysis:
+    """Take the analytic road of a study's mechanism, at the study's pace."""
+    return Analysis(study.mechanism, first=study.first, looks=study.looks.phi, pace=study.pace)
+
+
+def comparison_of(study: Study) -> MotionComparison:
+    """Compare what a scene asks for of its motion (row of the table of techniques)."""
+    found = compare(study["linkage"], max(numbers_of(study.plans), default=0))
+    return compare_extremes(study["linkage"], found) if "extremes" in study.plans else found
+
+
+def notches(study: LinkageStudy, drafts: Drafts | None = None) -> Floats:
+    """Give kappa of every group's meeting over the positions, the scene's or others, (groups, positions)."""
+    drafts = drafts or study.drafts()
+    _, marks = margins(drafts.positions, study.groups, study.sweep.sides)
+    count = len(drafts.turn)
+    return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
+
+
+def cap(study: LinkageStudy, findings: Sequence[Finding], drafts: Drafts | None = None) -> tuple[Finding, ...]:
+    """Allow no more than MOST_ALLOWED of the largest, or of a value larger still, where the construction is sharp."""
+    sharp = ~(notches(study, drafts).max(axis=0, initial=1.0) >= NOT_GRADED)
+    sizes = (np.fmax(finding.largest, np.abs(finding.analysis)) for finding in findings)  # all but in a jam
+    mosts = (np.where(sharp, MOST_ALLOWED * size, np.inf) for size in sizes)
+    pairs = zip(findings, mosts, strict=True)
+    return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)
+
+
+def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> MotionComparison:
+    """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
+    found, theirs = study.extreme_positions, comparison.road.extremes(study.output)
+    ours = None if found is None else found.extremes
+    told = ours or theirs
+    if told is None:
+        return comparison
+    values = [np.full(4, np.nan) if one is None else _told(one) for one in (ours, theirs)]
+    size = max(abs(reach) for reach in told.reach) if told.sliding else np.pi
+    largest = np.array([2 * np.pi, 2 * np.pi, max(size, told.stroke), 2 * np.pi])
+    # An extreme's crank angle is where a velocity is zero: its rounding is the velocity's over the acceleration's.
+    allowed = np.minimum(ANALYSIS * EPS * float(np.nanmax(comparison.kappa, initial=1.0)) ** 2, MOST_ALLOWED) * largest
+    apart = np.abs(values[0] - values[1])
+    apart[:2] = np.abs(np.angle(np.exp(1j * apart[:2])))
+    units = ("rad", "rad", "m" if told.sliding else "rad", "rad")
+    added = tuple(
+        Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
+        for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREME_NAMES, units, strict=True), strict=True)
+    )
+    return replace(comparison, findings=comparison.findings + added)
+
+
+def _told(found: Extremes) -> Floats:
+    return np.array([*found.phi, found.stroke, found.overlap])
+
+
+def _points(
+    study: LinkageStudy, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
+) -> Iterator[Finding]:
+    names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
+    pairs = [(drawn.points[n][order], solved.points[n][order]) for n in names]
+    largest = largest_of([np.abs(ours) for ours, _ in pairs])
+    plan, told = drafts.plan(order), ORDERS[order]
+    marks = [plan.point(name) for name in names]
+    bounds = errors(*marks)
+    for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
+        allowed = with_analysis(bounds[mark].place, order, kappa, largest)
+        label = f"{told.point.symbol}_{name}"
+        yield Finding(told.plan, label, told.point.unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
+
+
+def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
+    told = ORDERS[order]
+    pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
+    largest = (
+        np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
+    )
+    for number, (ours, theirs) in pairs.items():
+        apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
+        bound = _turn_bound(drafts, order, number)
+        allowed = with_analysis(bound, order, kappa, largest)
+        label = f"{told.link.symbol}_{number}"
+        yield Finding(told.plan, label, told.link.unit, ours, theirs, apart, allowed, largest)
+
+
+def _slowest(drawn: Motion, order: int) -> float:
+    """Give the rate at which the plan's largest vector turns the mechanism's whole size: less is no large rate.
+
+    Links that only translate have rates that are truly zero, and no per cent of themselves.
+    """
+    places = np.array([motion.r for motion in drawn.points.values()])
+    size = largest_of([np.abs(places - places[0])])
+    vector = largest_of([np.abs(motion[order]) for motion in drawn.points.values()])
+    return vector / size if size > 0 else 0.0
+
+
+def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
+    """Bound the error of an angle or a rate read from a vector: the vector's own error over the arm's length."""
+    plan = drafts.plan(order)
+    if order == 0:
+        arm = plan.arm(number)
+        return np.asarray(errors(arm)[arm].place / np.abs(np.asarray(arm.point)) + 2 * EPS)
+    if number not in plan.readings:
+        return np.zeros(1)
+    arm, turning = plan.readings[number]
+    bounds = errors(arm, turning)
+    size, part = np.abs(np.asarray(arm.point)), np.abs(np.asarray(turning.point))
+    return np.asarray((bounds[turning].place + part / size * bounds[arm].place) / size + 4 * EPS * part / size)
+
+
+def with_analysis(own: Floats, order: int, kappa: Floats, largest: float) -> Floats:
+    """Add the analytic road's share: kappa once for the position and once more for every derivative."""
+    return np.asarray(own + ANALYSIS * EPS * kappa ** (order + 1) * largest)
+
+
+def largest_of(sizes: Sequence[Floats]) -> float:
+    """Give the largest of some sizes over all positions, gaps left out."""
+    finite = [float(np.nanmax(size)) for size in sizes if np.isfinite(size).any()]
+    return max(finite, default=0.0)
+
+
+@dataclass(frozen=True)
+class MotionNumbers:
+    """The motion of a linkage by one road, its extremes where they are told, and the orders that are."""
+
+    title: str
+    datum: complex
+    motion: Motion
+    extremes: Extremes | None
+    orders: Sequence[int]
+    road: Analysis | None = None  # by which it was found, if not by construction
+    ways: Floats | None = None  # m: of a drive over a stroke, its way or its length
+
+    @property
+    def flawed(self) -> bool:
+        """Whether some position has no numbers."""
+        return bool(self.motion.gaps)
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        result: dict[str, Any] = {
+            "scene": self.title,
+            "by": self.motion.by,
+            "phi": plain(self.motion.phi),
+            **({} if self.ways is None else {"s": plain(self.ways)}),
+            "gaps": [gap_numbers(gap) for gap in self.motion.gaps],
+            "points": self._points(),
+            "links": self._links(),
+        }
+        return result if self.extremes is None else result | {"extremes": _extremes(self.extremes)}
+
+    def _points(self) -> dict[str, Any]:
+        points = sorted(self.motion.points.items())
+        places = {k: self.datum if k == 0 else 0 for k in self.orders}
+        return {
+            name: {ORDERS[k].point.key: pairs(point[k] + place) for k, place in places.items()}
+            for name, point in points
+        }
+
+    def _links(self) -> dict[str, Any]:
+        links = sorted(self.motion.links.items())
+        return {str(number): {ORDERS[k].link.key: plain(link[k]) for k in self.orders} for number, link in links}
+
+
+def _extremes(extremes: Extremes) -> dict[str, Any]:
+    return {
+        "phi": list(extremes.phi),
+        "reach": list(extremes.reach),
+        "stroke": extremes.stroke,
+        "overlap": extremes.overlap,
+        "ratio": extremes.ratio,
+        "faster": extremes.faster,
+    }
+
+
+def numbers(study: Study, by: str) -> MotionNumbers:
+    """Find the motion of a scene by a road: what is asked for of it, and what the forces rest on."""
+    linkage = study["linkage"]
+    orders = numbers_of(study.plans)
+    borne = any("linkage" in row.needs for row in study.rows)
+    order = ACCELERATIONS.number if borne else max(orders, default=0)
+    datum = complex(*(float(x) for x in linkage.mechanism.datum))
+    told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
+    found = (solved if by == "analysis" else _constructed)(linkage, order, told)
+    ways = stroke.ways(linkage.mechanism, found[0].phi)
+    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2], ways)
+
+
+def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, None]:
+    motion = study.motion(order)
+    found = study.extreme_positions if told else None
+    return motion, found.extremes if found else None, None
+
+
+def solved(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, Analysis]:
+    """Solve by analysis alone: a start at an extreme is found by analysis too."""
+    road = road_of(study)
+    extremes = road.extremes(study.output) if told or not road.first else None
+    if extremes is None or road.first:  # of a start at an extreme that is none the turn says why
+        return road.motion(study.turn.phi, order), extremes, road
+    count = study.form.drive.count
+    phi = extremes.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
+    return road.motion(phi, order), extremes, road
