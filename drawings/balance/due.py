@@ -1,4 +1,4 @@
-"""A mechanism balanced by the analysis, in one position: places, chains of vectors (уравновешенный механизм)."""
+"""What must stand on the sheets of a balanced mechanism, by the analysis alone (лист 5)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The main moment of the inertia forces about the shaft over the turn, before and after (график главного момента)."""
+"""Graphs of a balanced machine: the rocking moment over the turn, forces over the share (графики уравновешивания)."""
 
 from __future__ import annotations
 

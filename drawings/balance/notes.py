@@ -1,4 +1,4 @@
-"""The equations of balancing with numbers put in: main points (8.7), similar contours (8.8), (8.9) (уравнения)."""
+"""Balancing in words: equations of static moments and of counterweights, what is balanced (уравновешивание словами)."""
 
 from __future__ import annotations
 

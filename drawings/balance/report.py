@@ -1,4 +1,4 @@
-"""A mechanism's balance in tables of the report: mass centre, counterweights, what they change, shares (таблицы)."""
+"""Balancing in the report: tables of masses, centres, counterweights and costs (уравновешивание в отчёте)."""
 
 from __future__ import annotations
 

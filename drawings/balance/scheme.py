@@ -1,4 +1,7 @@
-"""What a scheme of balancing shows, in true units: links, main points, counterweights, paths of the mass centre."""
+"""The scheme of balancing: mass centres, main-point vectors from O to S, counterweights, the path of S (рис. 8.6, 8.9).
+
+Main-point vectors that lie along links are drawn in lanes beside them.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is nothing on a sheet of balancing: less than rounding makes of the machine's largest force (ноль)."""
+"""Sheet 5, a mechanism balanced: schemes, static moments, hodographs, tables of what it costs (лист 5)."""
 
 from __future__ import annotations
 

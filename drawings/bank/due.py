@@ -1,4 +1,4 @@
-"""A bank of equal mechanisms shaken, by the analysis alone: polygons, masses, what is followed over a turn (блок)."""
+"""What must stand on the sheet of a bank, by the analysis alone: star, shaft, polygons, tables, notes (лист блока)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said of a bank in words: what is given, the sums of its orders, what vanishes, compensators (пояснения)."""
+"""A bank in the report and in the notes of its sheet: sums by order, compensators (блок механизмов в отчёте)."""
 
 from __future__ import annotations
 

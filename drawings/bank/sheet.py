@@ -1,4 +1,4 @@
-"""The tables of a bank: its orders before and after, its compensators (таблицы блока)."""
+"""The sheet of a bank: what stands on it, its tables of orders and of compensators (лист блока механизмов)."""
 
 from __future__ import annotations
 

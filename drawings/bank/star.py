@@ -1,4 +1,4 @@
-"""What the figures of a bank show: its members about the shaft, its polygons as they stand at phi = 0 (вид блока)."""
+"""The star of a bank's cranks and the members' vectors as they are seen on the sheet (звезда кривошипов)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers that notes and reports tell of a cam, by the analysis alone (числа пояснений о кулачке)."""
+"""What notes and tables of cams must say by the analysis alone, and the drawing that a cam is made by (кулачок)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sense in which a cam moves, and in which the frame is turned about it (направления вращения и обращения)."""
+"""The follower's places about a cam that stands still, and the senses of motion (обращение движения)."""
 
 from __future__ import annotations
 

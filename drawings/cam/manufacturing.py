@@ -1,4 +1,4 @@
-"""The working profile to be made: the curve with its datum, radii at even turns, the sense of rotation (чертёж)."""
+"""The drawing that a cam is made by: contour with radii or ordinates, their table, notes (чертёж кулачка)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The letters and units of a cam's motion: travel, its derivatives, the turn (обозначения движения толкателя)."""
+"""The letters of a cam's law and sizes, and what the sheet says of it in words (кулачок словами)."""
 
 from __future__ import annotations
 

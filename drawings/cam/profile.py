@@ -1,7 +1,4 @@
-"""The follower at the start: its roller, tip or face, its rod in the guide, or its arm on the pivot (толкатель).
-
-Its divisions stand where its tip is in each position: on the axis, or on the arc of a rocker.
-"""
+"""The figure of a cam's profile with its follower in its lowest place (профиль кулачка с толкателем)."""
 
 from __future__ import annotations
 

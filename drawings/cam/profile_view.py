@@ -1,4 +1,4 @@
-"""What the figure of a profile shows: the cam as it stands at its start, the frame turned about it (профиль)."""
+"""The view of a cam's profile: its curves, and where its outline is sharp, hollow or undercut (вид профиля)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Admission of cams: their names can be lettered (допуск кулачков)."""
+"""Sheet 4, a cam: laws, main sizes by tangents, profile by inversion, pressure angle, table (кулачок, лист 4)."""
 
 from __future__ import annotations
 

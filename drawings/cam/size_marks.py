@@ -1,4 +1,4 @@
-"""The phases of a cam about it: arcs between the turned axes that they begin and end with (фазовые углы кулачка)."""
+"""Arcs of the phases round a profile, and the marks of the main sizes (фазовые углы и размеры)."""
 
 from __future__ import annotations
 

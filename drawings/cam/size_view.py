@@ -1,4 +1,4 @@
-"""What the figure of the main sizes shows: the diagram, its tangents, the region left to O (определение размеров)."""
+"""The view of a cam's main sizes, and their table: by construction, by analysis, by hand (основные размеры)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Items: every line, area and lettering of a sheet, with the figure that it is of and what it is there (вхождения)."""
+"""Items: every line, area and lettering of a sheet, with its figure and where it lies (вхождения)."""
 
 from __future__ import annotations
 

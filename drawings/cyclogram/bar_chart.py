@@ -1,4 +1,4 @@
-"""The names of the rows of a bar chart, broken into two lines where one has no room (наименования механизмов)."""
+"""The rectangular chart of a cyclogram: a bar a stretch, a row a mechanism (прямоугольная циклограмма)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is drawn of a span: its course between two levels, its letters with its angle (участок циклограммы)."""
+"""The plan of characteristic positions, and what each mechanism does over the turn (характерные положения)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rows that the charts of a cyclogram must show, by the analysis alone: bars and rings (строки циклограммы)."""
+"""What must stand on the sheet of a cyclogram by the analysis alone: bars, rings, table (лист циклограммы)."""
 
 from __future__ import annotations
 

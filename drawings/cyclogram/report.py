@@ -1,4 +1,4 @@
-"""What is said of a cyclogram in words: its window, phase and setting angles, how sharp they are (пояснения)."""
+"""A cyclogram in the report and in the notes of its sheet (циклограмма в отчёте)."""
 
 from __future__ import annotations
 

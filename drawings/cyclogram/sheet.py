@@ -1,4 +1,4 @@
-"""The table of characteristic positions: where the tool is, the turn of the main shaft by both roads (таблица)."""
+"""The sheet of a cyclogram, and its table of characteristic positions (лист циклограммы)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a sheet says of the diagrams: how they are drawn, how far chords are out, or why there are none (пояснения)."""
+"""The output's course in tables and in words, on the sheet and in the report (выходное звено в отчёте)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One of the kinematic diagrams drawn: ordinates at numbered positions, curves, values by chords (диаграмма)."""
+"""Kinematic diagrams of the output: a row a graph, one under the other (кинематические диаграммы)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A steady turn of a machine by the analysis, on the strips of the construction: values at edges, curves (цикл)."""
+"""What the graphs over a machine's turn and its run must show by the analysis: curves, ordinates (диаграммы цикла)."""
 
 from __future__ import annotations
 

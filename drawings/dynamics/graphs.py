@@ -1,4 +1,4 @@
-"""Smooth curves through the points of a turn: each strip by a parabola or a cubic of its own (плавные кривые)."""
+"""The graphs over a machine's turn: curves by strips, the pole's rays, what each is a graph of (графики цикла)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the loop gives, worked out beside it: angles, segments, the origin off the paper, flywheel (расчёт по петле)."""
+"""Wittenbauer's loop with its tangents, and the equations beside it (диаграмма энергомасс)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The frame of a plate: where its rows stand on paper, their axes and the scales that they share (разметка чертежа)."""
+"""The plate of graphs and loop as one figure: its frames, its lines, its letters (лист диаграмм)."""
 
 from __future__ import annotations
 

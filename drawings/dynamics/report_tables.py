@@ -1,4 +1,4 @@
-"""The motion of a machine in tables of the report: reduction, works, tangents (таблицы динамики)."""
+"""Tables of a machine's motion in the report: reduction, works, run (таблицы динамики)."""
 
 from __future__ import annotations
 

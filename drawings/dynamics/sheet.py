@@ -1,4 +1,4 @@
-"""The tables of a machine's motion: results by both roads and by other methods, values at the edges (таблицы)."""
+"""Sheet 3, the motion of a machine: graphs, loop, flywheel, run, table of results (динамика, лист 3)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""JSON as people read it: letters as they are, wherever the encoding has them."""
+"""Files beside the sheets, JSON as people read it, and what the system refused of a file."""
 
 from __future__ import annotations
 

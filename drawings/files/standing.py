@@ -1,4 +1,4 @@
-"""The lock of a folder: one run at a time writes into it."""
+"""Standing of a set: whole by seal and manifest, locked by one run at a time, tidied up at a signal."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a shown force is: a side of a polygon, an arrow on a scheme, a force on the lever (виды сил на фигуре)."""
+"""Forces by their kinds, and as they are lettered (виды и обозначения сил)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The course of a load over its stroke: its corners on the way out and back, as a load diagram shows it (нагрузка)."""
+"""A load over its stroke, there and back: its course, and the figure of it (диаграмма нагрузки)."""
 
 from __future__ import annotations
 

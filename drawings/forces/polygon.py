@@ -1,4 +1,4 @@
-"""Enlarged details of a force plan, of the forces that are too small to be lettered on it (выносной элемент)."""
+"""A force polygon with its letters, and the detail of what is too small in it (план сил)."""
 
 from __future__ import annotations
 

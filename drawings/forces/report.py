@@ -1,4 +1,4 @@
-"""Which powers that friction takes are none: but rounding, also beside a position that all but jams (потери)."""
+"""Forces and friction in the report: loads, equilibrium of groups, reactions, losses (силы в отчёте)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The table of a force sheet: reactions, moments of sliding pairs, what the drive gives (таблица реакций)."""
+"""Sheets 2, forces: schemes, polygons, lever, table of reactions (силовой расчёт, лист 2)."""
 
 from __future__ import annotations
 

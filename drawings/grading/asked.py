@@ -1,4 +1,4 @@
-"""What a task asks for: vectors and points, each with its true value and its construction (задание)."""
+"""What a task asks for: vectors and points, their true values, constructions, allowances (задание)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plans as a student drew them: places of letters and arrows on paper, and the written scale (план на листе)."""
+"""Plans as a student drew them: letters, arrows, written scale, and how its polygons fail (план на листе)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Keys of a table of marks that change nothing: no quantity of the task is called so (лишние обозначения)."""
+"""The feedback sheet: a student's own sheet, what is wrong marked in red, and beside it where to look again (рецензия).
+
+It tells no value of what is asked for. His sheet is a picture in it: nothing of it is written anew, or runs.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A part of a figure: its lines, and the letters that still look for their places (часть чертежа)."""
+"""Axes of graphs: a part of the turn with its numbers, the pole, arrows and ticks (оси графиков)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A working: lines of letters, then numbers, then what comes of them, written beside a figure (выкладки у фигуры)."""
+"""A working: how a value follows from what is measured, beside its figure; of segments by their scale (вычисления)."""
 
 from __future__ import annotations
 

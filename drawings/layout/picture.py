@@ -1,4 +1,4 @@
-"""The place of a figure on paper: where its true values lie, at which scale (место фигуры)."""
+"""Pictures before and on paper: what a figure shows in true units, its place, its letters (место фигуры)."""
 
 from __future__ import annotations
 

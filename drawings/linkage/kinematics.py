@@ -1,4 +1,4 @@
-"""Admission of a linkage: its points can be lettered, and its positions told apart (допуск механизма)."""
+"""Sheet 1, kinematics: positions, plans, diagrams; what of a linkage can be lettered and told apart (лист 1)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers that are asked for first: stroke, time ratio, greatest rates of the output (итоги)."""
+"""A linkage in the report's first lines: links, stroke, angles, what it is called (механизм в цифрах)."""
 
 from __future__ import annotations
 

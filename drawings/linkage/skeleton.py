@@ -1,4 +1,4 @@
-"""Mass centres of links: named points S_1, S_2 ..., and the centres that a scene's masses give (центры масс)."""
+"""The skeleton of a linkage as it is drawn: bars and slots, masses, poses of its bodies (скелет механизма)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A sentence that stands where a plan cannot be drawn, and says why (план не строится)."""
+"""Velocity and acceleration plans as figures, each to a scale of its own; a plan that is not there (планы)."""
 
 from __future__ import annotations
 

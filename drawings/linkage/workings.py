@@ -1,4 +1,4 @@
-"""How the lengths of links are laid off: AB = l_AB/μ_l with the numbers put in (длины звеньев на чертеже)."""
+"""Workings beside the plans: of a vector measured, of a link's rate from it (вычисления у планов)."""
 
 from __future__ import annotations
 

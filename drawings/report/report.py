@@ -1,4 +1,4 @@
-"""What a scene gives of a technique that its sheets do not ask for, without importing that technique (не нужное)."""
+"""The report of a scene: chapters of its techniques, agreement of the roads, gaps (пояснительная записка)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Chapters and tables of the report in Markdown, in its language (главы и таблицы)."""
+"""The table of reports: what tells each technique; chapters and tables in Markdown (отчёт)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Dimensions of places along the shaft, each on a level of its own under the rotor (размеры вдоль вала)."""
+"""The figure of a polygon of static moments or of their moments: vectors end to end, and what closes them."""
 
 from __future__ import annotations
 

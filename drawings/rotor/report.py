@@ -1,4 +1,4 @@
-"""What is said of a rotor in words: sums, counterweights, quality, reactions of the bearings (пояснения)."""
+"""A rotor in the report and in the notes of its sheet: balance, quality, reactions (ротор в отчёте)."""
 
 from __future__ import annotations
 

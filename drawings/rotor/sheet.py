@@ -1,4 +1,4 @@
-"""The tables of a rotor: its masses and counterweights with their moments, and what both roads found (таблицы)."""
+"""The sheet of a rotor: what stands on it, its tables of masses and of results (лист ротора)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Placements: where poses of the links put the joints (расположение кинематических пар)."""
+"""The drive as an equation: what a unit of its coordinate does to the link that it moves (уравнение привода).
+
+The coordinate is the angle of a crank, rad, or the way of a slide in units of the drive's `unit`.
+"""
 
 from __future__ import annotations
 

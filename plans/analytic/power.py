@@ -1,4 +1,4 @@
-"""Weights and inertia: what masses add to the loads, and their reduction to the crank (силы инерции)."""
+"""Inertia and power of moving links (инерция и мощность звеньев)."""
 
 from __future__ import annotations
 

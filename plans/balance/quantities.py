@@ -1,4 +1,4 @@
-"""A mechanism balanced by both roads: mass centre, counterweights, what they cost, the share (сравнение)."""
+"""A balanced linkage by both roads: centres, counterweights, costs; as numbers (сравнение)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Notes on balancing (замечания): what is allowed, but may well be a slip, or leaves something unused."""
+"""The task of balancing made from the scene, its faults and its notes (задача уравновешивания)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""The machine before or after balancing: its mass centre and its forces over the scene's positions and over a turn."""
+"""The share of the reciprocating mass that the crank balances, as a choice: by superposed force plans (выбор доли).
+
+With the share the static moment of the crank's counterweight changes evenly; a mass that follows from its radius, and
+its inertia, follow with it. Forces are superposed: those of one machine, and what each of the three adds.
+"""
 
 from __future__ import annotations
 

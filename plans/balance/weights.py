@@ -1,4 +1,4 @@
-"""A counterweight by the static moment that it must have: place from mass, or mass from place (противовес; fig 8.8)."""
+"""A counterweight by its static moment, and the tree of links that hang on each other (противовес, дерево звеньев)."""
 
 from __future__ import annotations
 

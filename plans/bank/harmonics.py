@@ -1,7 +1,7 @@
-"""The letters of a bank's vectors: of order two F_II turns with the crank, F_-II against it (обозначения).
+"""Harmonics of the shaking force of one mechanism by polygons of its ordinates (гармонический анализ).
 
-A harmonic is named by its order with a sign, +n of the vector that turns with the crank and -n of the other; f is of
-one mechanism, F and M are of the bank, and F_II,3 is the share of its mechanism 3.
+A turn is divided evenly; each ordinate over their number, turned back by n times its crank angle, is laid off end to
+end: the end is the vector of the harmonic of order n at the crank angle 0.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A bank by both roads: harmonics, forces and moments, compensators, and what they must leave (сравнение)."""
+"""A bank by both roads: sums by order, compensators; as numbers; by hand (сравнение)."""
 
 from __future__ import annotations
 

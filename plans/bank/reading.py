@@ -1,4 +1,4 @@
-"""Notes on a bank (замечания): what is allowed, but may well be a slip, such as members without places."""
+"""The bank made from the scene, its faults and its notes (блок механизмов по исходным данным)."""
 
 from __future__ import annotations
 

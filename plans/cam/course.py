@@ -1,4 +1,4 @@
-"""The book's laws of motion by pieces of their acceleration (законы движения толкателя, 5.9.2, figures 5.44-5.46)."""
+"""The course of a follower over the whole turn: S, S', S'' at any turn of the cam, its shocks (движение толкателя)."""
 
 from __future__ import annotations
 

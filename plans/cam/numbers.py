@@ -1,4 +1,4 @@
-"""The numbers of cams as plain data, for `solve`: SI units and radians (числа кулачков)."""
+"""A cam as plain data, for `solve`, and what its main sizes found by hand may be out in (числа кулачка)."""
 
 from __future__ import annotations
 

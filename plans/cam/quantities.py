@@ -1,4 +1,4 @@
-"""One place for each extreme: where a cam has the same extreme at several, both roads name that of the construction."""
+"""Cams by both roads: laws, their diagrams, sizes, profile, extremes, beside each other (сравнение кулачков)."""
 
 from __future__ import annotations
 

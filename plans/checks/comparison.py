@@ -1,4 +1,4 @@
-"""Numbers as plain data: null at gaps, no -0 (числа)."""
+"""What both roads found, beside each other: findings, and the gaps that one road alone names (сравнение двух путей)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Characteristic positions by both roads: each turn of the main shaft, the stroke, the window (сравнение)."""
+"""A cyclogram by both roads: turns of the main shaft, stroke, window; as numbers (сравнение)."""
 
 from __future__ import annotations
 

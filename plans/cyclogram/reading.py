@@ -1,4 +1,4 @@
-"""The form of the cyclogram: the tool, its overrun, where the load changes (исходные данные циклограммы)."""
+"""The form and the task of the cyclogram made from the scene, its faults and its notes (задача циклограммы)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The kinematic diagrams by both roads: the output's course at the positions, and the chords (сравнение диаграмм)."""
+"""The kinematic diagrams by both roads: the output's course, the chords; as numbers (сравнение диаграмм)."""
 
 from __future__ import annotations
 

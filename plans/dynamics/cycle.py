@@ -1,4 +1,4 @@
-"""The flywheel by other classical methods from the points of the drawn loop (методы Мерцалова и Гутьяра; M4.10)."""
+"""The works of a steady turn by graphical integration (M4.7, figure 6.6); the flywheel by other methods (M4.10)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fields of machine dynamics: a coefficient of fluctuation as 0.0125 or "1/80", ratios (величины динамики)."""
+"""The form of machine dynamics: what is asked of the motion, motor, shafts and flywheel (исходные данные динамики)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The steps of the table method (табличный метод): from row to row by acceleration (6.8), or by energy (6.9)."""
+"""Wittenbauer's loop with its tangents (M4.9, figure 6.5), and the steps of the table method (6.8, 6.9)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers of a machine's motion as plain data, for `solve`: SI units, radians, null at gaps (числа динамики)."""
+"""A machine's motion as plain data, for `solve`, and the pace that it gives its crank (числа динамики)."""
 
 from __future__ import annotations
 

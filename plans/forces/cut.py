@@ -1,7 +1,4 @@
-"""The force plan: the forces on all links in one position, and what each group takes and hands over (силовой расчёт).
-
-Every reaction is constructed: parts by moments with measured arms, the rest by closing force polygons (book 6.4.5).
-"""
+"""A force of the force plan, and a group cut out of the mechanism with all forces on it (силовой расчёт)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The force plan drawn anew at all positions, where no pattern of it can be followed."""
+"""A pattern of forces: the force plan drawn at one position over the other plans, to be followed at any others."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""What rubs in a pair: how fast its links move over each other, how hard they press, and what that costs (M6.1).
-
-The reactions are those without friction. What follows from them is the first order of the theory: an error of the order
-f^2 is left in every power lost (book, chapter 7).
-"""
+"""Friction by construction: what rubs, what locks itself, powers lost, efficiency, wear, jams (chapter 7)."""
 
 from __future__ import annotations
 

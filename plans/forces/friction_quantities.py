@@ -1,4 +1,4 @@
-"""Friction by both roads: powers, efficiency, wear, and where the machine jams (сравнение трения и кпд)."""
+"""Friction by both roads: powers, efficiency, wear, jams; what a force plan by hand may be out in (сравнение)."""
 
 from __future__ import annotations
 

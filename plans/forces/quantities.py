@@ -1,4 +1,4 @@
-"""The forces by both roads: reactions, balancing moment, lever, and all sums that must vanish (сравнение сил)."""
+"""The forces by both roads: reactions, balancing moment, lever, sums that must vanish; as numbers (сравнение сил)."""
 
 from __future__ import annotations
 

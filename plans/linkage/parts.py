@@ -1,4 +1,8 @@
-"""What the vectors of the plans must be by analysis alone: the other road's word on every named arrow (ожидаемые)."""
+"""The parts of velocities and accelerations by both roads: relative, normal, tangential, Coriolis; of mass centres.
+
+The construction's are vectors between two marks of its plans; the analysis gives each by its own formula, from omega
+and epsilon of the link and the places of its points (M3.1) (составляющие).
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Why a cam cannot be made as it is asked for, and what would do; both roads say it alike (невыполнимое задание)."""
+"""What is found of a cam, whichever road found it, and why one cannot be made (кулачок, результаты)."""
 
 from __future__ import annotations
 

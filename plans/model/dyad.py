@@ -1,4 +1,4 @@
-"""Two-lead groups of class II: what they are, and where a mechanism has them (двухповодковые группы; 6.4.4)."""
+"""Structure: Assur groups, dyads of class II, and a mechanism broken into them in solving order (6.4.4)."""
 
 from __future__ import annotations
 

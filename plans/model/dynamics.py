@@ -1,4 +1,9 @@
-"""What the edges of a turn's strips are called: positions by their numbers, 1' between two of them (номера границ)."""
+"""The motion of a machine under its forces: the task, the account of a steady turn, the flywheel (динамика машины).
+
+Angles `turned` run from 0 at position 0 to 2 pi in the sense in which the crank turns, rad; moments and rates are
+positive in that sense. Both roads give these values: by construction on strips, by analysis on the same strips or
+exactly.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The three orders of a motion: positions, velocities, accelerations, and what their plans tell (порядки движения)."""
+"""The motion of a mechanism over its positions by its three orders, and the rates of its drive (движение)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Balance quality grades of ISO 21940-11: a grade bounds e*omega, the speed of the mass centre (класс точности)."""
+"""The rotor (ротор): unbalanced masses, planes of correction, bearings, and what balances it, whichever road found it.
+
+Values alone, SI: kg, m, rad/s, N; a static moment m*D is in kg*m. Places along the shaft and angles are exact, so that
+an arm, the difference of two places, is rounded once. A vector lies in a plane square to the shaft.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The unit vector at an angle in degrees, quarter turns exact (направление)."""
+"""Balancing by polygons laid off end to end: of moments for plane I, of forces for the other (8.5)."""
 
 from __future__ import annotations
 

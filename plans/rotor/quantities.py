@@ -1,4 +1,4 @@
-"""A rotor balanced by both roads: sums, corrections and reactions, and the sums that must vanish (сравнение)."""
+"""A rotor by both roads: sums, corrections, reactions, what must vanish; as numbers; by hand (сравнение)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Notes on a rotor (замечания): what is allowed, but may well be a slip, or leaves something unbalanced or unused."""
+"""The rotor made from the scene, exact places and angles; its notes (ротор по исходным данным)."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The reactions of two bearings on a rotor that turns at its speed: moments about one bearing, then forces (реакции).
-
-They turn with the rotor; weights are left out.
-"""
+"""The study of a rotor: its polygons, its corrections and the reactions of its bearings, each made once."""
 
 from __future__ import annotations
 

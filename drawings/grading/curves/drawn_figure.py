@@ -1,4 +1,4 @@
-"""Curves as lines on paper: which of them goes through given places, and how high it is over others (линия графика)."""
+"""Curves as a student drew them: the line through given places, its values, its written scale (график)."""
 
 from __future__ import annotations
 

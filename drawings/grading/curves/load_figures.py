@@ -1,4 +1,4 @@
-"""The record of load diagrams: a load over its stroke, there and back, and the sizes of that (диаграмма нагрузки)."""
+"""The records of load diagrams, of kinematic diagrams, of charts of a cyclogram (диаграммы)."""
 
 from __future__ import annotations
 

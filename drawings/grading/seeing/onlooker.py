@@ -1,4 +1,4 @@
-"""Spelling: letters as anybody may write them, and the labels of a sheet by what they look like (как написано)."""
+"""The onlooker: sees a student's sheet as the eye does, and beside it the arrowheads and texts of other editors."""
 
 from __future__ import annotations
 

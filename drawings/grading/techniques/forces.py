@@ -1,4 +1,4 @@
-"""The record of a linkage's plans: which vector is which, its value by analysis, what it is drawn from (рычажный)."""
+"""The records of a linkage's plans and of a force sheet: which vector is which, by analysis (планы, силы)."""
 
 from __future__ import annotations
 

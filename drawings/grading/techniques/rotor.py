@@ -1,4 +1,4 @@
-"""The record of a rotor's sheet: its two polygons and the places of its masses, by analysis (ротор)."""
+"""The records of the sheets of a rotor, a bank, a balanced mechanism: vectors by analysis (уравновешивание)."""
 
 from __future__ import annotations
 

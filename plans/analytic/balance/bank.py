@@ -1,4 +1,4 @@
-"""A linkage as one mechanism of a bank: its shaking force by direct sums, its harmonics by their transform (M7.8)."""
+"""A bank of mechanisms by harmonics of its members, each a linkage of its own (блок механизмов)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The common mass centre by direct sums over the bodies, each counterweight a body of its own (центр масс, M7.4)."""
+"""Mass centre and main points of a linkage by coordinates (центр масс, главные точки)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The force at the contact by the work of a small turn, and the wear (сила в контакте по мощностям, M6.2)."""
+"""The contour of a cam by the follower's course, and where the follower touches it (профиль кулачка)."""
 
 from __future__ import annotations
 

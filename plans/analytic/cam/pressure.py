@@ -1,4 +1,4 @@
-"""Stretches of the closed laws between their breaks, and the places on them where something is greatest (участки)."""
+"""Pressure angles of a cam over the stretches of its law, by extremes of functions (углы давления)."""
 
 from __future__ import annotations
 

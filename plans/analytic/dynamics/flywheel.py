@@ -1,4 +1,4 @@
-"""Mass and section of a flywheel's rim by its moment of inertia (масса и размеры обода; M4.11)."""
+"""The flywheel of a steady turn by extremes of energy, by other classical methods; its rim (маховик)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Loads and masses reduced to the crank at any angle turned (приведение сил и масс; M4.2, M4.4)."""
+"""A quantity of the turn that jumps or bends, as Chebyshev's polynomials on pieces within which it is smooth.
+
+A piece on which the polynomial's last coefficients are not yet rounding is halved. Its nodes lie inside it, so that
+each side of a jump counts on its own.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
-"""The tip of the follower in the frame, and its derivatives by the cam's turn (движение острия толкателя).
+"""Where a flat face touches the cam, and how the profile bends there (плоский толкатель: место касания).
 
-The tip is the point, the roller's centre, or the place where a flat face touches. The curve that it leaves on the cam
-is followed too: its derivatives are those of the tip less what the cam itself has gone, both seen in the frame.
+The face touches where the perpendicular from the relative instant centre of cam and follower meets it.
 """
 
 from __future__ import annotations
