@@ -27,24 +27,6 @@ ROUNDINGS = 5
 TINY = float(np.finfo(np.float64).tiny)  # below it a number loses digits
 
 
-def integral_scale(mu_y: float, mu_x: float, pole_mm: float) -> float:
-    """Give the scale of an integral curve, units a mm: mu_y * mu_x * H (масштаб интегральной кривой).
-
-    >>> f"{integral_scale(0.001, 0.01745329252, 40):.10g}"
-    '0.0006981317008'
-    """
-    return mu_y * mu_x * pole_mm
-
-
-def derivative_scale(mu_y: float, mu_x: float, pole_mm: float) -> float:
-    """Give the scale of a derivative curve, units a mm: mu_y / (mu_x * H) (масштаб производной).
-
-    >>> f"{derivative_scale(0.0005, 0.01745329252, 25):.9g}"
-    '0.00114591559'
-    """
-    return mu_y / (mu_x * pole_mm)
-
-
 @dataclass(frozen=True, eq=False, repr=False)  # the record behind a mark is too long to be shown
 class Integral:
     """An integral curve by chords: over n strips its points at the n+1 edges, and the rays that its chords follow.

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Board
-from geometry.calculus import Derivative, Integral, derivative_by_chords, integral
+from geometry.calculus import Integral, integral
 from geometry.strips import SLIVER, Departure, departure, middles, strips
 from plans.cam.course import Course, positions, settled
 from plans.model.cam import SHAPE, TABLE, Cam
@@ -171,42 +171,6 @@ def _straight(own: Strips) -> npt.NDArray[np.bool_]:
 def _true_bends(own: Strips) -> Floats:
     """Give the mean of S'' over each strip, in which it has no impulse: what S' gains by its width."""
     return np.asarray((own.before.slope[1:] - own.after.slope[:-1]) / np.diff(own.edges))
-
-
-@dataclass(frozen=True)
-class DerivativeDiagrams:
-    """S' and S'' by the chords of S, and of S' where it is smooth (графическое дифференцирование, M2.4)."""
-
-    strips: Strips
-    board: Board
-    slope: Derivative
-    bends: tuple[Derivative, ...]  # over each smooth piece of S' with two points or more
-
-    @cached_property
-    def slope_departure(self) -> Departure:
-        """How far S' is from the exact one at most, at the middles of the strips."""
-        return departure(self.slope.values, self.strips.course.at(self.slope.middles).slope)
-
-    @cached_property
-    def bend_departure(self) -> Departure:
-        """How far S'' is from the exact one at most, at the middles between those."""
-        at = np.concatenate([one.middles for one in self.bends])
-        return departure(np.concatenate([one.values for one in self.bends]), self.strips.course.at(at).bend)
-
-
-def derivative_diagrams(cam: Cam) -> DerivativeDiagrams:
-    """Differentiate S by the chords of its strips, and what comes of it once more."""
-    own, board = strips_of(cam), Board("law")
-    corners = own.edges[sorted({0, *own.jumps, len(own.edges) - 1})]
-    slope = derivative_by_chords(board, SLOPE, own.edges, own.after.s, breaks=corners, why=REASONS)
-    return DerivativeDiagrams(own, board, slope, tuple(_bends(board, slope)))
-
-
-def _bends(board: Board, slope: Derivative) -> Iterator[Derivative]:
-    for number, piece in enumerate(slope.pieces, 1):
-        at, values = slope.middles[piece], slope.values[piece]
-        if len(at) > 1:
-            yield derivative_by_chords(board, f"{BEND}_{number}", at, values, why=REASONS)
 
 
 def by_table(cam: Cam) -> bool:

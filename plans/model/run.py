@@ -131,11 +131,6 @@ class SteadyTurn(NamedTuple):
         return sum(self.extremes) / 2
 
     @property
-    def average(self) -> float:
-        """The mean over time, rad/s."""
-        return TURN / self.period
-
-    @property
     def delta(self) -> float:
         """The coefficient of fluctuation of speed (6.13)."""
         return (self.extremes[1] - self.extremes[0]) / self.mean

@@ -19,9 +19,7 @@ from geometry.calculus import (
     Integral,
     derivative_by_chords,
     derivative_by_tangents,
-    derivative_scale,
     integral,
-    integral_scale,
 )
 from geometry.meet import EPS
 from geometry.precision import errors
@@ -91,7 +89,7 @@ def test_the_cosine_law_integrated_in_eight_parts() -> None:
 def test_the_cosine_law_integrated_on_paper_is_read_with_its_scale() -> None:
     """120 degrees are 120 mm; S'' in mm at 0.001 a mm, poles at 40 and 30 mm."""
     mu_phi = PHASE / 120
-    first, second = integral_scale(0.001, mu_phi, 40), integral_scale(integral_scale(0.001, mu_phi, 40), mu_phi, 30)
+    first, second = 0.001 * mu_phi * 40, 0.001 * mu_phi**2 * 40 * 30
     assert [printed(mu, 10) for mu in (mu_phi, first, second)] == [
         "0.01745329252",
         "0.0006981317008",
@@ -115,7 +113,7 @@ def test_the_sine_law_differentiated_by_chords_in_twelve_parts() -> None:
 def test_the_tangent_of_the_sine_law_on_paper_returns_its_slope() -> None:
     """S at 0.0005 m a mm, a degree a mm, the pole at 25 mm."""
     mu_phi, mu_s = PHASE / 120, 0.0005
-    mu = derivative_scale(mu_s, mu_phi, 25)
+    mu = mu_s / (mu_phi * 25)
     assert printed(mu, 9) == "0.00114591559"
     phi = 4 * PHASE / 12
     slope = float(sine_law_first(phi)) * mu_phi / mu_s  # on paper

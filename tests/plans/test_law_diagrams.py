@@ -7,17 +7,15 @@ import math
 import numpy as np
 import pytest
 
-from geometry.board import Board
-from geometry.calculus import derivative_by_tangents, derivative_scale, integral_scale
 from plans.bench.cams import laws
 from plans.bench.trial import order
 from plans.cam.course import Course, positions
-from plans.cam.diagrams import derivative_diagrams, law_diagrams, strips_of
+from plans.cam.diagrams import law_diagrams, strips_of
 from plans.model.cam import DWELL, RETURN, RISE, SHAPE, TABLE, TURN, Cam, Law
 from plans.words.words import languages, said
 from tests.parts import some
 from tests.plans.digits import printed
-from tests.plans.law_cams import BLOCKS, EVERY, LIFT, LINES, NAMED, RISING, RULER, STEADY, law_cam, usual
+from tests.plans.law_cams import BLOCKS, EVERY, LIFT, LINES, RISING, RULER, STEADY, law_cam, usual
 
 PARTS = 12
 
@@ -38,31 +36,6 @@ def test_worked_integration() -> None:
     assert middle / 0.0225 - 1 == pytest.approx(math.pi / 16 / math.sin(math.pi / 16) - 1, rel=1e-12)
     assert found.slope[1][7] == pytest.approx(0, abs=1e-16) and found.closure[0] == pytest.approx(0, abs=1e-16)
     assert found.slope_departure.share == pytest.approx(0.0064545428, rel=1e-9) and found.slope_departure.at == 3
-
-
-def test_worked_scales() -> None:
-    """M2.3: 120 mm long, H1 = 40, H2 = 30; M2.4: H = 25."""
-    mu_phi = math.radians(1)
-    slope = integral_scale(0.001, mu_phi, 40)
-    assert printed(mu_phi, slope, integral_scale(slope, mu_phi, 30)) == (
-        0.01745329252,
-        0.0006981317008,
-        0.0003655409037,
-    )
-    assert f"{derivative_scale(0.0005, mu_phi, 25):.9g}" == "0.00114591559"
-
-
-def test_worked_differentiation() -> None:
-    """M2.4: sine law in 12 parts: the fifth chord, the exact value over its middle, the tangent at point 4."""
-    found = derivative_diagrams(alone(Law("sine"), PARTS))
-    chord = float(found.slope.values[4])
-    exact = float(Course(alone(Law("sine"))).at(found.slope.middles[4:5]).slope[0])
-    assert printed(chord, exact) == (0.02433719921, 0.02445250344)
-    assert f"{chord / exact - 1:.9g}" == "-0.00471543641"
-    at = Course(alone(Law("sine"))).at(np.array([RISING * 4 / PARTS]))
-    drawn = derivative_by_tangents(Board("law"), "S'", [RISING * 4 / PARTS], at.s, at.slope)
-    assert printed(math.degrees(math.atan(at.slope[0] * math.radians(1) / 0.0005))) == (36.86989765,)
-    assert drawn.values == pytest.approx(at.slope, rel=1e-15)
 
 
 @pytest.mark.parametrize("name", ["sine", "3-4-5", "4-5-6-7", "modified sine"])
@@ -132,17 +105,8 @@ def test_past_a_hard_shock_the_velocity_begins_anew() -> None:
     assert len(law_diagrams(usual(Law("sine"))).slopes) == 1
 
 
-@pytest.mark.parametrize("law", some(NAMED, 3), ids=titled)
-def test_chords_of_the_travel_give_its_derivatives(law: Law) -> None:
-    """The chord is the mean derivative of its part: of the second order over its middle, no joint is crossed."""
-    coarse, fine = (derivative_diagrams(usual(law, divisions=count)) for count in (24, 96))
-    assert fine.slope_departure.share <= max(coarse.slope_departure.share / 12, 1e-12)
-    assert fine.bend_departure.size <= max(coarse.bend_departure.size / 3.5, 1e-11)
-
-
 def test_every_step_says_why_in_every_language() -> None:
-    for board in (law_diagrams(usual(RULER)).board, derivative_diagrams(usual(RULER)).board):
-        assert all(said(mark.step.why, language) for mark in board.marks for language in languages())
+    assert all(said(mark.step.why, each) for mark in law_diagrams(usual(RULER)).board.marks for each in languages())
 
 
 def test_the_bench_tells_errors_and_orders() -> None:

@@ -150,9 +150,6 @@ def _normal(start: Start, point: Mark, slope: Mark) -> Mark:
     return start.board.join("OD", start.centre, end, because("cam_normal"))
 
 
-CIRCLE = "curvature"
-
-
 def curvature(tip: Tip) -> Floats:
     """Give how the tip's curve bends, 1/m: above 0 where it is convex, infinite at a cusp."""
     first, second, _ = tip.trail
@@ -175,33 +172,6 @@ def radius(tip: Tip) -> Floats:
         return Touch(tip).radius
     with np.errstate(divide="ignore"):
         return 1 / curvature(tip)
-
-
-class ThreePoints(NamedTuple):
-    """A circle through three points of the profile: its board, its centre, its radius m."""
-
-    board: Board
-    centre: Mark
-    radius: float
-
-
-def three_points(tip: Tip) -> ThreePoints:
-    """Draw the circle through the points at three turns: two perpendiculars at the middles of the chords meet."""
-    points = np.asarray(inversion(tip).point.point)
-    board = Board(CIRCLE)
-    a, b, c = (
-        board.given(name, complex(point), because("cam_near_point")) for name, point in zip("abc", points, strict=True)
-    )
-    centre = board.meet("C", _bisector(board, a, b), _bisector(board, b, c), why=because("cam_bisectors"))
-    return ThreePoints(board, centre, abs(complex(centre.point) - complex(b.point)))
-
-
-def _bisector(board: Board, start: Mark, end: Mark) -> Mark:
-    name = start.name + end.name
-    chord = board.join(name, start, end, because("cam_chord"))
-    half = board.turn(f"{name}/2", chord, 0.5, because("cam_half"))
-    middle = board.lay_off(f"m{name}", start, half, because("cam_half"))
-    return board.square(f"⊥{name}", middle, chord, because("cam_bisector"))
 
 
 class Spot(NamedTuple):
