@@ -17,9 +17,21 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Board, Mark
-from geometry.diagram import SILENT, Axes, Reasons, axes_of, curve, ordinates, refuse_steep, rising
 from geometry.meet import EPS
-from geometry.strips import Floats, middles, pieces, runs
+from geometry.strips import (
+    SILENT,
+    Axes,
+    Floats,
+    Reasons,
+    axes_of,
+    curve,
+    middles,
+    ordinates,
+    pieces,
+    refuse_steep,
+    rising,
+    runs,
+)
 
 # What a value of n steps goes through: the difference of the edges, a product, a quotient, the start and the pole
 # distance are rounded once each, and every sum once; half an eps a rounding, which leaves the other half to spare.

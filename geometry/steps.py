@@ -1,8 +1,24 @@
-"""The steps behind a mark: what it rests on, in drafting order (шаги построения)."""
+"""The steps behind a mark, in order, and a span between two marks (построения за точкой)."""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from geometry.board import Mark
+
+
+class Span(NamedTuple):
+    """A vector of a plan between two of its marks."""
+
+    start: Mark
+    end: Mark
+
+
+class Reading(NamedTuple):
+    """What an angular velocity or acceleration is read from: a vector of the link and its turning part on the plan."""
+
+    arm: Mark
+    turning: Mark
 
 
 def behind(*marks: Mark) -> list[Mark]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any
 
-from plans.scene.demand import resting
+from plans.scene.forms import resting
 from plans.scene.scene import Scene
 from plans.techniques import TECHNIQUES, Technique, named
 

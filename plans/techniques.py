@@ -111,7 +111,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         borrows=("forces",),
     ),
     "bank": Technique(
-        form="plans.bank.form:BankForm",
+        form="plans.bank.reading:BankForm",
         tables=("bank",),
         shares={},
         meaning="plans.bank.reading:survey_of",
@@ -125,7 +125,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         asks="plans.bank.reading:asked_of",
     ),
     "rotor": Technique(
-        form="plans.rotor.form:RotorForm",
+        form="plans.rotor.reading:RotorForm",
         tables=("rotor",),
         shares={},
         meaning="plans.rotor.reading:survey_of",

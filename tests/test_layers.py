@@ -85,7 +85,7 @@ SHARED = (
     "plans.model.motion",
     "plans.model.machine",
     "plans.model.kinetostatics",
-    "plans.model.losses",
+    "plans.model.kinetostatics",
     "plans.model.run",
     "plans.model.dynamics",
     "plans.model.dynamics",
@@ -100,7 +100,7 @@ SHARED = (
     "plans.model.diagrams",
     "plans.model.dynamics",
     "plans.model.dynamics",
-    "plans.model.working",
+    "plans.model.machine",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

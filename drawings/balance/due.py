@@ -15,9 +15,8 @@ import numpy as np
 from drawings.balance.report import drafting_for
 from drawings.checks.expected import KNOWN, NOTHING, Expected, course
 from drawings.layout.table import cell_name
-from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight
-from drawings.lettering.indices import with_index
-from drawings.page.drafting import Drafting
+from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight, with_index
+from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.balance.mass_centre import bodies, vectors

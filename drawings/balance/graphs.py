@@ -14,11 +14,10 @@ from drawings.kinds.axes import BEYOND, Axes, Letter
 from drawings.kinds.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.balance_letters import FORCE, MOMENT
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Phrase, Slot, joined, telling
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale, fitting
+from drawings.lettering.vector_letters import FORCE, MOMENT
+from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.statement import Kind, Statement

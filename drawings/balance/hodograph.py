@@ -15,9 +15,9 @@ from drawings.balance.scheme import AFTER, BEFORE
 from drawings.kinds.curve_graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.balance_letters import FORCE
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
+from drawings.lettering.vector_letters import FORCE
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, LEAN, Circle, Group, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector

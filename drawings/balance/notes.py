@@ -10,9 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.lettering.balance_letters import FORCE, counterweight, lowered
-from drawings.lettering.indices import with_index
-from drawings.page.drafting import Drafting
+from drawings.lettering.vector_letters import FORCE, counterweight, lowered, with_index
+from drawings.page.scale import Drafting
 from drawings.rotor.report import ANGLE
 from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices

@@ -11,8 +11,8 @@ import numpy as np
 
 from drawings.balance.notes import BalanceNotes
 from drawings.dynamics.report_tables import plain
-from drawings.lettering.balance_letters import CENTRE, FORCE, MOMENT, counterweight
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
+from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, row
 from plans.balance.study import BalanceStudy

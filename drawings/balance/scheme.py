@@ -18,15 +18,14 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.parallel_offsets import APART, Segment, merging, offset
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture, traced
-from drawings.lettering.balance_letters import CENTRE, counterweight, lowered
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import CENTRE, counterweight, lowered, with_index
 from drawings.linkage.guides import frame_slides, grounds, ties, travel, turnings
 from drawings.linkage.numbering import link_numbers
 from drawings.linkage.outlines import outlines
 from drawings.linkage.pairs import Pairs
 from drawings.linkage.skeleton import Skeletons
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text

@@ -19,12 +19,12 @@ from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.lettering.balance_letters import FORCE as FORCE_LETTER
-from drawings.lettering.balance_letters import MOMENT, counterweight, lowered
+from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
+from drawings.lettering.vector_letters import MOMENT, counterweight, lowered
 from drawings.linkage import workings as link_working
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, captions

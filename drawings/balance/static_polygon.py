@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.balance_letters import RESULT, lowered
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
+from drawings.lettering.vector_letters import RESULT, lowered
+from drawings.page.scale import Drafting
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point

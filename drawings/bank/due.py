@@ -16,7 +16,7 @@ from drawings.bank.report import crank_of
 from drawings.checks.expected import NOTHING, Expected, by_hand, course
 from drawings.layout.table import cell_name
 from drawings.lettering.bank_letters import lowered
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.bank.compensators import COMPENSATORS

@@ -11,11 +11,10 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.bank_letters import lowered
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from drawings.rotor.polygon import CROWD, FEW
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins

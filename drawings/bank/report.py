@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.dynamics.report_tables import listed, plain
 from drawings.lettering.bank_letters import lowered
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, chapter, header, row
 from drawings.rotor.report import ANGLE

@@ -25,7 +25,7 @@ from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.bank_letters import lowered
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
 from drawings.sheets.leaves import EQUATION, lay_out

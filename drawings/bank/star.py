@@ -15,7 +15,7 @@ from drawings.bank.report import mirrored, slight_force, slight_left, slight_mom
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
 from drawings.rotor.along import AXIS, ORIGIN, SYMBOL, UNIT

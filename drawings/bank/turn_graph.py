@@ -14,8 +14,7 @@ from drawings.kinds.curve_graph import BELOW, LEAST, LETTERS, MARGINS, RATIO, TA
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale, fitting
+from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text

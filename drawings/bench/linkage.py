@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from drawings.bench import hands, sheet
-from drawings.bench.startup import startup
+from drawings.bench.sheet import startup
 from geometry.draughtsman import SEED
 from geometry.errors import DraftError
 from plans.bench import machine, roads

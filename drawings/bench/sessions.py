@@ -16,10 +16,10 @@ SESSIONS: Final[Mapping[str, str]] = {
     "diagrams": "plans.bench.chords:diagrams",
     "forces": "drawings.bench.linkage:linkage",
     "dynamics": "drawings.bench.linkage:dynamics",
-    "balance": "drawings.bench.balance_sheet:balance",
+    "balance": "drawings.bench.hands:balance",
     "bank": "plans.bench.unbalance:bank",
-    "rotor": "drawings.bench.balance_sheet:rotor",
-    "cyclogram": "plans.bench.cyclogram:session",
+    "rotor": "drawings.bench.hands:rotor",
+    "cyclogram": "plans.bench.machine:session",
     "cam": "plans.bench.cams:cams",
 }
 

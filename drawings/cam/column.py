@@ -10,8 +10,8 @@ from drawings.cam.law_frame import LawPlate
 from drawings.cam.pressure_graph import PressureFigure, PressureView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.strokes import Group, Stroke
 from plans.cam.diagrams import LawDiagrams
 

@@ -18,7 +18,7 @@ from drawings.checks.expected import Expected, by_hand, subject
 from drawings.cyclogram.due import cam_rows, chart
 from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, stated

@@ -13,13 +13,13 @@ import numpy as np
 from drawings.cam.due_values import HARD, CamValues
 from drawings.checks.expected import NOTES, Expected
 from drawings.layout.table import cell_name
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled
-from plans.cam.dimensions import RATIO, dimensions
 from plans.cam.quantities import EQUAL, NEAR
+from plans.cam.sizing import RATIO, dimensions
 from plans.cam.tables import smoothing
 from plans.checks.comparison import Finding
 from plans.model.cam import DWELL, GROOVE, TABLE, Cam, Phase

@@ -13,8 +13,7 @@ from drawings.layout.picture import Place
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.paper.ties import tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, point
 from drawings.symbols.symbols import HATCH, HINGE, STAND, arrowhead, turning_arrow

@@ -16,15 +16,13 @@ from drawings.cam.notes import ACCELERATION, VELOCITY, letters, phase_letter
 from drawings.kinds.axes import BEYOND, Axes, Curve, Letter, Part, Pole, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
+from drawings.lettering.extent import every
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.lettering.thinning import every
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
-from drawings.paper.ties import apart, tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import apart, stating, tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject
@@ -32,7 +30,7 @@ from drawings.symbols.symbols import TICK, arrowhead
 from drawings.symbols.trimming import around, trim
 from geometry.strips import middles
 from plans.cam.diagrams import LawDiagrams, Strips
-from plans.cam.dimensions import RATIO
+from plans.cam.sizing import RATIO
 
 POLES = {True: ("P_1", "H_1"), False: ("P_2", "H_2")}  # of the acceleration; of the velocity
 POLE_APART = 0.7  # sizes of a letter between the ends of two rays that are drawn

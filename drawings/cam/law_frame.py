@@ -15,7 +15,7 @@ from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, letters, units
 from drawings.kinds.axes import Curve
 from drawings.kinds.row_frame import LONG, Proportions, RowFrame, RowPlate
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import TABLE, Cam
 from plans.model.motion import Floats

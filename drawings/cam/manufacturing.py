@@ -19,7 +19,7 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined
 from drawings.lettering.words import fixed
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.drafting import Drafting
-from plans.cam.dimensions import RATIO, dimensions
+from drawings.page.scale import Drafting
+from plans.cam.sizing import RATIO, dimensions
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, ROLLER, TABLE, Cam, Phase, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes

@@ -14,13 +14,11 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Phrase, Slot, joined, telling
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale, fitting
+from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
-from drawings.paper.ties import tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK

@@ -18,10 +18,10 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import telling
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Fill, Group, Line, Stroke, Text
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import HINGE, fixed_hinge, ground, hinge, pole, tick

@@ -1,4 +1,4 @@
-"""The sheet of a cam to be made: the working profile alone, its radii by the turn, datum, notes (чертёж кулачка)."""
+"""The sheets of all cams: the drawing that a cam is made by, charts of every cam (чертёж кулачка, циклограмма)."""
 
 from __future__ import annotations
 
@@ -8,16 +8,44 @@ from typing import Any
 
 from drawings.cam import manufacturing
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
+from drawings.cyclogram import bar_chart, circular_chart
+from drawings.cyclogram.bar_chart import Chart
+from drawings.cyclogram.report import settings_of
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
-from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import page_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import compositions, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit
+from plans.cyclogram.rows import EVERY as ALL_CAMS
+from plans.cyclogram.rows import rows_of_cams
+from plans.model.cam import Cam
 from plans.scene.scene import Scene
 from plans.study import Study
+
+
+def drafts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
+    """Give the draft of the charts; a cam alone has its phases on its own sheet."""
+    turning = [one for one in cams if not one.translates]
+    if len(turning) < 2:
+        return []
+    said, title = tuple(settings_of(turning, drafting)), drafting.word("cyclogram sheet title")
+    return [Draft("cam", title, tuple(_shows(turning, drafting)), (), said, _chart_facts)]
+
+
+def _shows(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
+    chart = Chart(rows_of_cams(cams))
+    room = bar_chart.measure(chart, drafting)
+    yield Exhibit(Panel(room), partial(bar_chart.draw, chart, room, drafting=drafting))
+    room = circular_chart.measure(chart, drafting)
+    yield Exhibit(Panel(room), partial(circular_chart.draw, chart, cams[0].sense, room, drafting=drafting))
+
+
+def _chart_facts(figures: Collection[str]) -> dict[str, Any]:
+    return {"cam": ALL_CAMS, "figures": list(figures)}
+
 
 KIND = "profile"
 EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them

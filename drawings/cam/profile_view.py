@@ -12,10 +12,10 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, numeral, stated
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
 from plans.cam.course import Course

@@ -12,7 +12,7 @@ import numpy as np
 from drawings.cam.notes import MM, CamNotes, letters, ways_told
 from drawings.dynamics.report_tables import entry, plain
 from drawings.lettering.words import ROUNDING
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, header, row
 from plans.cam.study import LAWS, CamDrawing

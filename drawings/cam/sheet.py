@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-from drawings.cam import charts, column, law_diagrams, law_frame, pressure_graph, size_diagram, size_view
+from drawings.cam import column, law_diagrams, law_frame, pressure_graph, profile_sheet, size_diagram, size_view
 from drawings.cam import profile as profile_figure
 from drawings.cam.notes import CamNotes
 from drawings.cam.pressure_graph import PressureView, pressure_view
@@ -16,7 +16,7 @@ from drawings.layout import value_table
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
 from drawings.sheets.documents import letter
@@ -51,7 +51,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         (one, exact, of_cam(comparison, one.cam.name))
         for one, exact in zip(cams, comparison.analysis.cams, strict=True)
     ]
-    shared = [] if CYCLOGRAM in scene.sheets else charts.drafts([one.cam for one in cams], drafting)
+    shared = [] if CYCLOGRAM in scene.sheets else profile_sheet.drafts([one.cam for one in cams], drafting)
     return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
 

@@ -17,16 +17,14 @@ from drawings.kinds.axes import Letter
 from drawings.layout.labels import NEAR, Labels
 from drawings.layout.picture import Place
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, Polyline, Stroke
-from drawings.paper.ties import tied_spot
-from drawings.paper.walk import stating
-from drawings.symbols.dashes import fit
+from drawings.paper.walk import stating, tied_spot
+from drawings.symbols.dashes import fit, hatching
 from drawings.symbols.dimension import Dimension, arrows
 from drawings.symbols.figure import Subject
-from drawings.symbols.hatching import hatching
 from drawings.symbols.symbols import arrowhead, turning_arrow
 from plans.cam.centre.bounds import PressureBound
 from plans.cam.sizing import Tangent

@@ -14,12 +14,11 @@ import numpy as np
 from drawings.cam.notes import ACCELERATION, VELOCITY, letters, units
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from geometry.board import Line as Ruler
 from geometry.board import Mark
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches
-from plans.cam.dimensions import RATIO
-from plans.cam.sizing import Sizing, Tangent
+from plans.cam.sizing import RATIO, Sizing, Tangent
 from plans.checks.comparison import Finding
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import CamFound, Points, Shock

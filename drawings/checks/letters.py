@@ -11,7 +11,7 @@ from drawings.checks.wrong import on
 from drawings.layout.ink import CELL, CLEAR
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text

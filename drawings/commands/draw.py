@@ -20,7 +20,7 @@ from drawings.original.sheet_paths import placed_sheets, sheet_path, stem_of
 from drawings.report.report import headlines, lines, remarks, summary, written
 from drawings.sheets.documents import of_scales, of_title
 from drawings.sheets.table import SHEETS
-from plans.scene.demand import resting
+from plans.scene.forms import resting
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
 from plans.techniques import makers_of, named
@@ -131,7 +131,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with trace.stage("imports"):
         from drawings.checks.hold import phrase_faults
         from drawings.checks.verify import SelfCheckFailed, cramped, enclosure_wrongs, first, obscured
-        from drawings.original.edition import leaves_of
+        from drawings.original.originals import leaves_of
         from drawings.pens.svg import svg
         from drawings.sheets.documents import cuts
 

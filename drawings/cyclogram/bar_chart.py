@@ -12,7 +12,7 @@ from drawings.cyclogram.characteristic_plan import Stretch, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_reach, text_width
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.dashes import fit_dashes

@@ -19,11 +19,11 @@ from drawings.linkage import position_letters, position_plan
 from drawings.linkage.pairs import Pairs
 from drawings.linkage.position_letters import clearest, length, stroke
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, LineStyle, Polyline, Stroke, Text
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
 from drawings.symbols.trimming import trim

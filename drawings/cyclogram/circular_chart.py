@@ -12,10 +12,10 @@ from drawings.cyclogram.bar_chart import LARGER, Chart
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK, turning_arrow
 from plans.model.cyclogram import Row, Span

@@ -12,7 +12,7 @@ import numpy as np
 from drawings.checks.expected import Expected
 from drawings.layout.table import cell_name
 from drawings.linkage.due import mass_centres, measures
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.points import placed

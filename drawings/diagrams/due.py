@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.checks.expected import KNOWN, Expected
 from drawings.layout.table import cell_name
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.diagrams.quantities import LETTERS, DiagramsComparison

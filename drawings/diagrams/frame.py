@@ -12,9 +12,8 @@ import numpy as np
 from drawings.kinds.axes import Curve
 from drawings.kinds.row_frame import LONG, Proportions, RowFrame, RowPlate, smooth
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
-from drawings.paper.ties import PLACES
+from drawings.page.scale import Drafting, Scale
+from drawings.paper.walk import PLACES
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
 from plans.model.motion import Floats

@@ -10,9 +10,9 @@ import numpy as np
 
 from drawings.diagrams.frame import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
 from drawings.layout.table import RuledTable, TableRow, table
-from drawings.lettering.thinning import every
+from drawings.lettering.extent import every
 from drawings.lettering.words import decimal, fixed, number
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, heading, row
 from plans.checks.comparison import Finding

@@ -7,21 +7,21 @@ import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 from drawings.diagrams.frame import NAME, VELOCITY, DiagramRow, DiagramsFrame, DiagramsPlate
 from drawings.kinds.axes import BEYOND, Axes, Curve, Letter, Part, Pole, caption, wide
 from drawings.kinds.curve_graph import stretches
+from drawings.kinds.working import SCALES, Working, told
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
+from drawings.lettering.extent import every
 from drawings.lettering.lettering import text_width
-from drawings.lettering.thinning import every
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
-from drawings.paper.ties import tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
 from plans.diagrams.study import DiagramsStudy
@@ -251,3 +251,51 @@ def _wide(row: DiagramRow, plate: DiagramsPlate) -> float:
     long = wide(caption_of(row, plate), f"{scale};  H_1 = 55.55 {drafting.word('mm')}", plate.hand)
     told = (text_width(Text(0j, text, plate.hand.text)) for text in said(row, plate))
     return plate.proportions.left * plate.hand.letter + max(long, *told, 0.0)
+
+
+def working(own: DiagramsStudy, drafting: Drafting) -> Working:
+    """Write beside the diagrams how the scale of time and the pole distances are found."""
+    return Working(SCALES, NAME, lambda spot: list(_lines(DiagramsPlate(own, drafting), spot)), drafting)
+
+
+def _lines(plate: DiagramsPlate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
+    frame = None if spot is None else DiagramsFrame(plate, spot)
+    yield _time(plate, math.nan if spot is None else spot.scale.mu)
+    for above, row in pairwise(plate.rows):
+        if not row.flat:
+            yield _pole(above, row, plate, frame)
+
+
+def _time(plate: DiagramsPlate, mu: float) -> tuple[str, ...]:
+    """Write the scale of time by that of the crank angle, rad/mm."""
+    drafting, letter = plate.drafting, f"ω_{{{plate.own.linkage.mechanism.drive.link}}}"
+    omega, (s, mm) = told(plate.omega, drafting), map(drafting.word, ("s", "mm"))
+    if drafting.notation == "K":
+        return (
+            f"K_t = K_φ·{letter}",
+            f"{told(1 / mu, drafting)}·{omega}",
+            f"{told(plate.omega / mu, drafting)} {mm}/{s}",
+        )
+    return f"μ_t = μ_φ/{letter}", f"{told(mu, drafting)}/{omega}", f"{told(mu / plate.omega, drafting)} {s}/{mm}"
+
+
+def _pole(above: DiagramRow, row: DiagramRow, plate: DiagramsPlate, frame: DiagramsFrame | None) -> tuple[str, ...]:
+    """Write a pole distance by the scales of its row, of the row above it, and of time."""
+    drafting, (high, low) = plate.drafting, (f"{{{one.letter}}}" for one in (above, row))
+    first, second, time, distance = _working_numbers(above, row, frame)
+    result = f"{letters_of(row)[1]} = ", f"{told(distance, drafting)} {drafting.word('mm')}"
+    if drafting.notation == "K":
+        own, over, other = (told(1 / one, drafting) for one in (second, time, first))
+        return f"{result[0]}K_{low}·K_t/K_{high}", f"{own}·{over}/{other}", result[1]
+    over, own, other = (told(one, drafting) for one in (first, second, time))
+    return f"{result[0]}μ_{high}/(μ_{low}·μ_t)", f"{over}/({own}·{other})", result[1]
+
+
+def _working_numbers(
+    above: DiagramRow, row: DiagramRow, frame: DiagramsFrame | None
+) -> tuple[float, float, float, float]:
+    """Give the scales of both rows and of time, and the distance, mm; NaN before it is known where they stand."""
+    distance = None if frame is None else frame.distance(row)
+    if frame is None or distance is None:
+        return math.nan, math.nan, math.nan, math.nan
+    return frame.scales[above.key].mu, frame.scales[row.key].mu, frame.argument.mu, distance

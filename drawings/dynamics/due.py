@@ -16,7 +16,7 @@ from drawings.checks.readers import Frame, frames
 from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, Turn, graphs, tachogram
 from drawings.forces.due_loads import diagrams
 from drawings.layout.table import cell_name
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups as marks

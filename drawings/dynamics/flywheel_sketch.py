@@ -14,14 +14,12 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.dashes import fit
+from drawings.symbols.dashes import fit, hatching
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading
-from drawings.symbols.hatching import hatching
 from plans.model.dynamics import Wheel
 
 NAME = "flywheel_sketch"

@@ -10,13 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.kinds.axes import BEYOND, OVER, RIGHT, UNDER, Axes, Letter, Part, Pole
-from drawings.lettering.thinning import every
-from drawings.page.drafting import Drafting
+from drawings.lettering.extent import every
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.paper.ties import apart
-from drawings.paper.walk import stating
+from drawings.paper.walk import apart, stating
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK

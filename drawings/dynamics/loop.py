@@ -12,8 +12,7 @@ import numpy as np
 from drawings.dynamics.graphs import Dense, Strips
 from drawings.kinds.axes import BEYOND, LEFT, OVER, UNDER, Axes, Letter, Part
 from drawings.lettering.phrase import Phrase, Slot, joined, telling
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, Text

@@ -17,8 +17,7 @@ from drawings.kinds.axes import BEYOND, Axes, Part, caption
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale, fitting
+from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.strokes import Group, Line, Stroke
 from drawings.symbols.dashes import fit_dashes

@@ -15,7 +15,7 @@ from drawings.dynamics.report_tables import listed, plain
 from drawings.forces.report import counted_strokes
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.lettering.words import decimal
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, row
 from plans.dynamics.cycle import methods, rim_of

@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.lettering.phrase import Phrase, template_of
 from drawings.lettering.words import decimal
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.report.table import header, row
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.motion import Floats

@@ -23,8 +23,8 @@ from drawings.layout.room import room_of
 from drawings.layout.slicing import GAP
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed
-from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions

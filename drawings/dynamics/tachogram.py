@@ -12,8 +12,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.drafting import Drafting
-from drawings.page.scale import fitting
+from drawings.page.scale import Drafting, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text

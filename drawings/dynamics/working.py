@@ -9,7 +9,7 @@ from drawings.dynamics.plate import Content, plate_of
 from drawings.dynamics.plate_frame import PlateFrame
 from drawings.kinds.working import TANGENTS, Working, told
 from drawings.layout.picture import Spot
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 
 
 def working(shown: Content, drafting: Drafting) -> Working:

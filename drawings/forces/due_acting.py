@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter, word
 from plans.checks.comparison import Finding
 from plans.forces.bill import ActingForce, ExpectedForces, ForceBill

@@ -13,7 +13,7 @@ import numpy as np
 
 from drawings.checks.expected import Expected
 from drawings.forces.due_acting import ABOUT, REACTION, Acting, unbraced
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Key, Kind

@@ -21,8 +21,8 @@ from drawings.layout.equation import (
 )
 from drawings.layout.picture import Spot, TextBlock
 from drawings.lettering.phrase import Phrase, Slot, joined
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group
 from geometry.board import Mark, at

@@ -11,14 +11,14 @@ from typing import NamedTuple
 from drawings.forces.letters import BALANCE, PAIR, letter_of
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.picture import Place
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter as by_language
 from drawings.linkage.skeleton import is_centre
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.ties import tied, tied_spot
-from drawings.symbols.arms import LEAST, Arm, to_scale
+from drawings.paper.walk import tied, tied_spot
+from drawings.symbols.dimension import LEAST, Arm, to_scale
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale
 from drawings.symbols.polygon import ShownVector

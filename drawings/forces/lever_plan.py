@@ -26,15 +26,15 @@ from drawings.forces.polygon import ZERO
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import with_index
 from drawings.linkage.vector_plan import LEAST, diagram
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.arms import Arm
+from drawings.symbols.dimension import Arm
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow, plain_name
 from drawings.symbols.polygon import ShownVector

@@ -14,12 +14,11 @@ import numpy as np
 from drawings.kinds.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.extent import numbered
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.lettering.thinning import numbered
 from drawings.lettering.words import letter as lettered
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale, fitting
+from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text

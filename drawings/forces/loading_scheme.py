@@ -20,22 +20,20 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.extent import bounds
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import with_index
 from drawings.linkage.guides import ties
 from drawings.linkage.numbering import link_numbers
 from drawings.linkage.pairs import Joints
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
 from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.dimension import Dimension
+from drawings.symbols.dimension import Arm, Dimension, to_scale
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.polygon import ShownVector

@@ -11,7 +11,7 @@ from drawings.forces.letters import letter_of
 from drawings.forces.lever_layout import PLAN as LEVER
 from drawings.forces.lever_layout import Leverage, leverages
 from drawings.linkage.equations import in_position
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Chapters, Formula, display, inline, total
 from drawings.report.table import chapter, header, row

@@ -14,8 +14,7 @@ from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.linkage.vector_plan import BEYOND, LEAST
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Circle, Group, Line, Stroke, Text

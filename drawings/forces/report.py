@@ -12,7 +12,7 @@ from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.linkage.numbers import DIGITS as FEW_DIGITS
 from drawings.linkage.numbers import greatest, stroke_line
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.report.formula import Chapters, Formula
 from drawings.report.report import gap_line, gap_lines
 from drawings.report.table import chapter, header, row
@@ -23,8 +23,7 @@ from plans.forces.quantities import ForceComparison
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
-from plans.model.kinetostatics import Kinetostatics
-from plans.model.losses import Friction
+from plans.model.kinetostatics import Friction, Kinetostatics
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.model.motion import FORCES, NOTHING, Floats
 from plans.study import Study

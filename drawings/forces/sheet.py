@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from drawings.forces import acting as force_working
 from drawings.forces import lever_plan, load_diagram, loading_scheme, polygon
-from drawings.forces import working as force_working
 from drawings.forces.letters import LAID, force_letter, letter_of
 from drawings.forces.lever_equation import Equations, LeverEquation
 from drawings.forces.load_diagram import courses
@@ -28,7 +28,7 @@ from drawings.linkage import workings
 from drawings.linkage.kinematics import of_linkage
 from drawings.linkage.positions import force_positions
 from drawings.linkage.vector_plan import diagram
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import letter, unknown

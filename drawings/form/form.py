@@ -16,11 +16,11 @@ from drawings.kinds.axes import arrow
 from drawings.layout.contents import EVEN, Panel
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
-from drawings.original.edition import leaves_of
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.lettering.vector_letters import with_index
+from drawings.original.originals import leaves_of
 from drawings.page.page import Field
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Leaf, Line, SheetError, Stroke, Text, numeral, stated
 from drawings.sheets.documents import bind

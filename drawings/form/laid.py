@@ -18,7 +18,7 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as ruled
 from drawings.lettering.extent import bounds
 from drawings.lettering.words import word
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.paper.walk import flat, groups
 from plans.scene.scene import Scene

@@ -13,9 +13,8 @@ from drawings.files import atomic_files
 from drawings.files.file_error import FileError
 from drawings.files.manifest import manifest_name
 from drawings.gallery.catalogue import GALLERY, catalogue
-from drawings.gallery.changes import changes
+from drawings.gallery.changes import ALPHABET, changes, enter, unlisted
 from drawings.gallery.index import PAGE, GalleryScene, index
-from drawings.gallery.renewals import ALPHABET, enter, unlisted
 from drawings.lettering.lettering import lettered
 from drawings.lettering.specimen import specimen
 from drawings.pens.svg import svg

@@ -16,7 +16,7 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.walk import groups
 from geometry.board import Mark
 from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
-from geometry.span import Span
+from geometry.steps import Span
 from plans.checks.by_hand import SLIP
 from plans.techniques import named, technique_of
 

@@ -15,7 +15,7 @@ from drawings.grading.verdict import Verdict
 from drawings.paper.limits import TEXT_LENGTH
 from geometry.errors import DraftError
 from geometry.regular_file import regular_bytes
-from geometry.span import Span
+from geometry.steps import Span
 from plans.words.words import message
 
 Letters: TypeAlias = tuple[str, int | None, str, str]  # plan, position, and the letters of both ends

@@ -14,8 +14,7 @@ from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text
-from drawings.paper.ties import tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import arrowhead, pole
 from plans.model.motion import Floats

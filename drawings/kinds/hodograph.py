@@ -12,9 +12,9 @@ import numpy as np
 from drawings.kinds.curve_graph import DOTTED, SPARE, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.extent import numbered
 from drawings.lettering.lettering import text_width
-from drawings.lettering.thinning import numbered
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector

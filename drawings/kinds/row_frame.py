@@ -12,8 +12,7 @@ import numpy as np
 
 from drawings.kinds.axes import BEYOND, Axes
 from drawings.layout.picture import Spot
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale, fitting
+from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from plans.model.motion import Floats

@@ -9,9 +9,8 @@ from typing import NamedTuple
 from drawings.layout.contents import Panel
 from drawings.layout.equation import Passage, WrittenEquation, plain
 from drawings.layout.picture import Spot
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.strokes import Group
 
 READING, LENGTHS, MASSES = "reading", "lengths", "masses"  # what workings tell: before the name of their figure

@@ -23,7 +23,7 @@ from drawings.layout.slicing import GAP, SAME, Piece, Size, Tree, pieces
 from drawings.layout.standing import Area, Grid, natural
 from drawings.page.page import Field, Page
 from drawings.page.scale import Scale
-from drawings.paper.ties import PLACES, tied
+from drawings.paper.walk import PLACES, tied
 from plans.model.motion import Floats
 
 State: TypeAlias = tuple[int, ...]  # the step of each group of figures that share a scale

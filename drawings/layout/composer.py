@@ -24,7 +24,7 @@ from drawings.layout.room import Order, Shape, corner_of, ends_of, head_of, nest
 from drawings.layout.slicing import Cuts, Slicing, Tree, pieces
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from plans.words.words import message
 
 LOOKS = 3  # levels at which compositions are looked at: the highest and those below it

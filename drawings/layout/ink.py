@@ -15,8 +15,7 @@ from drawings.layout.standing import barest
 from drawings.lettering.extent import bounds
 from drawings.page.page import Field
 from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
-from drawings.paper.ties import MARGIN
-from drawings.paper.walk import flat
+from drawings.paper.walk import MARGIN, flat
 from geometry.curve import sampled
 from plans.model.motion import Complexes, Floats
 

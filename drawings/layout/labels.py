@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from drawings.layout.ink import LETTERED, Ink, padded
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
-from drawings.paper.ties import tied, tied_spot
+from drawings.paper.walk import tied, tied_spot
 
 WELL_CLEAR = 0.7  # mm around a label beside a line, where another main line may run along it
 DIRECTIONS = 16

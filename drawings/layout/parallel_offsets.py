@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from drawings.paper.ties import tied, tied_spot
+from drawings.paper.walk import tied, tied_spot
 
 Segment: TypeAlias = tuple[complex, complex]
 Box: TypeAlias = tuple[float, float, float, float]  # left, bottom, right, top

@@ -11,7 +11,7 @@ from drawings.layout.labels import Labels
 from drawings.page.page import Field
 from drawings.page.scale import Scale, fitting
 from drawings.paper.strokes import Group, Stroke
-from drawings.paper.ties import tied, tied_spot
+from drawings.paper.walk import tied, tied_spot
 
 
 class Place(NamedTuple):

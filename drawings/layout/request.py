@@ -13,7 +13,7 @@ from drawings.layout.slicing import Cuts, Piece, Slicing
 from drawings.layout.table import RuledTable
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from plans.words.words import Message, message
 
 SheetRun: TypeAlias = tuple[int, int]  # the first and the last unit of a sheet

@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from drawings.paper.ties import PLACES
+from drawings.paper.walk import PLACES
 from plans.model.motion import Floats
 
 GAP = 5.0  # mm between two units; the margins of figures keep letters apart already

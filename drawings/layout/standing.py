@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
 from drawings.page.page import Field
-from drawings.paper.ties import MARGIN, PLACES, tied
+from drawings.paper.walk import MARGIN, PLACES, tied
 from plans.model.motion import Floats
 
 CELLS = 72  # across the longer side of a sheet

@@ -8,8 +8,8 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.layout.picture import TextBlock
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text

@@ -12,8 +12,8 @@ import numpy as np
 from drawings.layout.table import Cell, Later, RuledTable, TableRow
 from drawings.layout.table import table as measure
 from drawings.lettering.words import fixed, letter, word
-from drawings.page.drafting import Drafting
-from drawings.paper.ties import tied
+from drawings.page.scale import Drafting
+from drawings.paper.walk import tied
 from plans.checks.comparison import Comparison, Finding
 from plans.model.motion import ORDERS
 

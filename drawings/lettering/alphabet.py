@@ -14,7 +14,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Final, NamedTuple, TypeAlias
 
-from drawings.paper.ties import MARGIN, tied
+from drawings.paper.walk import MARGIN, tied
 
 # Slanted letters stand at 75 degrees to the line of writing.
 SLANT: Final = math.tan(math.radians(15))

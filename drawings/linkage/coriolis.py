@@ -10,15 +10,14 @@ from typing import NamedTuple
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.lettering.extent import bounds
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
-from drawings.page.drafting import Drafting
+from drawings.lettering.vector_letters import with_index
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Statement
 from drawings.paper.strokes import Arc, Group, Line, Stroke, Text
-from drawings.paper.ties import tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from geometry.board import Mark, at
 from geometry.meet import cross

@@ -18,7 +18,7 @@ from drawings.layout import value_table
 from drawings.layout.table import cell_name
 from drawings.lettering.words import letter
 from drawings.linkage.due_plans import VectorPlans
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.analytic.points import placed

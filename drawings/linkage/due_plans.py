@@ -10,8 +10,8 @@ from itertools import chain
 import numpy as np
 
 from drawings.checks.expected import Expected
-from drawings.lettering.indices import with_index
-from drawings.page.drafting import Drafting
+from drawings.lettering.vector_letters import with_index
+from drawings.page.scale import Drafting
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
 from plans.checks.comparison import Finding

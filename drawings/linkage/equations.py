@@ -10,8 +10,7 @@ import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
-from drawings.page.drafting import Drafting, drafting_of
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter

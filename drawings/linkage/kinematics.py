@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from drawings.diagrams import frame as diagrams
-from drawings.diagrams import rows, working
+from drawings.diagrams import rows
+from drawings.diagrams import rows as working
 from drawings.diagrams.report import diagram_notes, output_table
 from drawings.kinds.working import Working
 from drawings.layout import value_table
@@ -24,7 +25,7 @@ from drawings.linkage.notes import notes
 from drawings.linkage.positions import force_positions, plans, position
 from drawings.linkage.skeleton import Skeletons, skeletons, unnamed
 from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, measure_missing
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out

@@ -12,9 +12,8 @@ import numpy as np
 from drawings.layout.ink import LETTERED
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.lettering.extent import bounds
+from drawings.lettering.extent import bounds, numbered
 from drawings.lettering.lettering import text_width
-from drawings.lettering.thinning import numbered
 from drawings.lettering.words import number
 from drawings.linkage.pairs import Joints, Pairs
 from drawings.linkage.skeleton import Skeletons

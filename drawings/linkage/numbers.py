@@ -14,9 +14,9 @@ from plans.linkage.extreme import EQUAL
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.dyad import Group, formula, mechanism_class
+from plans.model.machine import ways
 from plans.model.mechanism import Mechanism, Output
 from plans.model.motion import ACCELERATIONS, VELOCITIES, Motion, Order
-from plans.model.working import ways
 from plans.study import Study
 from plans.words import words
 from plans.words.words import Message, message

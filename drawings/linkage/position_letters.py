@@ -14,9 +14,9 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Place
 from drawings.lettering.extent import bounds
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.phrase import Phrase, slotted, telling
+from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import fixed
 from drawings.linkage.guides import Turning
 from drawings.linkage.numbering import frame_number, link_numbers, numbers
@@ -28,8 +28,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY, SEEN
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Box, Group, Line, Stroke, Text
-from drawings.paper.ties import PLACES, tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import PLACES, stating, tied
 from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, arrowhead, tick, turning_arrow
 from drawings.symbols.trimming import trim
 from plans.linkage.travel import frame_slide

@@ -19,7 +19,7 @@ from drawings.linkage.position_letters import letters, path_ticks, strokes, swin
 from drawings.linkage.skeleton import Poses, Skeletons
 from drawings.linkage.tracks import Push, arrows, same, stroke_line
 from drawings.linkage.trajectories import phases, trajectories
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY

@@ -12,7 +12,7 @@ from drawings.layout.contents import Panel
 from drawings.linkage import position_plan
 from drawings.linkage.notes import notes
 from drawings.linkage.skeleton import skeletons
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit

@@ -15,7 +15,7 @@ from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import decimal, fixed, number, span
 from drawings.linkage.equations import drawn_scales, equations, shown_positions
 from drawings.linkage.numbers import first_numbers, stroke_line
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions

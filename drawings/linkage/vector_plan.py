@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, StillFigure, picture
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import runs
 from drawings.linkage.coriolis import (
     LaidPart,
@@ -23,8 +23,8 @@ from drawings.linkage.coriolis import (
     part_letter,
     quarter_turn,
 )
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text

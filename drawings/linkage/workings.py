@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from drawings.kinds.working import DIGITS, LENGTHS, READING, ScaleFactor, Working, at_scale
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.linkage.vector_plan import VECTOR, Arrow, VectorDiagram
-from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from plans.model.mechanism import Mechanism
 from plans.model.motion import NOTHING
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from drawings import VERSION
 from drawings.checks import verify
 from drawings.checks.agreement import agree
 from drawings.checks.expected import subject
@@ -18,16 +19,27 @@ from drawings.collation.matching import match
 from drawings.eye.sheet import SeenSheet, see, without
 from drawings.lettering.lettering import lettered
 from drawings.measure.seal import digest
-from drawings.original.edition import leaves_of
 from drawings.original.sheet_paths import placed_sheets, stem_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
+from drawings.sheets.documents import bind
 from drawings.sheets.table import SHEETS
-from plans.scene.scene import read_scene
+from plans.scene.scene import Scene, read_scene
 from plans.study import Study
 from plans.techniques import named
+
+
+def leaves_of(study: Study) -> Mapping[str, Sequence[Leaf]]:
+    """Lay out the sheets of a study, by kind; the data of each say of which scene it is, and of which version."""
+    scene = study.scene
+    leaves = bind({kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}, scene)
+    return {kind: tuple(_signed(leaf, scene) for leaf in own) for kind, own in leaves.items()}
+
+
+def _signed(leaf: Leaf, scene: Scene) -> Leaf:
+    return leaf._replace(metadata={**leaf.metadata, "scene": digest(scene.content), "plandraft": VERSION})
 
 
 class Original(NamedTuple):

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
 
-from drawings.page import frame, reference
+from drawings.page import frame
 from drawings.page.blocks import form1, iso7200
+from drawings.page.frame import FRAME, borders
 from drawings.page.title_cell import NUMBERS
 from drawings.paper.formats import BLOCKS, BORDERS, PORTRAIT, Field, lies, size_of
 from drawings.paper.hand import Hand, hand_of
@@ -75,8 +76,8 @@ class Page:
     def _margins(self) -> tuple[Stroke, ...]:
         """Draw the frame, and what the standard has around it; GOST asks for no centring marks."""
         if self.standard == "ISO":
-            line = frame.rectangle(self.field, LineStyle(reference.FRAME))
-            return line, Group(tuple(reference.borders(self.name, self.size, self.field, self.block)), "borders")
+            line = frame.rectangle(self.field, LineStyle(FRAME))
+            return line, Group(tuple(borders(self.name, self.size, self.field, self.block)), "borders")
         extra = form1.extra(self.field, self._repeated, self.designation, self.name, self.hand, self.language)
         return frame.rectangle(self.field, LineStyle(self.hand.main)), Group(tuple(extra), EXTRA)
 

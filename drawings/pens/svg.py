@@ -43,9 +43,8 @@ from drawings.paper.strokes import (
     Stroke,
     Text,
 )
-from drawings.paper.ties import tied
 from drawings.paper.walk import groups as within
-from drawings.paper.walk import unstated
+from drawings.paper.walk import tied, unstated
 from drawings.pens.letters import lettering
 from drawings.pens.paths import Plain, commands, curve, number, numbers
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from drawings.lettering.words import letter as lettered
 from drawings.lettering.words import word
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 
 
 class Chapters(NamedTuple):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from drawings.lettering.words import decimal, fixed, runs
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
 from drawings.report.table import REPORTS, chapter, header, heading, quantity, row
 from plans.checks.by_hand import SLIP

@@ -11,7 +11,7 @@ from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined
 from drawings.lettering.rotor_letters import index
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, Stroke, Text

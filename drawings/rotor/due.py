@@ -11,7 +11,7 @@ from itertools import chain
 from drawings.checks.expected import NOTES, NOTHING, Expected, by_hand
 from drawings.layout.table import cell_name
 from drawings.lettering.rotor_letters import index, lowered
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.rotor import moment

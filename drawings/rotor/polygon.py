@@ -14,13 +14,12 @@ from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.phrase import telling
 from drawings.lettering.rotor_letters import INDEX, lowered
-from drawings.page.drafting import Drafting
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Statement
 from drawings.paper.strokes import LEAN, Group, Line, Stroke, Text
-from drawings.paper.ties import tied
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead, pole

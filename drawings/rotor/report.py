@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from drawings.dynamics.report_tables import listed, plain
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.lettering.rotor_letters import index, lowered
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups

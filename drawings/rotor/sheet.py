@@ -14,8 +14,8 @@ from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.lettering.rotor_letters import index, lowered
-from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.report import agreed
 from drawings.rotor import across, along, polygon

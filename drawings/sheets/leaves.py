@@ -22,8 +22,8 @@ from drawings.layout.slicing import Cuts
 from drawings.layout.table import RuledTable
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import SLOT, template_of
-from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import LEAN, Group, Leaf, SheetError, Stroke, Text
 from drawings.paper.walk import stating

@@ -1,16 +1,18 @@
-"""Dashes: a broken line begins and ends with a dash; its dashes are equal and as long as the standard lets them be.
-
-GOST 2.303-68: dashes of 2 to 8 mm in a dashed line, of 5 to 30 mm in a dash-dot line (штриховая, штрихпунктирная).
-"""
+"""Dashes and hatching fitted to a line (штрихи и штриховка)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
+import numpy as np
+
 from drawings.lettering.extent import GRAIN
+from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Curve, Line, LineStyle, Polyline, Stroke, numeral
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
+from drawings.symbols.symbols import HATCH_STEP
 from geometry.curve import sampled
 
 DASHED, DASH_DOT = (2.0, 8.0), (5.0, 30.0)
@@ -57,3 +59,28 @@ def fit(style: LineStyle, length: float, closed: bool = False) -> LineStyle:
     while fitting(gaps) > most:
         gaps += 1
     return style._replace(dash=(fitting(gaps), *rest) if fitting(gaps) >= least else ())
+
+
+LEAN = 1 + 1j  # along the lines
+
+
+def hatching(outline: Sequence[complex], hand: Hand) -> Iterator[Line]:
+    """Hatch the inside of a closed outline on paper; lines of neighbouring parts of one body meet."""
+    turned = [corner / LEAN for corner in outline]  # the lines lie level
+    apart = HATCH_STEP * hand.symbol / abs(LEAN)
+    first, last = min(corner.imag for corner in turned), max(corner.imag for corner in turned)
+    for k in range(math.floor(first / apart) + 1, math.ceil(last / apart)):
+        for start, end in _inside(turned, k * apart):
+            yield Line(start * LEAN, end * LEAN, hand.drafted)
+
+
+def _inside(outline: Sequence[complex], level: float) -> Iterator[tuple[complex, complex]]:
+    """Give the pieces of a level line that lie within an outline."""
+    ends = np.array(outline)
+    starts = np.roll(ends, 1)
+    cut = (starts.imag > level) != (ends.imag > level)
+    before, after = starts[cut], ends[cut]
+    share = (level - before.imag) / (after.imag - before.imag)
+    places = np.sort(before.real + share * (after.real - before.real))
+    pieces = list(pairwise(places.tolist()))[::2]
+    yield from ((complex(start, level), complex(end, level)) for start, end in pieces if end > start)

@@ -14,7 +14,7 @@ from drawings.layout.picture import Margins, Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke
-from drawings.paper.ties import tied
+from drawings.paper.walk import tied
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import arrowhead
 

@@ -17,8 +17,18 @@ from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.points import TURN, place, speed
 from plans.analytic.power import reduced_moment, transfers
 from plans.model.dyad import Pair
-from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Reaction, Twist
-from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction, Jam
+from plans.model.kinetostatics import (
+    CENTRAL,
+    SLANTED,
+    TILTED,
+    Applied,
+    Friction,
+    Jam,
+    Kinetostatics,
+    Loading,
+    Reaction,
+    Twist,
+)
 from plans.model.machine import Machine, Rubbing, Transmission
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats, Motion

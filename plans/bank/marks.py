@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from geometry.board import Mark
 from geometry.steps import behind
 from plans.bank.compensators import COMPENSATORS
-from plans.bank.form import ORDER_LIMIT
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
 from plans.bank.polygons import MOMENTS
+from plans.bank.reading import ORDER_LIMIT
 from plans.bank.study import BankStudy, orders_of
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.balance.bank import BankTask

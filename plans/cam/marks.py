@@ -11,8 +11,7 @@ import numpy as np
 from geometry.board import GIVEN, Board, Mark
 from geometry.meet import Meeting
 from geometry.steps import behind
-from plans.cam.dimensions import dimensions
-from plans.cam.sizing import Sizing
+from plans.cam.sizing import Sizing, dimensions
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.cam import Cam

@@ -14,7 +14,7 @@ from plans.analytic.cam.contour import Curve, forces_of
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
-from plans.cam.dimensions import dimensions
+from plans.cam.sizing import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.cam.verdicts import TERM, Pair, Slack, Verdicts
 from plans.checks.comparison import Comparison, Finding

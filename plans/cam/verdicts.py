@@ -12,9 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.cam.course import Course, law_of
-from plans.cam.dimensions import dimensions
 from plans.cam.sizes import sizing
-from plans.cam.sizing import Sizing
+from plans.cam.sizing import Sizing, dimensions
 from plans.cam.study import LAWS, PROFILE, CamDrawing
 from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, Law, Load, interval_of
 from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes

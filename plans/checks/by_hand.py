@@ -9,7 +9,7 @@ import numpy as np
 
 from geometry.board import Mark, between
 from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
-from geometry.span import Reading, Span
+from geometry.steps import Reading, Span
 from plans.model.motion import Floats
 
 SLIP = 0.2  # mm to either side: a fair hand's

@@ -11,7 +11,7 @@ import numpy as np
 
 from geometry.board import Board
 from geometry.calculus import Derivative, derivative_by_chords
-from geometry.diagram import ordinates
+from geometry.strips import ordinates
 from plans.diagrams.form import DiagramsForm
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.crank_positions import CrankPositions

@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from geometry.meet import cross, dot
 from plans.model.dyad import Group, pair
-from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
-from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction, Jam
+from plans.model.kinetostatics import CENTRAL, SLANTED, TILTED, Friction, Jam, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine, Rubbing
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Complexes, Floats, Motion, PointMotion

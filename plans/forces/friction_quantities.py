@@ -16,8 +16,7 @@ from plans.forces.friction import rate
 from plans.forces.primary import BALANCING, DRIVING, balancing_quantity
 from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison, cap, largest_of, with_analysis
-from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
-from plans.model.losses import Friction
+from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction
 from plans.model.machine import Rubbing
 from plans.model.mechanism import Mechanism
 from plans.model.motion import VELOCITIES, Floats

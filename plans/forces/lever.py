@@ -16,7 +16,7 @@ from plans.model.mechanism import FRAME
 from plans.words.words import because
 
 if TYPE_CHECKING:
-    from geometry.span import Reading
+    from geometry.steps import Reading
     from plans.forces.cut import ForcePlan
 
 

@@ -24,8 +24,7 @@ from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
 from plans.linkage.primaries.ram import lever
 from plans.linkage.quantities import ANALYSIS, MotionComparison, MotionNumbers, cap, largest_of, with_analysis
-from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
-from plans.model.losses import Friction
+from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction
 from plans.model.machine import Track
 from plans.model.motion import FORCES, ORDERS, Floats
 

@@ -25,7 +25,7 @@ from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy, obstruction
 from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
-from plans.model.machine import Force, Machine, Track
+from plans.model.machine import Force, Machine, NoWorkingStroke, Track
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
@@ -39,13 +39,12 @@ from plans.model.motion import (
     Gap,
     Motion,
 )
-from plans.model.working import NoWorkingStroke
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
-    from plans.model.losses import Friction
+    from plans.model.kinetostatics import Friction
     from plans.study import Study
 
 

@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from plans.model.machine import ALWAYS, OUTPUT, Force, Machine, Moment, Track
+from plans.model.machine import ALWAYS, OUTPUT, Force, Machine, Moment, Track, frame_way
 from plans.model.mechanism import FRAME, Mechanism, Output, Parting, StructureError, Way
 from plans.model.motion import Extremes, Floats, Motion
-from plans.model.working import frame_way
 from plans.words.words import Message, message
 
 TURN = 2 * np.pi

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.hand_error import SlippingHand, slopes
-from geometry.span import Span
+from geometry.steps import Span
 from plans.checks.by_hand import SLIP, Slipping, Told, errors_by_hand
 from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts

@@ -20,9 +20,9 @@ from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.travel import Travel, frame_slide
 from plans.model.dyad import Group
+from plans.model.machine import by_time, works
 from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output
 from plans.model.motion import Extremes, Floats
-from plans.model.working import by_time, works
 
 # A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
 # coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.

@@ -14,7 +14,7 @@ import numpy as np
 
 from geometry.board import Mark, between
 from geometry.precision import errors
-from geometry.span import Span
+from geometry.steps import Span
 from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
 from plans.linkage.groups.kinds import KINDS

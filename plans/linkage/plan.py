@@ -7,7 +7,7 @@ from copy import copy
 from typing import NamedTuple, TypeVar
 
 from geometry.board import Board, Mark
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.linkage.letters import POLES, Letters
 from plans.model.mechanism import FRAME, Mechanism
 from plans.words.words import because

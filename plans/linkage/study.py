@@ -25,9 +25,9 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.dyad import Group, decompose
+from plans.model.machine import NoWorkingStroke
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import OUT_OF_REACH, PLANS, Floats, Motion, Pace, Rates, numbers_of, rates_at, steady
-from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 

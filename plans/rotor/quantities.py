@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from geometry.hand_error import SlippingHand, slopes
-from geometry.span import Span
+from geometry.steps import Span
 from plans.analytic import rotor as analysis
 from plans.analytic.rotor import balance, moment
 from plans.checks.by_hand import MOST_SIDES, SLIP, Slipping, Told, errors_by_hand

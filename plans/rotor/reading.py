@@ -1,19 +1,221 @@
-"""The rotor made from the scene, exact places and angles; its notes (ротор по исходным данным)."""
+"""The form of a rotor, and the rotor made from the scene with its faults and its notes (ротор по исходным данным)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from fractions import Fraction
-from typing import NamedTuple
+from functools import partial
+from typing import Any, NamedTuple
 
-from plans.model.rotor import Plane, Rotor, Unbalance
+from plans.model.rotor import GRADES, Plane, Rotor, Unbalance, letters, nearest_grade
 from plans.rotor.balancing import ALONE, balancing
-from plans.rotor.form import PLANES_LIMIT, PlaneTable, RotorForm, RotorTable, UnbalanceTable
-from plans.scene.faults import Fault, Path
+from plans.scene import fields as f
+from plans.scene import units
+from plans.scene.faults import Fault, Path, Wrong, wrong
+from plans.scene.forms import Form
 from plans.scene.notes import HUNDREDS, odd_lengths
-from plans.scene.scene import Meaning, Scene
+from plans.scene.readers import Check, Field, many
+from plans.scene.scene import Meaning, Scene, TechniqueForm
+from plans.scene.tables import Missing, Table, key, table
 from plans.scene.units import WORKING
+from plans.words.words import message
+
+STATIC_MOMENT = units.Kind(
+    "static moment",
+    "kg*m",
+    {
+        unit: Decimal(size)
+        for size, names in {
+            "1": ("kg*m", "кг*м"),
+            "0.01": ("kg*cm", "кг*см"),
+            "0.001": ("kg*mm", "g*m", "кг*мм", "г*м"),
+            "0.00001": ("g*cm", "г*см"),
+            "0.000001": ("g*mm", "г*мм"),
+        }.items()
+        for unit in names
+    },
+    Decimal("1e-21"),
+    Decimal("1e21"),
+)
+MOMENT, HEAVY = f.not_negative(STATIC_MOMENT), f.positive(units.MASS)
+PLANES_LIMIT = 2  # a rotor needs no more
+BEARINGS = "[A, B]"
+# A line that would do for an unbalanced mass.
+EXAMPLE = '[[rotor.masses]] with mass = "0.8 kg", radius = "120 mm", angle = 20, place = "100 mm"'
+
+
+class UnbalanceTable(Table):
+    """An unbalanced mass: mass kg and radius m, or static moment kg*m; angle in degrees, place along the shaft m."""
+
+    mass: Decimal | None = key(f.MASS, None, meaning="Mass, kg.", missing=Missing("mass", 'mass = "0.8 kg"'))
+    radius: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Distance of the mass from the axis, m.",
+        missing=Missing("radius", 'radius = "120 mm"'),
+    )
+    moment: Decimal | None = key(
+        MOMENT, None, meaning='Static moment m·D instead of mass and radius, kg*m or text as "96 g*m".'
+    )
+    angle: Decimal = key(
+        f.ANGLE,
+        meaning="Where the mass is, degrees counter-clockwise from any line of the rotor.",
+        missing=Missing("angle", "angle = 20"),
+        also=("phase", "phi", "φ"),
+    )
+    place: Decimal = key(
+        f.COORDINATE,
+        Decimal(0),
+        meaning="Place along the shaft, m; required beside two planes.",
+        missing=Missing("place along the shaft", 'place = "100 mm"'),
+    )
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """See that the static moment is given in one way, and wholly."""
+        for name in ("mass", "radius"):
+            if "moment" not in value and name not in value:
+                yield wrong("missing", at=(name,))
+            if "moment" in value and name in value:
+                yield wrong("one_of_two", first=name, second="moment", found="both", at=(name,))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that the static moment is given in one way, and wholly."""
+        neither = {"not": {"anyOf": [{"required": ["mass"]}, {"required": ["radius"]}]}}
+        return {"oneOf": [{"required": ["moment"], **neither}, {"required": ["mass", "radius"]}]}
+
+
+class PlaneTable(Table):
+    """A plane of correction: its place along the shaft m, and the radius m or the mass kg of what is put there."""
+
+    place: Decimal = key(
+        f.COORDINATE,
+        Decimal(0),
+        meaning="Place along the shaft, m; required of two planes.",
+        missing=Missing("place along the shaft", 'place = "500 mm"'),
+    )
+    radius: Decimal | None = key(f.LENGTH, None, meaning="Radius of the counterweight, m; its mass is found.")
+    mass: Decimal | None = key(HEAVY, None, meaning="Mass of the counterweight, kg; its radius is found.")
+
+    def check(self) -> None:
+        """See that one of radius and mass is left to be found."""
+        if {"radius", "mass"} <= self.given:
+            raise wrong("one_of_two", first="radius", second="mass", found="both", at=("mass",))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that one of radius and mass is left to be found."""
+        return {"not": {"required": ["radius", "mass"]}}
+
+
+def _check_planes(planes: tuple[PlaneTable, ...]) -> None:
+    """See that there are no more planes than a rotor needs, and that they are apart."""
+    if len(planes) > PLANES_LIMIT:
+        raise wrong("planes", found=len(planes), at=(PLANES_LIMIT,))
+    if len(planes) == PLANES_LIMIT and planes[0].place == planes[1].place:
+        raise wrong("one_place", place=f"{planes[0].place:f}", at=(1, "place"))
+
+
+def _check_apart(places: tuple[Decimal, ...]) -> None:
+    if places[0] == places[1]:
+        raise wrong("one_place", place=f"{places[0]:f}", at=(1,))
+
+
+def _bearings() -> Field:
+    """Read the places of two bearings."""
+    two = Check(partial(f.check_pair, what=BEARINGS), least=2, most=2)
+    return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)._replace(shown=f"{BEARINGS} m")
+
+
+def _likely_grade(value: object) -> str:
+    """Give the grade that a text or a number is likely to mean: that of the same digits, else the nearest."""
+    found = re.search(r"\d+(?:[.,]\d+)?", str(value))
+    if not found or isinstance(value, bool):
+        return ""
+    same = (one for one in map(letters, GRADES) if re.sub(r"\D", "", one) == re.sub(r"\D", "", found[0]))
+    return next(same, letters(nearest_grade(float(found[0].replace(",", ".")))))
+
+
+def _entries(value: Mapping[str, Any], name: str) -> list[Any]:
+    found = value.get(name)
+    return found if isinstance(found, list) else []
+
+
+def _unplaced(value: Mapping[str, Any], name: str) -> Iterator[int]:
+    """Give the numbers of the tables in a list that have no place."""
+    return (at for at, one in enumerate(_entries(value, name)) if isinstance(one, dict) and "place" not in one)
+
+
+class RotorTable(Table):
+    """A rotor: its unbalanced masses, where it may be corrected, its bearings, speed, mass, and the grade asked."""
+
+    masses: tuple[UnbalanceTable, ...] = key(
+        many(table(UnbalanceTable), f.NOT_EMPTY, first=f.FEW),
+        meaning="Unbalanced masses (неуравновешенные массы), any number of them.",
+        missing=Missing("list of unbalanced masses", EXAMPLE, [{"moment": 0, "angle": 0, "place": 0}]),
+    )
+    planes: tuple[PlaneTable, ...] = key(
+        many(table(PlaneTable), Check(_check_planes, most=PLANES_LIMIT), first=f.FEW),
+        (),
+        meaning="Planes of correction (плоскости коррекции): I and II, or one for static balancing alone.",
+    )
+    bearings: tuple[Decimal, ...] = key(
+        _bearings(), (), meaning="Places of two bearings along the shaft, m; with a speed their reactions are found."
+    )
+    speed: Decimal | None = key(
+        f.ANGULAR_SPEED,
+        None,
+        meaning='Angular speed, rad/s or "3000 rpm"; negative is clockwise.',
+        missing=Missing("angular speed", 'speed = "3000 rpm"'),
+        also=("rpm", "n", "omega", "ω"),
+    )
+    mass: Decimal | None = key(
+        HEAVY, None, meaning="Mass of the whole rotor, kg.", missing=Missing("mass", 'mass = "20 kg"')
+    )
+    grade: str | None = key(
+        f.words(*map(letters, GRADES), likely=_likely_grade),
+        None,
+        meaning="Balance quality grade asked, ISO 21940-11; needs speed and mass.",
+    )
+
+    def check(self) -> None:
+        """See that it turns."""
+        if self.speed == 0:
+            raise wrong("zero", kind="angular speed", at=("speed",))
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """See that a grade has what it needs, and that with two planes each thing has its place."""
+        if "grade" in value:
+            lacking = (name for name in ("speed", "mass") if name not in value)
+            yield from (wrong("missing", at=(name,), why=message("why.grade")) for name in lacking)
+        if len(_entries(value, "planes")) == PLANES_LIMIT:
+            unplaced = ((name, place) for name in ("masses", "planes") for place in _unplaced(value, name))
+            yield from (wrong("missing", at=(*at, "place"), why=message("why.planes")) for at in unplaced)
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that it turns, that a grade needs speed and mass, and that with two planes each thing has its place."""
+        placed = {"items": {"required": ["place"]}}
+        return {
+            "dependentRequired": {"grade": ["speed", "mass"]},
+            "not": {"properties": {"speed": {"const": 0}}, "required": ["speed"]},
+            "if": {"properties": {"planes": {"minItems": PLANES_LIMIT}}, "required": ["planes"]},
+            "then": {"properties": {"masses": placed, "planes": placed}},
+        }
+
+
+class RotorForm(TechniqueForm):
+    """What a scene says of balancing a rotor."""
+
+    rotor: RotorTable = key(
+        table(RotorTable),
+        meaning="A rotor to be balanced (ротор): masses, planes of correction, bearings, speed.",
+        missing=Missing("table", EXAMPLE, {}),
+    )
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from decimal import Decimal
 
-from plans.scene.demand import reading
 from plans.scene.faults import Fault, Path, dotted
+from plans.scene.forms import reading
 from plans.scene.scene import Scene
 from plans.techniques import TECHNIQUES, Technique, makers_of, named, sheet_of
 

@@ -6,8 +6,8 @@ import copy
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
-from plans.scene.demand import needing
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
+from plans.scene.forms import needing
 from plans.scene.readers import Refusal, Refused
 from plans.scene.source import Source
 from plans.scene.tables import Kinds, Missing, holders_of, tables_of

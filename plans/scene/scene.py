@@ -10,8 +10,8 @@ from typing import Any, Protocol, TypeVar
 
 from geometry.errors import LimitError
 from plans.scene import fields as f
-from plans.scene.demand import SHEETS, first_sheet, techniques_of
 from plans.scene.faults import Fault, Path, SceneError
+from plans.scene.forms import SHEETS, first_sheet, techniques_of
 from plans.scene.readers import Refusal, Refused, many
 from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source

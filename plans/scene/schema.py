@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from plans.scene.demand import resting
-from plans.scene.forms import Form
+from plans.scene.forms import Form, resting
 from plans.scene.scene import kinds_of
 from plans.scene.tables import REQUIRED, Kinds, form_of
 from plans.techniques import TECHNIQUES, Technique

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from geometry.diagram import Reasons
+from geometry.strips import Reasons
 from plans.words.words import because
 
 REASONS: Final = Reasons(

@@ -9,7 +9,7 @@ from typing import Any
 from drawings.layout.contents import Panel
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, check, measure
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.sheets.leaves import lay_out

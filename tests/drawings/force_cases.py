@@ -13,8 +13,8 @@ from drawings.forces import lever_plan, polygon
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Leaf
 from plans.forces.cut import ForcePlan

@@ -11,7 +11,7 @@ from drawings.checks.wrong import Wrong
 from drawings.eye.sheet import see
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured
-from drawings.original.edition import leaves_of
+from drawings.original.originals import leaves_of
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg

@@ -40,7 +40,7 @@ def rounding(function: Callable[..., Any], by: float) -> Callable[..., Any]:
 
 def sheets(scene: Path) -> Iterator[tuple[str, bytes]]:
     """Lay out the sheets of a scene, their texts left to the viewer's fonts; give each with its file's name."""
-    from drawings.original.edition import leaves_of
+    from drawings.original.originals import leaves_of
     from drawings.original.sheet_paths import placed_sheets, stem_of
     from drawings.pens.svg import svg
     from plans.scene.scene import read_scene
@@ -55,9 +55,9 @@ def sheets(scene: Path) -> Iterator[tuple[str, bytes]]:
 def main(way: str, folder: str, *scenes: str) -> None:
     direction, _, exact = way.partition("-")
     if exact:
-        from drawings.paper import ties
+        from drawings.paper import walk
 
-        ties.PLACES = 17
+        walk.PLACES = 17
     for module, names in FUNCTIONS.items():
         for name in names:
             setattr(module, name, rounding(getattr(module, name), BIT[direction]))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.grading.asked import PlanAsked, plans_asked
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Circle, Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.gallery.alike import differences
+from drawings.gallery.changes import differences
 
 LETTER = '<path d="M10 20l.14 3.15" data-text="1.25" stroke="#000000"/>'
 POINT = '<circle cx="5" cy="6" r="0.5" data-value="0.0123456789012" data-name="S1"/>'

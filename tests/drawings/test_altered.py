@@ -15,7 +15,7 @@ from drawings.collation.items import brought
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure
 from drawings.measure.transform import Affine
-from drawings.original.edition import leaves_of
+from drawings.original.originals import leaves_of
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups

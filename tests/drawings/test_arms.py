@@ -6,7 +6,7 @@ import pytest
 
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line
-from drawings.symbols.arms import Arm
+from drawings.symbols.dimension import Arm
 
 
 @pytest.mark.parametrize("off", [30.0, 0.3, 0.0, -0.3, -30.0])

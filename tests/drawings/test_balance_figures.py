@@ -10,7 +10,7 @@ import pytest
 from drawings.balance.sheet import change, leaves
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Arc, Group, Leaf, Stroke
 from drawings.paper.walk import groups, texts, walk
 from drawings.pens.svg import svg

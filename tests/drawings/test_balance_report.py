@@ -11,7 +11,7 @@ from drawings.balance.notes import BalanceNotes
 from drawings.balance.report import chapters, headline
 from drawings.balance.sheet import leaves
 from drawings.lettering.words import decimal
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.report.report import report
 from plans.balance.study import BalanceStudy
 from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Place

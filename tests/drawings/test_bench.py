@@ -16,8 +16,9 @@ import numpy as np
 import pytest
 
 from drawings import VERSION
-from drawings.bench import hands, plain_pen, plot, sessions, sheet, startup
+from drawings.bench import hands, plain_pen, plot, sessions, sheet
 from drawings.bench.hands import FORCES_BY_HAND
+from drawings.bench.sheet import DRAW
 from drawings.commands import bench as command
 from drawings.commands import cli
 from drawings.commands.parser import parser
@@ -153,7 +154,7 @@ def test_a_sheet_that_is_refused_is_left_out_with_its_reason() -> None:
 
 
 def test_the_program_of_the_start_up_is_plandraft() -> None:
-    line = [sys.executable, "-c", startup.DRAW, "--version"]
+    line = [sys.executable, "-c", DRAW, "--version"]
     told = subprocess.run(line, capture_output=True, text=True, check=True, timeout=60).stdout
     assert told == f"plandraft {VERSION}\n"
 

@@ -10,7 +10,7 @@ import pytest
 from drawings.cam import size_view
 from drawings.cam.manufacturing import Manufacture, manufacture
 from drawings.cam.profile_sheet import sheets
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Leaf
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import view_of

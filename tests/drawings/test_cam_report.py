@@ -10,7 +10,7 @@ import pytest
 
 from drawings.cam.notes import CamNotes
 from drawings.cam.report import chapters, without_rounding
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from plans.model.cam_motion import Extreme, Flaw
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study

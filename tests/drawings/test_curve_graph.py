@@ -13,9 +13,8 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, check, measure
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text
 from drawings.pens.svg import svg

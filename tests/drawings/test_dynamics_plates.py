@@ -16,8 +16,7 @@ from drawings.kinds.axes import BEYOND, Axes
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, check, measure
 from drawings.measure.measured import MeasuredVector
-from drawings.page.drafting import drafting_of
-from drawings.page.scale import Scale
+from drawings.page.scale import Scale, drafting_of
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg

@@ -11,7 +11,7 @@ from drawings.dynamics import flywheel_sketch
 from drawings.dynamics.flywheel_sketch import Outlines
 from drawings.paper.hand import hand_of
 from drawings.paper.walk import texts
-from drawings.symbols.hatching import hatching
+from drawings.symbols.dashes import hatching
 from plans.model.dynamics import Rim, Wheel
 from tests.drawings.exhibits import exhibited
 from tests.plans.test_flywheel_rim import sized

@@ -15,8 +15,8 @@ from drawings.paper.strokes import Arc, Fill, Leaf, Line, Polyline
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.symbols import force_arrow
-from drawings.symbols.arms import Arm
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
+from drawings.symbols.dimension import Arm
 from drawings.symbols.figure import Subject
 
 HAND = hand_of("A1")

@@ -7,8 +7,8 @@ from drawings.forces.polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.measure.measure import measure
 from drawings.measure.measured import MeasuredVector
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Text
 from drawings.paper.walk import flat

@@ -19,7 +19,7 @@ from drawings.form.blank_file import blank_file, see_blank
 from drawings.form.form import form_of
 from drawings.form.laid import given
 from drawings.layout.picture import Place
-from drawings.original.edition import leaves_of
+from drawings.original.originals import leaves_of
 from drawings.page.page import BLOCK
 from drawings.page.scale import Scale
 from drawings.paper.strokes import PLAIN, Arc, Circle, Group, Leaf, Line, Polyline, Text

@@ -12,9 +12,8 @@ from drawings.commands.draw import SheetSet, draw
 from drawings.files.manifest import read_manifest
 from drawings.gallery import __main__ as command
 from drawings.gallery import index
-from drawings.gallery.alike import differences
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
-from drawings.gallery.renewals import ALPHABET, LIST, listed, unlisted
+from drawings.gallery.changes import ALPHABET, LIST, differences, listed, unlisted
 from drawings.lettering.extent import bounds
 from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.gallery.alike import differences
+from drawings.gallery.changes import differences
 from tests import parts
 from tests.drawings.other_processor import sheets
 from tests.gallery import GALLERY, SCENES

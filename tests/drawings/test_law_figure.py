@@ -14,9 +14,8 @@ from drawings.cam.law_diagrams import graph_part, pole_part
 from drawings.cam.law_frame import LawFrame, LawPlate, rows
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, CamNotes
 from drawings.layout.picture import Spot
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, texts

@@ -9,7 +9,7 @@ import pytest
 
 from drawings.commands import cli
 from plans.linkage.study import LinkageStudy
-from plans.model.working import ways
+from plans.model.machine import ways
 from plans.scene.scene import parse_scene
 from tests.plans.test_loading import ENGINE, ROCKER
 

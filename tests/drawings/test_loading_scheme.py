@@ -16,8 +16,8 @@ from drawings.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
-from drawings.page.drafting import Drafting
 from drawings.page.page import Field
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Group, Text
 from drawings.paper.walk import flat

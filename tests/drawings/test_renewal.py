@@ -9,8 +9,7 @@ import pytest
 
 from drawings.gallery import __main__ as command
 from drawings.gallery.catalogue import GALLERY
-from drawings.gallery.changes import changes
-from drawings.gallery.renewals import LIST, enter, listed, unlisted
+from drawings.gallery.changes import LIST, changes, enter, listed, unlisted
 
 NAME = "flywheel"
 SHEET, REPORT = f"{NAME}-rotor.svg", f"{NAME}-report.md"

@@ -16,7 +16,7 @@ import pytest
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.files.manifest import read_manifest
-from drawings.original import edition
+from drawings.original import originals
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Fill, Group, Leaf, LineStyle, Text
 from drawings.rotor import due as due_rotor
@@ -101,7 +101,7 @@ def test_where_the_roads_of_one_technique_differ_the_sheets_of_the_others_are_wr
 def test_lettering_that_is_covered_or_off_the_paper_is_told_and_the_sheet_is_written(
     strokes: tuple[Any, ...], says: str, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    own = edition.leaves_of
+    own = originals.leaves_of
 
     def spoilt(study: Any) -> Mapping[str, Sequence[Leaf]]:
         return {
@@ -109,7 +109,7 @@ def test_lettering_that_is_covered_or_off_the_paper_is_told_and_the_sheet_is_wri
             for kind, leaves in own(study).items()
         }
 
-    monkeypatch.setattr(edition, "leaves_of", spoilt)
+    monkeypatch.setattr(originals, "leaves_of", spoilt)
     code, _, err = run("draw", GALLERY / "fan.toml", "-o", tmp_path)
     assert code == 4
     assert re.search(says, err)

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.grading.asked import Asked, PlanAsked
-from drawings.lettering.indices import with_index
+from drawings.lettering.vector_letters import with_index
 from drawings.paper.strokes import Fill, Group, Line, Stroke, Text
 from drawings.pens.svg import svg
 from geometry.board import Mark

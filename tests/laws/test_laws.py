@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.original.edition import leaves_of
+from drawings.original.originals import leaves_of
 from drawings.paper.formats import SIZES
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from plans.bench import cyclogram as bench
+from plans.bench import machine as bench
 from plans.cyclogram import rows as r
 from plans.cyclogram.marks import marks
 from plans.cyclogram.quantities import compare_cyclogram

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from geometry.meet import dot
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.linkage.angles import rate
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan

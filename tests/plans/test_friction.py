@@ -15,8 +15,7 @@ from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.force_template import ForcePattern
 from plans.forces.friction import edges, friction, lost_power, pressing, whole
 from plans.model.dyad import pairs
-from plans.model.kinetostatics import Applied, Loading, Reaction, Twist
-from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction
+from plans.model.kinetostatics import CENTRAL, SLANTED, TILTED, Applied, Friction, Loading, Reaction, Twist
 from plans.model.machine import GEAR, Body, Machine, Rubbing, Transmission
 from plans.model.mechanism import Link, Mechanism, Output, Slide, Way
 from plans.model.motion import Motion

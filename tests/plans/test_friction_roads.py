@@ -17,7 +17,7 @@ from plans.forces.quantities import compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
-from plans.model.losses import Friction
+from plans.model.kinetostatics import Friction
 from plans.model.machine import Rubbing
 from plans.scene.scene import read_scene
 from tests.gallery import LINKAGES

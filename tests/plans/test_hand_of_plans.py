@@ -13,7 +13,7 @@ from geometry import draughtsman, hand_error
 from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
 from geometry.hand_error import SlippingHand, number_error
-from geometry.span import Reading, Span
+from geometry.steps import Reading, Span
 from plans.checks.by_hand import SLIP, Told, errors_by_hand
 from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.statics import Statics

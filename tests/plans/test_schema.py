@@ -16,9 +16,8 @@ from jsonschema import Draft202012Validator
 from drawings.commands import cli
 from geometry.errors import LimitError
 from plans.scene import units
-from plans.scene.demand import techniques_of
 from plans.scene.faults import SceneError
-from plans.scene.forms import text_with_unit
+from plans.scene.forms import techniques_of, text_with_unit
 from plans.scene.readers import Refused
 from plans.scene.scene import kinds_of
 from plans.scene.schema import schema

@@ -18,7 +18,7 @@ from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
 from geometry.hand_error import POINT
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.checks.by_hand import SLIP
 
 SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough

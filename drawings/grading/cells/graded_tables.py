@@ -38,7 +38,7 @@ from drawings.paper.walk import texts
 from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import redraw
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.words.words import term
 
 

@@ -18,10 +18,10 @@ from drawings.lettering.words import word
 from drawings.linkage.due import VALUES as TABLE
 from drawings.linkage.due import mass_centres, named
 from drawings.original.originals import Original, Originals
-from drawings.page.drafting import drafting_of
+from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, texts
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.checks.comparison import Finding
 from plans.diagrams.quantities import DiagramsComparison
 from plans.linkage.by_hand import MotionByHand

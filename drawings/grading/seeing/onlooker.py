@@ -13,8 +13,8 @@ from drawings.eye.ink import Ink, length
 from drawings.eye.sheet import EM, Observer, Opened, without
 from drawings.grading.cells.asked_table import NUMBER, levelled, plainly, value_of
 from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
+from drawings.lettering.vector_letters import with_index
 from drawings.measure.pathdata import number
 from drawings.measure.viewport import Viewport
 from drawings.measure.visibility import declarations, said

@@ -12,11 +12,11 @@ from drawings.grading import verdict
 from drawings.grading.free_plan import senses_of, turns_of
 from drawings.grading.marking import Found, Letters, Record, Slip
 from drawings.linkage.due import mass_centres
-from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.symbols.force_arrow import plain_name
 from geometry.board import Board, Mark
-from geometry.span import Span
+from geometry.steps import Span
 from plans.forces.bill import ExpectedForces, ForceBill
 from plans.forces.cut import Cut
 from plans.forces.force_template import ForcePlans

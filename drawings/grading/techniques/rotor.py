@@ -17,12 +17,12 @@ from drawings.bank.polygon import plan_of
 from drawings.bank.star import fanned
 from drawings.grading import verdict
 from drawings.grading.marking import Found, Letters, Record, Slip
-from drawings.lettering.balance_letters import CENTRE, RESULT
-from drawings.lettering.balance_letters import FORCE as FORCE_LETTER
+from drawings.lettering.vector_letters import CENTRE, RESULT
+from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups
 from geometry.board import Board, Mark
-from geometry.span import Span
+from geometry.steps import Span
 from plans.bank.harmonics import FORCE, MOMENT, letters
 from plans.model.balance.bank import Harmonic, Member
 from plans.model.rotor import Balance, Unbalance

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from geometry.board import Mark
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.linkage.groups.vectors import Turning
 from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad

@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.meet import Sizes
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.linkage.groups import crank_line, guide
 from plans.linkage.groups.vectors import Sliding, Slotted, Vector
 from plans.linkage.plan import Image, Plan

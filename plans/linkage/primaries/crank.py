@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from geometry.span import Reading
+from geometry.steps import Reading
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
