@@ -80,7 +80,8 @@ def _kept(one: Stroke, keep: Keep) -> Stroke | None:
     return keep(one)
 
 
-def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Group:
+def _group(group: Group, asked: FigureAsked, moves: Values, along: float, within: bool = False) -> Group:
+    """Draw a group of the figure otherwise: its marks, its curve, which may stand in a group of what it states."""
     places = {(one.name, "" if one.position is None else str(one.position)): one.place for one in asked.items}
     own = group.data.get("name", ""), group.data.get("position", "")
     if group.data.get("plan") == asked.plan and own in places:
@@ -90,10 +91,10 @@ def _group(group: Group, asked: FigureAsked, moves: Values, along: float) -> Gro
         return _ring(group, asked, moves)
     if asked.arms and group.name == asked.plan:
         return _arms(group, asked, moves)
-    strokes = tuple(_group(one, asked, moves, along) if isinstance(one, Group) else one for one in group.strokes)
-    if group.name == asked.plan and asked.paper is not None:
-        strokes = tuple(_curve(one, asked, moves, along) for one in strokes)
-    return group._replace(strokes=strokes)
+    within = within or group.name == asked.plan
+    parts = (_group(one, asked, moves, along, within) if isinstance(one, Group) else one for one in group.strokes)
+    curved = within and asked.paper is not None
+    return group._replace(strokes=tuple(_curve(one, asked, moves, along) if curved else one for one in parts))
 
 
 def _arms(group: Group, asked: FigureAsked, moves: Values) -> Group:
