@@ -205,7 +205,7 @@ class _Sheet:
             for one in bill.bearings:
                 yield from self._bearing(plan, one)
             mu = self.scales.get(f"scheme-{label}", 0.0)
-            for arm in (one for one in self.acting.arms[label] if one.letter.startswith("h")):
+            for arm in (one for one in self.acting.lettered_arms(label) if one.letter.startswith("h")):
                 row = self._arm(plan, arm, mu)
                 off = math.inf if self.acting.doubtful else 2 * self.acting.off
                 yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - self._zero(bill), allowed=off))
@@ -268,7 +268,7 @@ class _Sheet:
             for name, moment in moments_of(bill).items():
                 lost = name not in must or abs(moment) <= self.acting.none[1]
                 yield row._replace(name=name, value=moment, allowed=self.acting.none[1], may_lack=lost)
-            for arm in self.acting.arms[label]:
+            for arm in self.acting.lettered_arms(label):
                 off = math.inf if self.acting.doubtful else MM * self._off(arm)
                 own = row._replace(value=MM * arm.length, allowed=off, may_lack=self.acting.doubtful)
                 yield own._replace(name=arm.letter)

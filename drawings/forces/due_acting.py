@@ -32,6 +32,7 @@ class DueArm(NamedTuple):
     about: str
     pivot: complex
     moment: float
+    line: str = ""  # how it is lettered where it is the line between two points
 
     @property
     def foot(self) -> complex:
@@ -118,14 +119,25 @@ class Acting:
 
     def _arms(self, cut: Cut, start: int) -> Iterator[DueArm]:
         bill, known = self.bills[cut.label], list[DueArm]()
+        share = 1 / ABOUT if self.doubtful else 1.0  # all that rounding may have an arm for
         for equation in cut.equations:
             for force in self._forces(bill, equation):
                 pivot = bill.place(equation.about.name)
                 run = force.at - pivot
                 arm = DueArm("", force, equation.about.name, pivot, (run.conjugate() * force.value).imag)
-                if abs(force.value) > self._least and abs(arm.moment) > NOTHING * abs(run * force.value):
-                    known.append(arm._replace(letter=self._lettered(equation, arm, known, start)))
+                least = share * NOTHING * abs(run * force.value)
+                if abs(force.value) > share * self._least and abs(arm.moment) > least:
+                    arm = arm._replace(line=self._line(equation, arm))
+                    known.append(arm._replace(letter=self._lettered(arm, known, start)))
         yield from known
+
+    def lettered_arms(self, label: str) -> Iterator[DueArm]:
+        """Give the arms of a cut; where rounding decides how they are lettered, with each letter that they may bear."""
+        count = sum(map(len, self.arms.values())) if self.doubtful else 0
+        for arm in self.arms[label]:
+            yield arm
+            others = (*(f"h_{{{number}}}" for number in range(1, count + 1)), *([arm.line] if arm.line else []))
+            yield from (arm._replace(letter=other) for other in others if self.doubtful)
 
     @cached_property
     def _least(self) -> float:
@@ -138,18 +150,23 @@ class Acting:
         names = [load.name for load in equation.loads]
         yield from (forces[name] for name in (*names, *([] if equation.line is None else [equation.found.name])))
 
-    def _lettered(self, equation: Equation, arm: DueArm, known: list[DueArm], start: int) -> str:
-        """Letter an arm: as the line between two points, named as the lead there is, where it is one; or number it."""
-        run, way = arm.force.at - arm.pivot, arm.force.value / abs(arm.force.value)
+    def _line(self, equation: Equation, arm: DueArm) -> str:
+        """Letter an arm as the line to a point where its force acts, named as the lead there is; or not at all."""
         places, k = self.comparison.motion.analysis.points, self.k
         points = (arm.force.point, *self.statics.study.mechanism.links[arm.force.link].points)
         spots = (one for one in points if one in places and not CENTRE.fullmatch(one))
-        spot = next((one for one in spots if abs(places[one].r[k] - arm.force.at) <= NOTHING * abs(run)), "")
-        if spot and abs((run * way.conjugate()).real) <= NOTHING * abs(run):
-            ends = arm.about + spot
-            leads = () if equation.line is None else equation.line.step.inputs[1:]
-            return f"l_{{{next((lead.name for lead in leads if sorted(lead.name) == sorted(ends)), ends)}}}"
+        near = NOTHING * abs(arm.force.at - arm.pivot)
+        spot = next((one for one in spots if abs(places[one].r[k] - arm.force.at) <= near), "")
+        ends, leads = arm.about + spot, () if equation.line is None else equation.line.step.inputs[1:]
+        name = next((lead.name for lead in leads if sorted(lead.name) == sorted(ends)), ends)
+        return f"l_{{{name}}}" if spot else ""
+
+    def _lettered(self, arm: DueArm, known: list[DueArm], start: int) -> str:
+        """Letter an arm: as the line between two points where it is one; or number it."""
+        run, way = arm.force.at - arm.pivot, arm.force.value / abs(arm.force.value)
         near = NOTHING * abs(run)
+        if arm.line and abs((run * way.conjugate()).real) <= near:
+            return arm.line
         numbered = [one for one in known if one.letter.startswith("h")]
         same = (one.letter for one in numbered if one.about == arm.about and abs(one.foot - arm.foot) <= near)
         return next(same, f"h_{{{start + len({one.letter for one in numbered}) + 1}}}")

@@ -18,7 +18,7 @@ from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
@@ -204,8 +204,9 @@ def _ordinates(
     strokes: list[Stroke] = []
     stations: list[tuple[str, complex, float]] = []
     gone = complex(math.nan, math.nan)  # a gap beyond the last position that is held
-    feet = [frame.on(float(angle)) if angle <= curve.length else gone for angle in curve.stations]
     length = abs(frame.on(curve.length) - frame.zero)
+    places = [frame.on(float(angle)) for angle in curve.stations]
+    feet = [foot if tied(abs(foot - frame.zero) - length) <= 0 else gone for foot in places]
     known = _numbered(curve, feet, length, hand)
     pointed = [k for k, foot in enumerate(feet) if foot is not gone]
     for k in pointed if curve.divisions else numbered(feet, length, DOTTED * DOT * hand.symbol, known):
