@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from drawings.lettering.words import word
-from plans.rotor.balancing import ALONE
+from plans.words.words import ALONE
 
 INDEX = re.compile(r"_([^_]+?)(?=[Dh]_|$)")
 

@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
 
 from plans.checks.comparison import Finding
-from plans.rotor.balancing import written
-from plans.words.words import term, word
+from plans.words.words import term, word, written
 
 
 def chapter(language: str, name: str) -> str:

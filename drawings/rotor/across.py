@@ -20,8 +20,8 @@ from drawings.rotor.polygon import RotorView, ShownBody, dimension, extension, l
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import ground, pole
-from plans.rotor.balancing import ALONE
 from plans.rotor.study import BEARINGS
+from plans.words.words import ALONE
 
 NAME = "across"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes

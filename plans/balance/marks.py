@@ -13,8 +13,7 @@ from plans.balance.mass_centre import MAIN, Chain, Drawing
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING
-from plans.rotor.balancing import written
-from plans.words.words import Message, message
+from plans.words.words import Message, message, written
 
 if TYPE_CHECKING:
     from plans.balance.study import BalanceStudy

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from plans.model.rotor import EPS, ROUNDING, Plane, Resultant, Rotor, Unbalance
-from plans.words.words import Message, because, message, word
+from plans.words.words import Message, because, message
 
 QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
 
@@ -25,9 +25,6 @@ def heading(angle: Fraction) -> complex:
     quarter = round(angle / 90)
     rest = float(angle - 90 * quarter)
     return QUARTERS[quarter % 4] * cmath.rect(1.0, math.radians(rest)) if rest else QUARTERS[quarter % 4]
-
-
-ALONE = "cw"  # the index of the only counterweight, which each language writes in its own letters
 
 
 def unbalance_letters(name: str) -> str:
@@ -46,15 +43,6 @@ def moment_letters(name: str) -> str:
     'm_2D_2h_2'
     """
     return f"{unbalance_letters(name)}h_{name}"
-
-
-def written(name: str, language: str) -> str:
-    """Write the letters of a vector as a language does.
-
-    >>> written("m_cwD_cwh_cw", "ru"), written("m_IID_II", "ru")
-    ('m_прD_прh_пр', 'm_IID_II')
-    """
-    return name.replace(f"_{ALONE}", f"_{word(language, 'sheet.counterweight index')}")
 
 
 CLOSES = because("closes_polygon")

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from geometry.board import Mark
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
-from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters, written
+from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
 from plans.rotor.study import BEARINGS, REACTIONS
-from plans.words.words import languages, message
+from plans.words.words import languages, message, written
 
 if TYPE_CHECKING:
     from plans.rotor.study import RotorStudy

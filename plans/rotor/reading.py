@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from plans.model.rotor import GRADES, Plane, Rotor, Unbalance, letters, nearest_grade
-from plans.rotor.balancing import ALONE, balancing
+from plans.rotor.balancing import balancing
 from plans.scene import fields as f
 from plans.scene import units
 from plans.scene.faults import Fault, Path, Wrong, wrong
@@ -20,7 +20,7 @@ from plans.scene.readers import Check, Field, many
 from plans.scene.scene import Meaning, Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 from plans.scene.units import WORKING
-from plans.words.words import message
+from plans.words.words import ALONE, message
 
 STATIC_MOMENT = units.Kind(
     "static moment",

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 FOLDER = Path(__file__).parent
 ENGLISH = "en"
+ALONE = "cw"  # the index of the only counterweight, which each language writes in its own letters
 Phrase = str | list[str]
 
 
@@ -91,6 +92,15 @@ def term(language: str, group: str, name: str) -> str:
     """
     phrase = words(language).get(f"{group}.{name}")
     return phrase.format() if isinstance(phrase, str) else name
+
+
+def written(name: str, language: str) -> str:
+    """Write the letters of a vector as a language does.
+
+    >>> written("m_cwD_cwh_cw", "ru"), written("m_IID_II", "ru")
+    ('m_прD_прh_пр', 'm_IID_II')
+    """
+    return name.replace(f"_{ALONE}", f"_{word(language, 'sheet.counterweight index')}")
 
 
 @cache
