@@ -42,6 +42,12 @@ def compose(contents: Contents, page: Page, cuts: Cuts | None = None) -> tuple[C
     return _Composer(request(contents, page, cuts or Cuts(size_of_room(page))), page).composed()
 
 
+def fits(contents: Contents, page: Page, cuts: Cuts, count: int) -> bool:
+    """Tell whether so many sheets keep every figure of contents readable."""
+    asked = request(contents, page, cuts)
+    return _Composer(asked, page).fits(asked.floors, count)
+
+
 class _Cutting(NamedTuple):
     """All runs of units in one order, at the scales of a state."""
 
@@ -149,7 +155,7 @@ class _Composer:
             self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
 
-    def _fits(self, state: State, count: int) -> bool:
+    def fits(self, state: State, count: int) -> bool:
         """Tell whether all stands on so many sheets."""
         numbers = (self._cutting(order, state).number(count) for order in self.orders)
         return any(0 < number <= count for number in numbers)
@@ -161,7 +167,7 @@ class _Composer:
         low, high = 0, len(states)
         while high - low > 1:
             middle = (low + high) // 2
-            low, high = (middle, high) if self._fits(states[middle], count) else (low, middle)
+            low, high = (middle, high) if self.fits(states[middle], count) else (low, middle)
         yield from states[max(low - LOOKS + 1, 0) : low + 1]
 
     def _state(self, level: float, floors: State) -> State:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.layout.composer import compose
+from drawings.layout.composer import compose, fits
 from drawings.layout.contents import Composition, Contents, Working
 from drawings.layout.filling import Loose, fill, most_bare
 from drawings.layout.ink import Ink
@@ -89,6 +89,7 @@ def _marked(note: str) -> str:
 EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
 ROUNDS = 4  # of composing: the remarks that follow from one composition are mostly those of the next
+TIGHT = 0.75  # of the step of lines: where they stand nearer, an index comes near the letters below it
 ENTRIES = ("drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
 
 
@@ -156,8 +157,12 @@ class _Leaves:
         """All that the sheets must show, measured."""
         shown = [one.panel for one in self.draft.shows if isinstance(one, Exhibit) or not one.working]
         panels = self.scales.panels(shown)
-        notes = measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
-        return Contents(panels, self.draft.tables, notes, self.followed, tuple(self._workings()))
+        return Contents(panels, self.draft.tables, self.noted, self.followed, tuple(self._workings()))
+
+    @property
+    def noted(self) -> Notes:
+        """What its notes and the remarks for which they have room need on paper."""
+        return measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
 
     def _workings(self) -> Iterator[Working]:
         """Give the lettering that is written only where paper would stay bare."""
@@ -204,10 +209,17 @@ class _Leaves:
         own, known = self, {self.reserved: self}  # two compositions may each bring about the remarks of the other
         for _ in range(ROUNDS if self.draft.remarks is not None else 0):
             said = own.notes[len(own.draft.notes) :]
-            if said == own.reserved:
+            other = known.setdefault(said, replace(own, reserved=said, known=own.cuts))
+            if said == own.reserved or not other.better(own):
                 break
-            own = known.setdefault(said, replace(own, reserved=said, known=own.cuts))
+            own = other
         return own
+
+    def better(self, other: _Leaves) -> bool:
+        """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
+        boxes = (one.notes for one in other.composed if one.notes is not None)
+        tight = any(box.height < TIGHT * self.noted.height(box.width) for box in boxes)
+        return tight or fits(self.contents, self.page, self.cuts, len(other.composed))
 
     @property
     def sheets(self) -> Sequence[Composition]:
