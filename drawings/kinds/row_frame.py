@@ -195,16 +195,16 @@ class RowFrame(Generic[Shown]):
     def scales(self) -> dict[str, Scale]:
         """The scales of the rows: the largest ones together at which all poles stand in the paper beside them."""
         steps = [list(self._steps(row)) for row in self.plate.rows]
-        every = list(product(*steps))
-        best = min([one for one in every if sum(self._taken(one)) <= self._high] or every, key=self._cost)
+        every = sorted(product(*steps), key=lambda one: one[0].mu * one[1].mu * one[2].mu)
+        fitting = [one for one in every if sum(self._taken(one)) <= self._high] or every
+        best = next((one for one in fitting if not self._astray(one)), None) or min(fitting, key=self._astray)
         return {row.key: scale for row, scale in zip(self.plate.rows, best, strict=True)}
 
-    def _cost(self, scales: tuple[Scale, ...]) -> tuple[int, float]:
-        """Weigh scales: poles that stand badly, then how small the graphs become."""
+    def _astray(self, scales: tuple[Scale, ...]) -> int:
+        """Count the poles that would stand badly."""
         least, most = (one * self.plate.hand.letter for one in self.plate.proportions.pole)
         poles = (self._pole(k, scales) for k in range(1, len(scales)))
-        out = sum(not least <= one <= most for one in poles if one is not None)
-        return out, scales[0].mu * scales[1].mu * scales[2].mu
+        return sum(not least <= one <= most for one in poles if one is not None)
 
     def _pole(self, k: int, scales: Sequence[Scale]) -> float | None:
         """Give the distance, mm, of the pole between a row and the one above it: integral over derivative and step."""
