@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 from drawings.forces.scheme import Scheme
@@ -142,7 +141,7 @@ def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float) -> Forc
     """Stand an arrow at a place: starting or ending at its point's symbol, or off it on a thin line."""
     back = -arrow.direction if ending else arrow.direction
     lead = arrow.at + back * reach if off else None
-    return replace(arrow, at=arrow.at + back * (reach + off), ending=ending, lead=lead)
+    return arrow._replace(at=arrow.at + back * (reach + off), ending=ending, lead=lead)
 
 
 def _cost(arrow: ForceArrow, room: _Room, hand: Hand) -> float:

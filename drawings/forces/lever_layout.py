@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 from drawings.forces.letters import BALANCE, PAIR, letter_of
@@ -293,7 +292,7 @@ def _aside(arm: Arm, lines: Sequence[Segment], box: Field) -> Arm:
         return over + outside + FURTHER * abs(trial.aside) / BESIDE
 
     steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
-    return min((replace(arm, aside=step) for step in steps), key=cost)
+    return min((arm._replace(aside=step) for step in steps), key=cost)
 
 
 def downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:

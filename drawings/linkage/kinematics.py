@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
 
@@ -190,7 +190,7 @@ class _KinematicsSheet:
         drafts = self.study.drafts()
         plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
         shown = diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
-        return replace(shown, parts=self._parts)
+        return shown._replace(parts=self._parts)
 
     @cached_property
     def _parts(self) -> dict[tuple[Mark, Mark], tuple[str, ...]]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
@@ -85,8 +84,7 @@ class Arrow(NamedTuple):
         return f"{self.start.name} {self.end.name}"
 
 
-@dataclass(frozen=True)
-class VectorDiagram:
+class VectorDiagram(NamedTuple):
     """What one position of a plan shows: vectors, lines of known direction, and the letters at its points."""
 
     plan: Plan
@@ -97,9 +95,7 @@ class VectorDiagram:
     turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
     centres: Mapping[str, Mark]  # images of mass centres that no point names, by their letters
     sides: tuple[tuple[complex, complex], ...]  # of the similar figures by which they are placed
-    parts: Mapping[tuple[Mark, Mark], tuple[str, ...]] = field(
-        default_factory=dict
-    )  # letters of relative vectors and of parts, by their ends
+    parts: Mapping[tuple[Mark, Mark], tuple[str, ...]] = {}  # letters of relative vectors and of parts, by their ends
 
     @property
     def points(self) -> list[complex]:

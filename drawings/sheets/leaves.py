@@ -157,12 +157,8 @@ class _Leaves:
         """All that the sheets must show, measured."""
         shown = [one.panel for one in self.draft.shows if isinstance(one, Exhibit) or not one.working]
         panels = self.scales.panels(shown)
-        return Contents(panels, self.draft.tables, self.noted, self.followed, tuple(self._workings()))
-
-    @property
-    def noted(self) -> Notes:
-        """What its notes and the remarks for which they have room need on paper."""
-        return measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
+        notes = measure((*self.draft.notes, *self.reserved), self.page.hand.text, self.draft.narrow)
+        return Contents(panels, self.draft.tables, notes, self.followed, tuple(self._workings()))
 
     def _workings(self) -> Iterator[Working]:
         """Give the lettering that is written only where paper would stay bare."""
@@ -217,8 +213,8 @@ class _Leaves:
 
     def better(self, other: _Leaves) -> bool:
         """Tell whether room for remarks is worth it: no further sheet, where they can be read without that room."""
-        boxes = (one.notes for one in other.composed if one.notes is not None)
-        tight = any(box.height < TIGHT * self.noted.height(box.width) for box in boxes)
+        notes, boxes = self.contents.notes, (one.notes for one in other.composed)
+        tight = any(notes and box and box.height < TIGHT * notes.height(box.width) for box in boxes)
         return tight or fits(self.contents, self.page, self.cuts, len(other.composed))
 
     @property

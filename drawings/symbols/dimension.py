@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
@@ -13,7 +12,7 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Statement
-from drawings.paper.strokes import Group, Line, Polyline, Stroke
+from drawings.paper.strokes import NO_DATA, Group, Line, Polyline, Stroke
 from drawings.paper.walk import stating, tied
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import plain_name
@@ -71,15 +70,14 @@ LEAST = 0.5  # mm: a shorter arm is a point on paper
 BESIDE = 1.0  # mm from the perpendicular to its letter
 
 
-@dataclass(frozen=True)
-class Arm:
+class Arm(NamedTuple):
     """The arm of a force about a point: places on paper, and the unit direction of the force."""
 
     letter: str
     about: complex
     at: complex  # a place on the line of action: where the force acts, or the end of its arrow
     direction: complex
-    data: Mapping[str, str] = field(default_factory=dict)  # of a measurable one
+    data: Mapping[str, str] = NO_DATA  # of a measurable one
     aside: float = 0.0  # mm along the force: where lines run on the perpendicular it is dimensioned beside them
 
     @property
@@ -144,4 +142,4 @@ class Arm:
 def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:
     """Give an arm on a scheme drawn to scale, measurable: the vector from the point to the line of action."""
     arm = Arm(letter, about, at, direction / abs(direction))
-    return replace(arm, data=subject.data("vector", plain_name(letter), (arm.foot - about) * scale.mu, scale))
+    return arm._replace(data=subject.data("vector", plain_name(letter), (arm.foot - about) * scale.mu, scale))

@@ -5,12 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, Polyline, Stroke, stated
+from drawings.paper.strokes import NO_DATA, Group, Line, Polyline, Stroke, stated
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import ARROW_HALF, ARROW_LENGTH, arrowhead
@@ -19,8 +19,7 @@ BESIDE = 1.4  # mm from the free end of a force to its letter
 ASIDE = math.radians(55)  # the letter stands ahead of the free end, to the left of the line of action
 
 
-@dataclass(frozen=True)
-class ForceArrow:
+class ForceArrow(NamedTuple):
     """A force on paper: its letter, its point, its unit direction and its length in mm.
 
     It starts from its point or, `ending`, comes to it; one that stands off it is led to it by a thin line. Of an
@@ -33,7 +32,7 @@ class ForceArrow:
     length: float
     ending: bool = False
     unknown: bool = False
-    data: Mapping[str, str] = field(default_factory=dict)  # of a measurable one
+    data: Mapping[str, str] = NO_DATA  # of a measurable one
     lead: complex | None = None  # where the thin line begins
 
     @property

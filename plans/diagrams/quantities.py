@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -130,8 +130,7 @@ class _Bounds:
         return np.full(shape, float(np.nanmax(self._plan(order))) + lead)
 
 
-@dataclass(frozen=True)
-class DiagramsNumbers:
+class DiagramsNumbers(NamedTuple):
     """The diagrams by one road with the output's letters; None and why where there are none."""
 
     diagrams: Diagrams | None

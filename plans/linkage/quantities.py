@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -234,8 +234,7 @@ def largest_of(sizes: Sequence[Floats]) -> float:
     return max(finite, default=0.0)
 
 
-@dataclass(frozen=True)
-class MotionNumbers:
+class MotionNumbers(NamedTuple):
     """The motion of a linkage by one road, its extremes where they are told, and the orders that are."""
 
     title: str
