@@ -12,14 +12,16 @@ import pytest
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import UnknownLetter, lettered
 from drawings.lettering.specimen import specimen
-from drawings.linkage.kinematics import sheet, sheets
+from drawings.linkage.kinematics import leaves, sheet, sheets
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
+from drawings.sheets import leaves as laid
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
-from plans.scene.scene import parse_scene
+from plans.scene.scene import parse_scene, read_scene
+from plans.study import Study
 from tests.drawings.collisions import collisions
 from tests.drawings.mechanisms import TOGGLE_PRESS
 from tests.parts import first
@@ -185,3 +187,14 @@ def test_an_output_that_reverses_four_times_in_a_turn_has_no_time_ratio() -> Non
     assert np.degrees(study.extreme_positions.rests) == pytest.approx([1.0, 86.0, 181.3, 274.0], abs=0.1)
     said = " ".join(text.plain for text in texts(leaf))
     assert "reverses 4 times in a turn" in said and "K =" not in said
+
+
+@pytest.mark.parametrize(("tight", "counts"), [(laid.TIGHT, [1]), (1.0, [1, 2])])
+def test_remarks_that_can_be_read_where_the_notes_stand_are_no_reason_for_a_further_sheet(
+    tight: float, counts: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compose, sets = laid.compose, list[int]()
+    monkeypatch.setattr(laid, "TIGHT", tight)
+    monkeypatch.setattr(laid, "compose", lambda *asked: sets.append(len(own := compose(*asked))) or own)
+    assert len(leaves(Study(read_scene(GALLERY / "crank-rocker.toml")))) == 1
+    assert sets == counts
