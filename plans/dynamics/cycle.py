@@ -126,7 +126,7 @@ def _levels(reduction: Reduction) -> Iterator[Level]:
             stroke = strokes[load.stroke]
             yield from (Level(_passing(stroke, share), load, stroke) for share in _shares(load))
             if load.during in (FORWARD, BACKWARD):
-                yield Level(_going(load, stroke))
+                yield Level(_going(stroke))
         if isinstance(load, Moment) and load.against:
             yield Level(_turning(load.link))
         if isinstance(load, Force) and load.resists and load.other is not None:
@@ -142,8 +142,13 @@ def _shares(load: Force | Moment) -> list[float]:
     return sorted(place for place in places if 0.0 < place < 1.0)
 
 
-def _going(load: Force | Moment, stroke: Stroke) -> Height:
-    return lambda motion: np.where(working_of(load, stroke, motion), 1.0, -1.0)
+def _going(stroke: Stroke) -> Height:
+    """Tell how fast the coordinate of a stroke changes: its zero is known better than an end, by all its digits."""
+    if stroke.parting is not None:
+        return _away(stroke.point, stroke.parting.other, stroke.parting.line)
+    if stroke.way is None:
+        return _turning(stroke.link)
+    return _along(stroke.point, stroke.way.direction)
 
 
 def _passing(stroke: Stroke, share: float) -> Height:
@@ -157,12 +162,17 @@ def _turning(link: int) -> Height:
 def _parting(force: Force) -> Height:
     """Tell the speed at which a point goes away from another along a line that both lie on."""
     assert force.line is not None and force.other is not None  # of a force between two links
-    own, far, (start, end) = force.point, force.other.point, force.line
+    return _away(force.point, force.other.point, force.line)
+
+
+def _away(own: str, far: str, line: tuple[str, str]) -> Height:
+    start, end = line
 
     def height(motion: Motion) -> Floats:
         along = motion.points[end].r - motion.points[start].r
-        parting = np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real)
-        return _without_rounding(parting / np.abs(along), motion.points.values())
+        with np.errstate(invalid="ignore"):  # a gap is NaN, and so is the way between points that coincide
+            parting = np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real / np.abs(along))
+        return _without_rounding(parting, motion.points.values())
 
     return height
 

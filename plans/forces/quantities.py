@@ -149,7 +149,7 @@ class ForceFindings:
         yield self._whole(self._told_by("", (ours.moment, self._due), off, largest))
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
-            resting = np.asarray(self.statics.study.rates.omega) == 0  # a lever without arms balances nothing
+            resting = np.asarray(road.rates(self.ours.phi).omega) == 0  # a lever without arms balances nothing
             both = (np.where(resting, np.nan, one) for one in (hung, theirs.moment))
             yield self._told_by("lever", tuple(both), self.off(hung_on.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))

@@ -36,7 +36,9 @@ class Swing(NamedTuple):
     def omega(self, turned: Floats) -> Floats:
         """Give the angular velocity of the crank, rad/s, at angles turned (N,): T = J omega^2 / 2."""
         kinetic = self.energy + self.found.surplus(turned)
-        return np.asarray(np.sqrt(np.maximum(2.0 * kinetic / (self.inertia + self.found.varying(turned)), 0.0)))
+        with np.errstate(divide="ignore", invalid="ignore"):  # where the links have no inertia, no speed is too high
+            square = 2.0 * kinetic / (self.inertia + self.found.varying(turned))
+        return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
     def epsilon(self, turned: Floats, side: int = 1) -> Floats:
         """Give its angular acceleration, rad/s2: M = J epsilon + J' omega^2 / 2; at a jump as it is on that side."""
