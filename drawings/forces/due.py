@@ -237,9 +237,9 @@ class _Sheet:
         if one.along is not None:
             far, shift = one.along * one.arm, self.acting.name(one.name.replace("R", "x", 1))
             off = self.acting.none[1] / max(abs((one.along.conjugate() * one.value).imag), self.floor)
+            off = math.inf if not math.isfinite(abs(one.arm)) else off * (1 + abs(one.arm))
             lost = not LEAST * self.scales.get(plan.replace(" ", "-"), 0.0) + off < abs(one.arm) < math.inf
             apart = self._stands(plan, one.couple)
-            off = math.inf if not math.isfinite(abs(one.arm)) else off * (1 + abs(one.arm))
             yield Expected(Kind.VECTOR, plan, shift, far, off, self.k, may_lack=lost or apart)
             yield self._sense(plan, one.couple, one.moment, True)
 

@@ -20,6 +20,7 @@ from plans.forces.statics import Statics
 from plans.model.motion import NOTHING, POSITIONS, VELOCITIES
 
 REACTION = re.compile(r"R(?=(\^.)?_\d+(,\d+)?$)")
+EPS = float(np.finfo(np.float64).eps)
 ABOUT = 30.0  # times more or less: whether such a force or moment is none is decided by rounding
 CENTRE = re.compile(r"S\d*'*")  # a mass centre by its letter: no arm ends there
 
@@ -175,8 +176,10 @@ class Acting:
     def doubtful(self) -> bool:
         """Whether rounding may decide which forces have arms, so how these are numbered."""
         cuts = self.statics.drafts().plans.plan.cuts
+        turned = ABOUT * EPS / NOTHING * self._least / NOTHING  # the direction of a smaller force is rounding
         return any(
             _near(abs(force.value), self._least)
+            or self._least < abs(force.value) < turned
             or _near(abs((run.conjugate() * force.value).imag), NOTHING * abs(run * force.value))
             for cut in cuts
             for equation in cut.equations
