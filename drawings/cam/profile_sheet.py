@@ -10,7 +10,7 @@ from drawings.cam import manufacturing
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
 from drawings.cyclogram import bar_chart, circular_chart
 from drawings.cyclogram.bar_chart import Chart
-from drawings.cyclogram.report import settings_of
+from drawings.cyclogram.notes import settings_of
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.page.page import page_of

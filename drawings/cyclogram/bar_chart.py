@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from drawings.cyclogram import characteristic_plan
-from drawings.cyclogram.characteristic_plan import Stretch, stretches
+from drawings.cyclogram import course
+from drawings.cyclogram.course import Stretch, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_reach, text_width
@@ -23,14 +23,14 @@ from plans.model.cyclogram import TURN, Row, within
 
 def width(rows: Sequence[Row], drafting: Drafting, clear: float) -> float:
     """Give the width, mm, of a column that bears the names, clear of its sides: in two lines what has two words."""
-    names = [characteristic_plan.name(row, drafting) for row in rows]
+    names = [course.name(row, drafting) for row in rows]
     lines = (one for name in names for one in min(_ways(name), key=lambda way: max(map(len, way))))
     return max(_reach(one, drafting) for one in lines) + 2 * clear
 
 
 def lines(row: Row, room: complex, step: float, drafting: Drafting) -> tuple[str, ...]:
     """Give the lines of a name in a room, mm wide and high, at a step in sizes of letters; none, if there is none."""
-    found = broken(characteristic_plan.name(row, drafting), room.real, lambda text: _reach(text, drafting))
+    found = broken(course.name(row, drafting), room.real, lambda text: _reach(text, drafting))
     high = (step * (len(found) - 1) + 1) * drafting.hand.number
     return found if high <= room.imag else ()
 
@@ -119,7 +119,7 @@ class BarFigure:
         for _, foot, one in _all(self.chart):
             if not _told(one, self.place, self.drafting):
                 spot = complex((one.start + one.end) / 2, foot + (_level(one.low) + _level(one.high)) / 2)
-                text, size = characteristic_plan.doing(one.span, self.drafting), self.drafting.hand.number
+                text, size = course.doing(one.span, self.drafting), self.drafting.hand.number
                 yield labels.beside(self.place.on(spot), text, size, BESIDE, math.pi / 2)
 
     def _names(self, labels: Labels) -> Iterator[Stroke]:
@@ -128,7 +128,7 @@ class BarFigure:
         for k, row in enumerate(self.chart.rows):
             if not _named(row, self.place, self.drafting):
                 spot = self.place.on(complex(-NAMES, -ROW * (k + 0.5)))
-                yield labels.beside(spot, characteristic_plan.name(row, self.drafting), size, BESIDE, math.pi)
+                yield labels.beside(spot, course.name(row, self.drafting), size, BESIDE, math.pi)
 
 
 def measure(chart: Chart, drafting: Drafting) -> Picture:
@@ -184,7 +184,7 @@ def _wide(text: str, hand: Hand) -> float:
 def _told(one: Stretch, place: Place, drafting: Drafting) -> tuple[str, ...]:
     """Give the letters that have room over the line of a span, from below: its angle, what is done; or none."""
     room = place.length(one.end - one.start) - 2 * BESIDE
-    texts = characteristic_plan.angle(one.span, drafting), characteristic_plan.doing(one.span, drafting)
+    texts = course.angle(one.span, drafting), course.doing(one.span, drafting)
     angle, doing = (_wide(text, drafting.hand) <= room for text in texts)
     fit = _lines(one, place, drafting.hand)
     return texts if angle and doing and fit > 1 else texts[1:] if doing and fit else ()
@@ -253,7 +253,7 @@ def _bars(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
             _told(one, place, drafting),
             complex((one.start + one.end) / 2, foot + _level(max(one.low, one.high))),
         )
-        letter = told[0] if told else characteristic_plan.doing(one.span, drafting)
+        letter = told[0] if told else course.doing(one.span, drafting)
         yield _bar(f"{k}.{number}", ends, letter, one, place, hand)
         for line, text in enumerate(told):
             spot = place.on(middle) + 1j * (OVER + line * STEP * hand.number)
@@ -263,7 +263,7 @@ def _bars(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
 def _bar(name: str, ends: tuple[complex, complex], text: str, one: Stretch, place: Place, hand: Hand) -> Group:
     """Draw the line of a span, to be measured."""
     start, end = map(place.on, ends)
-    (line,) = fit_dashes([Line(start, end, characteristic_plan.style_of(one.span, hand))])
+    (line,) = fit_dashes([Line(start, end, course.style_of(one.span, hand))])
     data = Subject(NAME, SYMBOL, None).data("vector", name, ends[1] - ends[0], place.scale)
     return Group((line,), "", data, Text(0j, text).plain)
 
@@ -278,7 +278,7 @@ def _settings(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke
         ends = complex(zero, level), complex(chart.at(row.setting or 0.0), level)
         data = Subject(NAME, SYMBOL, None).data("vector", f"{SETTING}{k + 1}", ends[1] - ends[0], place.scale)
         start, end = (place.on(one) + down for one in ends)
-        text = f"{characteristic_plan.name(row, drafting)}: {_setting(chart, row, drafting)}"
+        text = f"{course.name(row, drafting)}: {_setting(chart, row, drafting)}"
         heads = (arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol))
         yield Group((Line(start, end, hand.drafted),), "", data, Text(0j, text).plain)
         yield from (head for head in heads if head is not None)
@@ -298,5 +298,5 @@ def _over(start: complex, end: complex, text: str, hand: Hand) -> Text:
 
 def _setting(chart: Chart, row: Row, drafting: Drafting) -> str:
     """Write a setting angle; of one that stands before 0 what it lacks of a whole turn."""
-    told, back = characteristic_plan.setting(row, drafting), chart.at(0.0) - chart.at(row.setting or 0.0)
-    return told if back <= 0 else f"{told} = 360° − {drafting.number(math.degrees(back), characteristic_plan.DIGITS)}°"
+    told, back = course.setting(row, drafting), chart.at(0.0) - chart.at(row.setting or 0.0)
+    return told if back <= 0 else f"{told} = 360° − {drafting.number(math.degrees(back), course.DIGITS)}°"

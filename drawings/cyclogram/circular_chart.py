@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from drawings.cyclogram import characteristic_plan
+from drawings.cyclogram import course
 from drawings.cyclogram.bar_chart import LARGER, Chart
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
@@ -62,14 +62,14 @@ class CircleFigure:
                 turn = self.sense * row.spans[0].start
                 spot, name = (
                     self.place.on(cmath.rect(_radius(self.chart, k), turn)),
-                    characteristic_plan.name(row, self.drafting),
+                    course.name(row, self.drafting),
                 )
                 yield labels.beside(spot, name, self.drafting.hand.number, BESIDE, turn)
 
     def _long(self, labels: Labels) -> Iterator[Stroke]:
         for k, row in enumerate(self.chart.rows):
             for span in row.spans:
-                text = characteristic_plan.label(span, self.drafting)
+                text = course.label(span, self.drafting)
                 shown = _told(row, span, _radius(self.chart, k), self.place, self.drafting)
                 if not _fits(shown, text, _radius(self.chart, k), self.place, self.drafting.hand):
                     middle = self.sense * (span.start + span.end) / 2
@@ -123,7 +123,7 @@ def _named(row: Row, radius: float, place: Place, drafting: Drafting) -> Span | 
     """Give the part of the longest span that bears the name of its ring; None: it has no room for it."""
     longest = max(row.spans, key=lambda span: span.end - span.start)
     half = longest._replace(end=(longest.start + longest.end) / 2)
-    name = characteristic_plan.name(row, drafting)
+    name = course.name(row, drafting)
     return half if _fits(half, name, radius, place, drafting.hand) else None
 
 
@@ -153,15 +153,15 @@ def _ring(row: Row, radius: float, sense: int, place: Place, drafting: Drafting)
         ray = cmath.rect(1.0, sense * span.start)
         yield Line(place.on(inner * ray), place.on((inner + RING) * ray), hand.other)
         low, high = sorted((sense * span.start, sense * span.end))
-        style = hand.result if characteristic_plan.moves(span) else hand.drafted
+        style = hand.result if course.moves(span) else hand.drafted
         yield Arc(centre, place.length(inner + BAND * RING), low, high, style)
-        text, own = characteristic_plan.label(span, drafting), _told(row, span, radius, place, drafting)
+        text, own = course.label(span, drafting), _told(row, span, radius, place, drafting)
         if _fits(own, text, radius, place, hand):
             yield _along(text, sense * (own.start + own.end) / 2, place.length(radius), centre, hand)
     named = _named(row, radius, place, drafting)
     if named is not None:
         yield _along(
-            characteristic_plan.name(row, drafting),
+            course.name(row, drafting),
             sense * (named.start + named.end) / 2,
             place.length(radius),
             centre,

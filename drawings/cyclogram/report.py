@@ -1,97 +1,23 @@
-"""A cyclogram in the report and in the notes of its sheet (циклограмма в отчёте)."""
+"""A cyclogram in the report: characteristic positions in a table, what is said of them (циклограмма в отчёте)."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from drawings.cyclogram.notes import CyclogramNotes
 from drawings.dynamics.report_tables import plain
 from drawings.linkage import numbers as linkage_subject
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, chapter
-from plans.cyclogram.rows import rows_of_cams
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
-from plans.model.cam import Cam
-from plans.model.cyclogram import BACK, ENTRY, EXIT, LEAVE, PRESSURE, TURN, Cyclogram, within
 from plans.study import Study
 from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
-
-
-class CyclogramNotes(NamedTuple):
-    """The notes on a cyclogram by one road, with so many digits."""
-
-    found: Cyclogram
-    cams: tuple[Cam, ...]
-    drafting: Drafting
-    digits: int = 7
-
-    @property
-    def all(self) -> tuple[str, ...]:
-        """All notes in their order."""
-        return *self.machine(), *self.window(), *self.settings(), *self.reading()
-
-    def machine(self) -> Iterator[str]:
-        """Tell the stroke, its angles, and the pressure angle where it is extreme."""
-        found = self.found
-        work, idle = (self._degrees(math.pi + sign * found.overlap) for sign in self._signs())
-        strokes = {"work": work, "idle": idle, "theta": self._degrees(found.overlap)}
-        if found.sliding:
-            yield self.drafting.word("cyclogram stroke", stroke=self._number(1000 * found.stroke), **strokes)
-        else:
-            yield self.drafting.word("cyclogram swing", stroke=self._degrees(found.stroke), **strokes)
-        extreme = [(k, one.angle) for k, one in enumerate(found.positions) if one.role == PRESSURE]
-        if extreme:
-            told = ",  ".join(f"α_{{{k}}} = {self._degrees(angle or 0.0)}°" for k, angle in extreme)
-            yield self.drafting.word("cyclogram pressure", angles=told)
-
-    def _signs(self) -> tuple[int, int]:
-        """Tell whether the working stroke is the slower one."""
-        begin, end = (self.found.positions[self.found.number(role)].turned for role in ("begin", "end"))
-        return (1, -1) if (end - begin) % TURN >= math.pi else (-1, 1)
-
-    def window(self) -> Iterator[str]:
-        """Tell when the tool is off the work: the phase of rise that it leaves, and what is left of the turn."""
-        window = self.found.window
-        start, end = (LEAVE, ENTRY) if self.found.of(LEAVE) else (EXIT, BACK)
-        numbers = {"start": self.found.number(start), "end": self.found.number(end)}
-        angles = {"leaves": self._degrees(window.start), "comes": self._degrees(within(window.end))}
-        angles |= {"rise": self._degrees(window.angle), "rest": self._degrees(window.rest)}
-        yield self.drafting.letter(self.drafting.word("cyclogram window", **numbers, **angles))
-
-    def settings(self) -> Iterator[str]:
-        """Tell the phases and the setting angle of each cam; without cams that of one which rises in the window."""
-        if not self.cams:
-            yield self.drafting.word("cyclogram set", setting=self._degrees(self.found.window.start))
-        yield from settings_of(self.cams, self.drafting, self.digits)
-
-    def reading(self) -> Iterator[str]:
-        """Say from where angles are counted, how sharply they are known, and what was not notched."""
-        if self.found.sense < 0:
-            yield self.drafting.word("cyclogram clockwise")
-        yield self.drafting.word("cyclogram condition")
-        if not all(one.notched for one in self.found.positions):
-            yield self.drafting.word("cyclogram by trial")
-
-    def _degrees(self, angle: float) -> str:
-        return self._number(math.degrees(angle))
-
-    def _number(self, value: float) -> str:
-        return self.drafting.number(value, self.digits)
-
-
-def settings_of(cams: Sequence[Cam], drafting: Drafting, digits: int = 7) -> Iterator[str]:
-    """Tell the phases and the setting angle of each cam of a shaft."""
-    for row in rows_of_cams(cams):
-        angles = (drafting.number(math.degrees(one.end - one.start), digits) for one in row.spans)
-        spans = (f"φ_{{{one.label}}} = {angle}°" for one, angle in zip(row.spans, angles, strict=True))
-        setting = drafting.number(math.degrees(within(row.setting or 0.0)), digits)
-        said = drafting.word("cyclogram cam set", phases=",  ".join(spans), name=row.name, setting=setting)
-        yield drafting.letter(said)
 
 
 DIGITS = 10

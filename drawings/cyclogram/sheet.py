@@ -9,7 +9,7 @@ from typing import Any
 
 from drawings.cyclogram import bar_chart, characteristic_plan, circular_chart
 from drawings.cyclogram.bar_chart import Chart
-from drawings.cyclogram.report import CyclogramNotes
+from drawings.cyclogram.notes import CyclogramNotes
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed

@@ -1,0 +1,97 @@
+"""What each mechanism of a cyclogram does over the turn: courses, stretches, words, angles (ход звеньев)."""
+
+from __future__ import annotations
+
+import math
+from typing import Final, NamedTuple
+
+from drawings.page.scale import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import LineStyle
+from plans.cyclogram import rows as r
+from plans.model.cam import DWELL, RETURN, RISE
+from plans.model.cyclogram import Row, Span, pieces, within
+
+DIGITS = 5
+
+
+class Course(NamedTuple):
+    """From which level of a row to which a span leads, 0 the lower, and the line of the hand that draws it."""
+
+    start: float
+    end: float
+    style: str = "result"
+
+
+COURSES: Final = {
+    RISE: Course(0.0, 1.0),
+    DWELL: Course(1.0, 1.0),
+    RETURN: Course(1.0, 0.0),
+    r.REST: Course(0.0, 0.0),
+    r.WORK: Course(0.0, 1.0),
+    r.IDLE: Course(1.0, 0.0, "other"),
+    r.CUT: Course(1.0, 1.0),
+    r.OVERRUN: Course(0.0, 0.0, "other"),
+    r.BACK_OVER: Course(0.0, 0.0, "other"),
+    r.FREE: Course(1.0, 0.0, "path"),
+}
+
+
+class Stretch(NamedTuple):
+    """A part of a span, counted from where the chart begins to a whole turn, with the levels at its ends."""
+
+    span: Span
+    start: float
+    end: float
+    low: float  # level at its start
+    high: float  # level at its end
+
+
+def stretches(span: Span, begin: float = 0.0) -> tuple[Stretch, ...]:
+    """Cut a span where a turn from `begin` starts anew."""
+    course, whole, found, gone = COURSES[span.kind], span.end - span.start, list[Stretch](), 0.0
+    for piece in pieces(span, begin):
+        ends = gone, gone + piece.end - piece.start
+        levels = (course.start + (course.end - course.start) * end / whole for end in ends)
+        found.append(Stretch(span, piece.start, piece.end, *levels))
+        gone = ends[1]
+    return tuple(found)
+
+
+def style_of(span: Span, hand: Hand) -> LineStyle:
+    """Give the line that draws a span."""
+    style: LineStyle = getattr(hand, COURSES[span.kind].style)
+    return style
+
+
+def moves(span: Span) -> bool:
+    """Whether something is done in a span: a main line draws it."""
+    return COURSES[span.kind].style == "result" and span.kind != r.REST
+
+
+def doing(span: Span, drafting: Drafting) -> str:
+    """Write what is done in a span: the letter of a phase, or a word."""
+    return drafting.letter(f"φ_{{{span.label}}}") if span.label else drafting.word(f"cyclogram {span.kind}")
+
+
+def angle(span: Span, drafting: Drafting) -> str:
+    """Write the angle of a span in degrees."""
+    return f"{drafting.number(math.degrees(span.end - span.start), DIGITS)}°"
+
+
+def label(span: Span, drafting: Drafting) -> str:
+    """Write what is done in a span with its angle."""
+    return f"{doing(span, drafting)}{' = ' if span.label else ' '}{angle(span, drafting)}"
+
+
+def name(row: Row, drafting: Drafting) -> str:
+    """Write the name of a row: that of a cam as the scene gives it."""
+    if row.name in (r.STROKES, r.TOOL, r.FEED):
+        return drafting.word(f"cyclogram {row.name}")
+    return drafting.word("cyclogram cam", name=row.name)
+
+
+def setting(row: Row, drafting: Drafting) -> str:
+    """Write the setting angle of a row."""
+    assert row.setting is not None  # only what has one is asked
+    return f"{drafting.number(math.degrees(within(row.setting)), DIGITS)}°"
