@@ -15,7 +15,7 @@ import numpy as np
 from drawings.cam.due_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.cam.due_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.checks.expected import Expected, by_hand, subject
-from drawings.cyclogram.due import cam_rows, chart
+from drawings.cyclogram.due_rows import cam_rows, chart
 from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
 from drawings.page.scale import Drafting, drafting_of

@@ -19,24 +19,15 @@ from drawings.layout.table import Later, RuledTable
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
-from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.cam.numbers import cam_by_hand, readings
 from plans.cam.quantities import of_cam
-from plans.cam.reading.form import CamForm
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.checks.comparison import Finding
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
-from plans.scene.scene import Scene
 from plans.study import Study
-
-
-def of_cams(scene: Scene) -> None:
-    """See that the names of a scene's cams can be lettered; whatever else is read of them can be shown."""
-    letter(scene, [(("cam", k, "name"), one.name) for k, one in enumerate(scene.of(CamForm).cam)])
-
 
 LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn

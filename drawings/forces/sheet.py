@@ -25,13 +25,12 @@ from drawings.layout.table import Later, RuledTable, TableRow
 from drawings.layout.value_table import row_by_hand
 from drawings.lettering.words import word
 from drawings.linkage import workings
-from drawings.linkage.kinematics import of_linkage
 from drawings.linkage.positions import force_positions
 from drawings.linkage.vector_plan import diagram
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
-from drawings.sheets.documents import letter, unknown
+from drawings.sheets.documents import unknown
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, see_ordinates
 from geometry.board import at
@@ -40,15 +39,12 @@ from plans.forces.cut import Cut, ForcePlan, indices
 from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.primary import BALANCING, balancing_quantity
 from plans.forces.quantities import ForceComparison
-from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage.primaries import stroke
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats
-from plans.scene.faults import Path
-from plans.scene.scene import Scene
 from plans.study import Study
 
 
@@ -68,19 +64,6 @@ def rows(comparison: ForceComparison, position: int, language: str, reactions: s
         for finding in comparison.of("forces")
         if np.any(np.abs(comparison.construction.counted(finding.construction)) > nothing[finding.unit])
     ]
-
-
-def of_forces(scene: Scene) -> None:
-    """See that the names of loads can be lettered too."""
-    letter(scene, _loads(scene))
-    of_linkage(scene)
-
-
-def _loads(scene: Scene) -> Iterator[tuple[Path, str]]:
-    loads = scene.of(ForceForm).loads
-    for kind in ("forces", "moments", "springs") if loads else ():
-        named = enumerate(getattr(loads, kind))
-        yield from ((("loads", kind, k, "name"), load.name) for k, load in named if load.name)
 
 
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism

@@ -1,4 +1,4 @@
-"""Sheet 1, kinematics: positions, plans, diagrams; what of a linkage can be lettered and told apart (лист 1)."""
+"""Sheet 1, kinematics: positions, plans, diagrams, their tables (кинематика, лист 1)."""
 
 from __future__ import annotations
 
@@ -27,43 +27,17 @@ from drawings.linkage.skeleton import Skeletons, skeletons, unnamed
 from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, measure_missing
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
 from geometry.board import Mark
-from geometry.errors import LimitError
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.by_hand import MotionByHand
 from plans.linkage.parts import alike, spans
 from plans.linkage.quantities import MotionComparison
-from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula
 from plans.model.motion import ORDERS, POSITIONS, VELOCITIES
-from plans.scene.faults import Path
-from plans.scene.scene import Scene
 from plans.study import Study
-from plans.words.words import message, placed
-
-POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
-
-
-def of_linkage(scene: Scene) -> None:
-    """See that the names of a linkage can be lettered, and that its positions can be told apart."""
-    letter(scene, _points(scene))
-    count = scene.of(LinkageForm).drive.count
-    if count > POSITIONS_DRAWN:
-        most = message("limit.sheet", most=POSITIONS_DRAWN)
-        raise LimitError(placed(f"{scene.file}: drive.positions = {count}", most))
-
-
-def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
-    mechanism = scene.of(LinkageForm).mechanism
-    for table in ("frame", "points"):
-        yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
-    for link, letters in mechanism.links.items():
-        yield from ((("mechanism", "links", str(link)), point) for point in letters)
-
 
 FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
 SHARE = 1 / 3  # of its sheet

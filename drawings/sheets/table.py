@@ -22,7 +22,7 @@ class Sheet(NamedTuple):
 
 SHEETS: Final[Mapping[str, Sheet]] = {
     "kinematics": Sheet(
-        admit="drawings.linkage.kinematics:of_linkage",
+        admit="drawings.linkage.admission:of_linkage",
         leaves="drawings.linkage.kinematics:leaves",
         due="drawings.linkage.due:due",
         scales={
@@ -33,13 +33,13 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         },
     ),
     "positions": Sheet(
-        admit="drawings.linkage.kinematics:of_linkage",
+        admit="drawings.linkage.admission:of_linkage",
         leaves="drawings.linkage.positions:leaves",
         due="drawings.linkage.due:due",
         scales={"positions": "length"},
     ),
     "forces": Sheet(
-        admit="drawings.forces.sheet:of_forces",
+        admit="drawings.forces.admission:of_forces",
         leaves="drawings.forces.sheet:leaves",
         due="drawings.forces.due:due",
         scales={
@@ -51,13 +51,13 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         },
     ),
     "dynamics": Sheet(
-        admit="drawings.linkage.kinematics:of_linkage",
+        admit="drawings.linkage.admission:of_linkage",
         leaves="drawings.dynamics.sheet:leaves",
         due="drawings.dynamics.due:due",
         scales={"flywheel_sketch": "wheel", "load_diagram-": "way"},
     ),
     "balancing": Sheet(
-        admit="drawings.forces.sheet:of_forces",
+        admit="drawings.forces.admission:of_forces",
         leaves="drawings.balance.sheet:leaves",
         due="drawings.balance.due:due",
         scales={"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"},
@@ -75,20 +75,20 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         scales={"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"},
     ),
     "cam": Sheet(
-        admit="drawings.cam.sheet:of_cams",
+        admit="drawings.cam.admission:of_cams",
         leaves="drawings.cam.sheet:leaves",
         due="drawings.cam.due:due",
         scales={"sizes": "cam", "profile": "cam"},
     ),
     "profile": Sheet(
-        admit="drawings.cam.sheet:of_cams",
+        admit="drawings.cam.admission:of_cams",
         leaves="drawings.cam.profile_sheet:leaves",
         due="drawings.cam.due_notes:due",
         enclosures="drawings.cam.coordinates:enclosures",
         scales={"manufacturing": "cam"},
     ),
     "cyclogram": Sheet(
-        admit="drawings.linkage.kinematics:of_linkage",
+        admit="drawings.linkage.admission:of_linkage",
         leaves="drawings.cyclogram.sheet:leaves",
         due="drawings.cyclogram.due:due",
         scales={"characteristic": "length"},

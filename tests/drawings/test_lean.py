@@ -217,7 +217,7 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
     first(
         [
             ("cam", (), "nothing"),
-            ("profile", ("drawings.cam.law", "drawings.cam.size", "drawings.kinds"), "laws"),
+            ("profile", ("drawings.cam.law", "drawings.cam.size", "drawings.kinds.row_frame"), "laws"),
         ]
     ),
 )

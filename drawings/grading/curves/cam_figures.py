@@ -15,7 +15,7 @@ from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, l
 from drawings.cam.pressure_graph import NAME as ANGLES
 from drawings.cam.profile_view import NAME as PROFILE
 from drawings.cam.size_view import NAME as SIZES
-from drawings.cyclogram.due import cam_rows
+from drawings.cyclogram.due_rows import cam_rows
 from drawings.grading import verdict
 from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
 from drawings.grading.curves.dynamics_figures import chords_by_hand

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.cyclogram.due import BARS, machine_rows, true_bars
+from drawings.cyclogram.due_rows import BARS, machine_rows, true_bars
 from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
 from drawings.forces.due_loads import branches
 from drawings.forces.load_diagram import NAME as LOAD
