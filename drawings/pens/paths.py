@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from drawings.paper.limits import CURVE_DECIMALS, DECIMALS, REACH
 from drawings.paper.strokes import Arc, Curve, Fill, Line, Polyline, SheetError
+from drawings.paper.walk import tied
 from geometry.curve import CubicPiece, Piece
 
 _ZEROS = re.compile(r"0+(?![\d.!])")
@@ -79,7 +80,7 @@ def _trace(stroke: Plain, height: float, template: list[str], values: list[float
         case Fill(points):
             _trace(Polyline(_counter_clockwise(points), closed=True), height, template, values)
         case Arc():
-            pieces = max(1, math.ceil(stroke.sweep / _QUARTER))
+            pieces = max(1, math.ceil(tied(stroke.sweep / _QUARTER)))
             template.append("M%s %s" + "A%s %s F%s %s" * pieces)
             values += (stroke.at(0).real, height - stroke.at(0).imag)
             for piece in range(1, pieces + 1):
@@ -94,7 +95,7 @@ def _piece(piece: Piece, height: float, template: list[str], values: list[float]
         for point in piece[1:]:
             values += (point.real, height - point.imag)
         return
-    count = max(1, math.ceil(abs(piece.sweep) / _QUARTER))
+    count = max(1, math.ceil(tied(abs(piece.sweep) / _QUARTER)))
     template.append(f"A%s %s {'F' if piece.sweep >= 0 else 'G'}%s %s" * count)
     for share in range(1, count + 1):
         end = piece.at(share / count)
