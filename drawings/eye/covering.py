@@ -9,9 +9,11 @@ import cmath
 import math
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
+
+import numpy as np
 
 from drawings.eye.ink import Unseen, dark
 from drawings.eye.shapes import notations, shape
@@ -21,8 +23,9 @@ COVERED, OUTSIDE = "covered", "outside"
 # A stroke is looked at in the middles of so many equal parts; it is gone where most of them are.
 _PARTS = 5
 _CELL = 10.0  # mm: areas are looked up by the squares of the paper that they reach into
-_MANY = 400  # squares: an area of more is looked at everywhere
+_MANY = 400  # squares: an area of more is looked at everywhere; areas: of more each stroke is looked at closely
 _GAP, _BLANK = 2.0, 4.0  # d: between letters, and the width of one that the alphabet does not have
+_MIDDLE = 3j  # d: how high the middles of letters lie
 _FACETS = 8  # of a round piece of an outline
 
 _Cell: TypeAlias = tuple[float, float]  # whole numbers
@@ -62,9 +65,48 @@ def veiled(
     idle = {*clear, *gone}
     areas = [area for order, (one, _) in enumerate(own) if id(one) not in idle for area in _areas(order, one)]
     wide, cells = _squares(areas)
-    for order, (one, name) in enumerate(own):
-        if (among is None or id(one) in among) and (reason := _reason(order, one, leaf, wide, cells)):
+    asked = range(len(own)) if among is None else [k for k, (one, _) in enumerate(own) if id(one) in among]
+    for order in _doubtful([own[k][0] for k in asked], asked, leaf, areas):
+        one, name = own[order]
+        if reason := _reason(order, one, leaf, wide, cells):
             yield Unseen(one, reason, name)
+
+
+def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, areas: Sequence[_Area]) -> list[int]:
+    """Give the orders of the strokes that may be off the paper or under a later area, as the boxes of all tell."""
+    if len(areas) > _MANY or not strokes:
+        return list(orders)
+    left, low, right, high = np.array([_reach(one) for one in strokes]).T
+    own = np.array(orders)
+    found = ~((left >= 0) & (low >= 0) & (right <= leaf.width) & (high <= leaf.height))
+    for order, _, _, (west, south, east, north) in areas:
+        found |= (own < order) & (left < east) & (right > west) & (low < north) & (high > south)
+    return own[found].tolist()
+
+
+def _reach(one: Stroke) -> Box:
+    """Give a box in which all that is looked at of a stroke is for certain; of a curve it is the whole plane."""
+    match one:
+        case Line(a, b):
+            pass
+        case Circle(centre, radius) | Arc(centre, radius):
+            a, b = centre - radius * (1 + 1j), centre + radius * (1 + 1j)
+        case Text():
+            turn = cmath.rect(one.size / 10, math.radians(one.rotation))
+            a = one.at + _MIDDLE * turn
+            b = a + len(one.plain) * (_widest() + _GAP) * turn
+        case Fill(points) | Polyline(points) if points:
+            across, up = [spot.real for spot in points], [spot.imag for spot in points]
+            return min(across), min(up), max(across), max(up)
+        case _:
+            return -math.inf, -math.inf, math.inf, math.inf
+    return min(a.real, b.real), min(a.imag, b.imag), max(a.real, b.real), max(a.imag, b.imag)
+
+
+@cache
+def _widest() -> float:
+    """Give the width of the widest letter of the alphabet, d."""
+    return max(_BLANK, *(float(one.partition(":")[0]) for one in notations().values() if one[0] not in "=^_"))
 
 
 def small(leaf: Leaf, most: float) -> set[int]:
@@ -111,9 +153,9 @@ def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Are
 
 def _areas(order: int, one: Stroke) -> Iterator[_Area]:
     """Give what a stroke fills; a broad line in the colour of paper fills what lies under it."""
-    if isinstance(one, Text | Group):
+    if isinstance(one, Text | Group) or not _hides(one.style):
         return
-    if one.style.fill != "none" and not dark(one.style.fill):
+    if _pales(one.style):
         if isinstance(one, Circle):
             yield _area(order, (one.centre,), one.radius)
         elif len(corners := tuple(_corners(one))) > 2:
@@ -123,6 +165,15 @@ def _areas(order: int, one: Stroke) -> Iterator[_Area]:
         for a, b in pairwise(_corners(one)):
             side = (b - a) / abs(b - a) * 1j * half if a != b else 0j
             yield _area(order, (a + side, b + side, b - side, a - side), 0.0)
+
+
+@lru_cache(maxsize=256)
+def _hides(style: LineStyle) -> bool:
+    return _pales(style) or _whitens(style)
+
+
+def _pales(style: LineStyle) -> bool:
+    return style.fill != "none" and not dark(style.fill)
 
 
 def _whitens(style: LineStyle) -> bool:
@@ -182,13 +233,13 @@ def _thinned(spots: list[complex]) -> list[complex]:
 def _letters(text: Text) -> Iterator[complex]:
     """Give the middles of letters."""
     turn, pen = cmath.rect(1, math.radians(text.rotation)), text.size / 10
-    along = 0.0
+    middle, along = text.at + _MIDDLE * pen * turn, 0.0
     for run in text.runs:
         own = pen if run.level == 0 else pen * 0.7
         for letter in run.text:
             width = _width(letter)
             if not letter.isspace():
-                yield text.at + turn * complex(along + width * own / 2, text.size * 0.3)
+                yield middle + turn * (along + width * own / 2)
             along += (width + _GAP) * own
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import chain, pairwise
 from operator import attrgetter
@@ -309,6 +309,63 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter
         SeenLetter(p * spot + q * spot.conjugate() + t, unit, *_looked_up(rest, p, q, unit))
         for spot, rest in ((complex(float(across), float(down)), rest) for across, down, rest in found)
     ]
+
+
+_Cell: TypeAlias = tuple[str, complex, float]  # of a reading: its letter, corner and width
+
+
+def at_once(path: str, place: Affine, style: LineStyle, said: str, ink: LineStyle) -> Text | None:
+    """Read letters of one size on one line along or up a sheet, as a plain pen writes them; None of all else."""
+    found = _LETTERS.findall(path)
+    if not found or sum(map(len, chain(*found))) + 2 * len(found) != len(path):
+        return None
+    (p, q, t), unit = place, style.width
+    known = [_cells(rest, p, q, unit) for _, _, rest in found]
+    stance = next((one for one in known[0] if all(one in cells for cells in known)), None)
+    if stance is None:
+        return None
+    back = stance.turn.conjugate()
+    p, q, t = p * back, q * back, t * back
+    spots = [complex(float(across), float(down)) for across, down, _ in found]
+    row = _even([p * one + q * one.conjugate() + t for one in spots], [cells[stance] for cells in known])
+    spaces = [] if row is None else [*_spaced(row, unit)]
+    if row is None or -1 in spaces:
+        return None
+    runs = picked([(name, 0) for name, _, _ in row], [0, *spaces], said)
+    return Text(stance.turn * row[0][1], runs, round(10 * unit, 6), "start", stance.slanted, stance.rotation, ink)
+
+
+def _even(spots: Sequence[complex], known: Sequence[Sequence[_Cell]]) -> list[_Cell] | None:
+    """Set letters on the line of writing of the first that can be but one; each with the place of its corner."""
+    low = next(((spot + own[0][1]).imag for spot, own in zip(spots, known, strict=True) if len(own) == 1), math.nan)
+    row = []
+    for spot, own in zip(spots, known, strict=True):
+        for name, corner, width in own:
+            at = spot + corner
+            if abs(at.imag - low) <= EVEN:
+                row.append((name, at, width))
+                break
+        else:
+            return None
+    return row
+
+
+def _spaced(row: Sequence[_Cell], unit: float) -> Iterator[int]:
+    """Give how many thin spaces are between letters of one size; -1 where it takes a closer look."""
+    gap, thin = _GAP * unit, _THIN * unit
+    for (_, start, width), (_, end, _) in pairwise(row):
+        over = end.real - start.real - width - gap
+        count = round((over - gap) / thin) + 1 if over > EVEN else 0
+        yield count if abs(over - (gap - thin + count * thin if count else 0.0)) <= EVEN and count <= _WIDEST else -1
+
+
+@lru_cache(maxsize=16384)
+def _cells(steps: str, p: complex, q: complex, unit: float) -> Mapping[Stance, tuple[_Cell, ...]]:
+    """Give what letter some steps may be in each stance."""
+    found: dict[Stance, tuple[_Cell, ...]] = {}
+    for name, stance, corner, width in _looked_up(steps, p, q, unit)[1]:
+        found[stance] = (*found.get(stance, ()), (name, corner, width))
+    return found
 
 
 def any_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from drawings.eye.lettered import Track, chains, tracks
 from drawings.measure.curvedata import pieces
@@ -84,6 +85,7 @@ def _goes_on(one: RoundPiece, after: RoundPiece) -> bool:
     return one.sweep * after.sweep > 0 and off <= _CENTRES * (1 + one.radius / chord if chord else 1)
 
 
+@lru_cache(maxsize=256)
 def scale_of(place: Affine) -> float:
     """Give how many times as large all is drawn; of a stretch the mean of both ways."""
     return math.sqrt(abs(abs(place.p) ** 2 - abs(place.q) ** 2))

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from drawings.eye import alike
 from drawings.eye.covering import veiled
 from drawings.eye.ink import Ink, Unseen, ink, length
-from drawings.eye.lettered import SeenLetter, any_letters, pen_of_letters, plain_letters, written
+from drawings.eye.lettered import SeenLetter, any_letters, at_once, pen_of_letters, plain_letters, written
 from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure
@@ -223,6 +223,11 @@ class Observer:
         if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
             return False
         said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
+        if _SAID not in outer.attributes:
+            plain = at_once(path, one.frame.to_paper, seen.style, said or "", _penned(seen.style))
+            if plain is not None:
+                self._add(outer, (plain,), seen)
+                return True
         letters = plain_letters(path, one.frame.to_paper, seen.style)
         if not letters and said is not None:
             letters = any_letters(path, one.frame.to_paper, seen.style)

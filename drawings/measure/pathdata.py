@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.paper.limits import NUMERAL_LENGTH, PATH_COMMANDS, SheetRefused
@@ -45,6 +46,7 @@ class PathStep(NamedTuple):
     end: complex
 
 
+@lru_cache(maxsize=4096)  # the ends of a mark are read as a mark and as a line
 def number(text: str) -> float:
     """Read one number.
 

@@ -80,7 +80,12 @@ class Presentation(NamedTuple):
 
 def said(attributes: Mapping[str, str]) -> Said:
     """Give the attributes of an element that may tell of its look."""
-    return tuple(one for one in attributes.items() if one[0] not in _PLACES and one[0][:5] != _DATA)
+    return tuple([(name, attributes[name]) for name in _telling(tuple(attributes))])
+
+
+@lru_cache(maxsize=1024)  # few elements have other attributes than the rest of their kind
+def _telling(names: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(name for name in names if name not in _PLACES and not name.startswith(_DATA))
 
 
 @lru_cache(maxsize=1024)  # a sheet has thousands of elements in a dozen looks

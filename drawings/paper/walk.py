@@ -14,10 +14,12 @@ def walk(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
     >>> [type(stroke).__name__ for stroke in walk([Group((Text(0j, "A"),))])]
     ['Group', 'Text']
     """
-    for stroke in strokes:
+    left = [*strokes][::-1]
+    while left:
+        stroke = left.pop()
         yield stroke
         if isinstance(stroke, Group):
-            yield from walk(stroke.strokes)
+            left += stroke.strokes[::-1]
 
 
 def flat(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
@@ -27,7 +29,11 @@ def flat(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
 
 def groups(strokes: Iterable[Stroke]) -> Iterator[Group]:
     """Give the groups, each before those within it."""
-    return (stroke for stroke in walk(strokes) if isinstance(stroke, Group))
+    left = [one for one in strokes if isinstance(one, Group)][::-1]
+    while left:
+        group = left.pop()
+        yield group
+        left += [one for one in group.strokes[::-1] if isinstance(one, Group)]
 
 
 def group_named(strokes: Iterable[Stroke], name: str) -> Group | None:
