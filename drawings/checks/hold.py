@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +24,7 @@ from drawings.paper.walk import groups, stated
 from plans.model.motion import Complexes, Floats
 
 Seen = Mapping[Key, Sequence[Read]]
+Spots = TypeVar("Spots", complex, Complexes)
 FRAMES = frozenset((Kind.AXIS,))  # what tells where values lie, and is none itself
 SIDES = (-1.0, -1e-6, 0.0, 1e-6, 1.0)  # of the paper's resolution: where a graph is looked at beside a jump, hard by it
 LOOKED, STRIDE = 360, 16  # places of a path that are looked at; of its lines the first that are
@@ -115,11 +117,11 @@ def holds(found: Read, due: Expected) -> bool:
         case np.ndarray() as path if not isinstance(value, str):
             return near(np.array([value]), path, slack)
         case float() | int() | complex() as true if isinstance(value, complex | float | int):
-            return bool(np.abs(even(np.array([value - true]), found)).max() <= slack)
+            return bool(abs(even(value - true, found)) <= slack)
     return isinstance(value, np.ndarray) and callable(due.value) and _follows(value, found, due)
 
 
-def even(values: Complexes, found: Read) -> Complexes:
+def even(values: Spots, found: Read) -> Spots:
     """Give values as they lie on paper, in units of the abscissas, where those of the ordinates are others."""
     return values.real + 1j * values.imag * (found.scale / found.up) if found.up and found.scale else values
 

@@ -49,14 +49,15 @@ def value(text: str) -> float | None:
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
     """Name the figures whose marks or axes are drawn to no written scale: of their letter there, else anywhere."""
-    everywhere = _told(leaf.groups)
-    for figure in leaf.groups:
-        own, told = [*groups((figure,))], _told((figure,))
+    scales = [_told((figure,)) for figure in leaf.groups]
+    everywhere = set(chain(*(own for told in scales for own in told.values())))
+    for figure, told in zip(leaf.groups, scales, strict=True):
+        own = [*groups((figure,))]
         marks = (one.data for one in own if one.data.get("kind") in _MARKED and one.data["unit"] != PAPER)
         drawn = {(data["quantity"], float(data["scale"])) for data in marks}
         drawn |= {("", one.states.scale) for one in own if one.states is not None and one.states.kind is Kind.AXIS}
         for letter, mu in drawn if everywhere else ():
-            if not _written(mu, told.get(letter) or {*chain(*everywhere.values())}):
+            if not _written(mu, told.get(letter) or everywhere):
                 yield message("wrong.scale", text=figure.name)
 
 

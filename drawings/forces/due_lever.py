@@ -144,10 +144,9 @@ class _Lever:
     def forces(self) -> Iterator[Expected]:
         """Give the directions of the forces, and the arms."""
         none = self.acting.none[0]
-        fastest = float(np.nanmax([abs(one) for one in self.images.values()]))
         for one in self.hung:
             size, paired = abs(one.value), "/" in one.name
-            lost = paired or size <= none or abs(one.at) <= ABOUT * NOTHING * fastest
+            lost = paired or size <= none or abs(one.at) <= ABOUT * NOTHING * self._fastest
             allowed = math.inf if size <= none else TURNED + self.acting.slack / size
             way = one.value / size if size else 0j
             row = Expected(Kind.DIRECTION, LEVER, one.name, way, allowed, self.acting.k, lost)
@@ -167,12 +166,12 @@ class _Lever:
                 found.append((letter(self.acting.statics.study.language, f"h′_{{{index}}}"), one))
         return tuple(found)
 
-    @property
+    @cached_property
     def _none(self) -> float:
         forces = [one for one in self.hung if "/" not in one.name]
         return NOTHING * max(abs(one.value) for one in forces) * max(abs(one.at) for one in forces)
 
-    @property
+    @cached_property
     def _doubtful(self) -> bool:
         """Whether rounding may decide which forces have arms, so how these are numbered."""
         own = [one for one in self.hung if "/" not in one.name]
@@ -221,9 +220,13 @@ class _Lever:
             row = Expected(Kind.LETTER, f"{EQUATION}-{self.acting.k}", one.letter, sign + text, allowed, may_lack=True)
             yield row._replace(value=text) if one is told[0] and one.power > 0 else row
 
+    @cached_property
+    def _fastest(self) -> float:
+        return float(np.nanmax([abs(one) for one in self.images.values()]))
+
     def _shown(self, place: complex) -> str:
         """Give the letter of the one image at a place; none where there are several, or none."""
-        near = ABOUT * NOTHING * float(np.nanmax([abs(one) for one in self.images.values()]))
+        near = ABOUT * NOTHING * self._fastest
         if abs(place) <= near:
             return "p"
         here = [name for name in self.names if abs(self.images[name] - place) <= near]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from drawings.lettering.words import word
 
 
+@lru_cache(maxsize=4096)
 def with_index(letter: str) -> str:
     """Write a mark's letter with its index lowered: b, a_3, n_BA.
 

@@ -15,6 +15,7 @@ from drawings.paper.strokes import (
     LEAN,
     LOWERED,
     RAISED,
+    Anchor,
     Arc,
     Circle,
     Curve,
@@ -61,15 +62,11 @@ def _strokes(strokes: Iterable[Stroke], lined: bool) -> Iterator[Stroke]:
             case Polyline() | Fill():
                 if len(stroke.points) > 1:
                     yield _chain(stroke)
-            case Circle(centre, radius, style):
-                if radius > 0:
-                    yield Circle(centre, radius, _style(style))
             case Curve():
                 yield _curve(stroke)
-            case Line(start, end, style):
-                yield Line(start, end, _style(style))
-            case Arc():
-                yield stroke._replace(style=_style(stroke.style))
+            case Line() | Arc() | Circle():
+                if not isinstance(stroke, Circle) or stroke.radius > 0:
+                    yield stroke if stroke.style.colour != "none" else stroke._replace(style=_style(stroke.style))
 
 
 @lru_cache(maxsize=256)
@@ -95,21 +92,30 @@ def _curve(stroke: Curve) -> Stroke:
 
 def _text(text: Text, lined: bool) -> Text:
     """Give lettering from where its first letter begins; all of one level, it is a text of that level's size."""
-    turn = cmath.rect(1, math.radians(text.rotation)) if text.rotation else 1 + 0j
+    _, content, size, anchor, slanted, rotation, style = text
+    own = _begun(content, size, anchor, slanted, rotation, lined)
+    return own._replace(at=text.at + own.at, style=style)
+
+
+@lru_cache(maxsize=4096)  # a sheet letters the same in many places
+def _begun(
+    content: str | tuple[Run, ...], size: float, anchor: Anchor, slanted: bool, rotation: float, lined: bool
+) -> Text:
+    """Give a text that stands at zero, from where its first letter begins."""
+    text = Text(0j, content, size, anchor, slanted, rotation)
     head = text.plain[: len(text.plain) - len(text.plain.lstrip(_SPACES))]
-    along = -_SHARES[text.anchor] * text_width(text)
+    along = -_SHARES[anchor] * text_width(text) if anchor != "start" else 0.0
     if head:
         along += text_width(text) - text_width(text._replace(content=tuple(_headless(text.runs))))
-    runs, size, rise = regular(text.runs), text.size, 0j
+    runs, rise = regular(text.runs), 0j
     levels = {run.level for run in runs}
     if len(levels) == 1 and 0 not in levels:
         (level,) = levels
         runs, size, rise = tuple(Run(run.text) for run in runs), index_size(size), 1j * _RISES[level] * size
-    slanted = text.slanted
     if lined and slanted and (lean := _flat(runs)) is not None:
         slanted, rise = False, rise + lean * size / 10
-    at = text.at + (along + rise) * turn
-    return Text(at, runs, size, "start", slanted, text.rotation % 360, text.style)
+    turn = cmath.rect(1, math.radians(rotation)) if rotation else 1 + 0j
+    return Text((along + rise) * turn, runs, size, "start", slanted, rotation % 360)
 
 
 @lru_cache(maxsize=4096)
