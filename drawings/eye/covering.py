@@ -81,7 +81,7 @@ def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, area
     found = ~((left >= 0) & (low >= 0) & (right <= leaf.width) & (high <= leaf.height))
     for order, _, _, (west, south, east, north) in areas:
         found |= (own < order) & (left < east) & (right > west) & (low < north) & (high > south)
-    return own[found].tolist()
+    return [order for order, doubtful in zip(orders, found.tolist(), strict=True) if doubtful]
 
 
 def _reach(one: Stroke) -> Box:

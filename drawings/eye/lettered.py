@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import chain, pairwise
 from operator import attrgetter
@@ -168,7 +168,7 @@ class SeenLetter(NamedTuple):
     readings: tuple[Reading, ...]
 
 
-class _Set(NamedTuple):
+class Set(NamedTuple):
     """A letter set on a line: what it is, how far along and how high, its width, its pen, mm, and its level."""
 
     letter: str
@@ -180,15 +180,15 @@ class _Set(NamedTuple):
 
 
 _Turned: TypeAlias = tuple[complex, float, tuple[Reading, ...]]  # a letter as if its line of writing went along
-_Line: TypeAlias = tuple[Stance, list[_Set]]
-_ALONG = attrgetter("along")
+_Line: TypeAlias = tuple[Stance, list[Set]]
+ALONG = attrgetter("along")
 
 
 def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
     """Read letters as one text; those that are none are unread in it."""
     size = 10 * max(letter.unit for letter in letters)
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
-    spaces = (0, *_spaces(row, size))
+    spaces = (0, *spaces_of(row, size))
     seen = [(one[0] if space >= 0 else UNREAD, one[5]) for one, space in zip(row, spaces, strict=True)]
     runs = picked(seen, [max(space, 0) for space in spaces], said)
     low = next((one.rise for one in row if one.level == 0), 0.0)
@@ -204,7 +204,7 @@ def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) ->
         for low in _lows(along, size, stance):
             row = [one for letter in along if (one := _levelled(letter, low, size, stance, even)) is not None]
             if len(row) == len(letters):
-                return stance, sorted(row, key=_ALONG)
+                return stance, sorted(row, key=ALONG)
     return None
 
 
@@ -242,13 +242,13 @@ def _turned_back(letter: SeenLetter, angle: float, near: float) -> SeenLetter:
     return SeenLetter(turn * letter.place, letter.unit, trail, readings(trail, letter.unit, near))
 
 
-def _slope(row: Sequence[_Set], size: float) -> float:
+def _slope(row: Sequence[Set], size: float) -> float:
     """Give the angle (rad) by which a line of writing rises yet: between its first letter and its last."""
     low = [one.rise - dict(_RISES)[one.level] * size for one in row]
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
-def _levelled(letter: _Turned, low: float, size: float, stance: Stance, even: float) -> _Set | None:
+def _levelled(letter: _Turned, low: float, size: float, stance: Stance, even: float) -> Set | None:
     """Set a letter on a line of writing: the first that it may be, on the level where it stands."""
     place, unit, known = letter
     for name, own, corner, width in known:
@@ -258,7 +258,7 @@ def _levelled(letter: _Turned, low: float, size: float, stance: Stance, even: fl
             for level, share in _RISES:
                 if abs(rise - share * size) <= even and (level or unit * 10 == size):
                     lean = LEAN * share * size if level and stance.slanted else 0.0
-                    return _Set(name, spot.real - lean, spot.imag, width, unit, level)
+                    return Set(name, spot.real - lean, spot.imag, width, unit, level)
     return None
 
 
@@ -269,15 +269,17 @@ def _unread(letters: Sequence[SeenLetter]) -> _Line:
     for place, unit, _, known in letters:
         name, corner, width = next(((one[0], one[2], one[3]) for one in known if one[1] is stance), (UNREAD, 0j, 0.0))
         spot = place * stance.turn.conjugate() + corner
-        row.append(_Set(name, spot.real, spot.imag, width, unit))
-    return stance, sorted(row, key=_ALONG)
+        row.append(Set(name, spot.real, spot.imag, width, unit))
+    return stance, sorted(row, key=ALONG)
 
 
-def _spaces(row: Sequence[_Set], size: float) -> Iterator[int]:
+def spaces_of(row: Sequence[Set], size: float) -> Iterator[int]:
     """Give how many thin spaces are between letters; below 0, where a letter runs into the one before it."""
     for (_, start, _, width, before, _), (_, end, _, _, after, _) in pairwise(row):
         gap, free = _GAP * (before if before < after else after), end - start - width
-        if free <= gap + EVEN:
+        if abs(free - gap) <= EVEN:
+            yield 0
+        elif free <= gap:
             yield 0 if free >= gap / 2 - EVEN else -1
         else:
             # A space has the width of its level, which may be that of either letter or of the text.
@@ -299,73 +301,26 @@ _LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
 
 
-def plain_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
-    """Read path data that is written letter by letter; nothing, if it is not."""
+class Part(NamedTuple):
+    """Letters of one pen as a plain pen writes them, each by its place and its steps, and how they lie on paper."""
+
+    letters: Sequence[tuple[str, str, str]]
+    place: Affine
+    style: LineStyle
+
+
+def part_of(path: str, place: Affine, style: LineStyle) -> Part:
+    """Read path data that is written letter by letter; of any other there are no letters."""
     found = _LETTERS.findall(path)
-    if sum(map(len, chain(*found))) + 2 * len(found) != len(path):
-        return []
-    (p, q, t), unit = place, style.width
-    return [
-        SeenLetter(p * spot + q * spot.conjugate() + t, unit, *_looked_up(rest, p, q, unit))
-        for spot, rest in ((complex(float(across), float(down)), rest) for across, down, rest in found)
-    ]
+    return Part(found if sum(map(len, chain(*found))) + 2 * len(found) == len(path) else (), place, style)
 
 
-_Cell: TypeAlias = tuple[str, complex, float]  # of a reading: its letter, corner and width
-
-
-def at_once(path: str, place: Affine, style: LineStyle, said: str, ink: LineStyle) -> Text | None:
-    """Read letters of one size on one line along or up a sheet, as a plain pen writes them; None of all else."""
-    found = _LETTERS.findall(path)
-    if not found or sum(map(len, chain(*found))) + 2 * len(found) != len(path):
-        return None
-    (p, q, t), unit = place, style.width
-    known = [_cells(rest, p, q, unit) for _, _, rest in found]
-    stance = next((one for one in known[0] if all(one in cells for cells in known)), None)
-    if stance is None:
-        return None
-    back = stance.turn.conjugate()
-    p, q, t = p * back, q * back, t * back
-    spots = [complex(float(across), float(down)) for across, down, _ in found]
-    row = _even([p * one + q * one.conjugate() + t for one in spots], [cells[stance] for cells in known])
-    spaces = [] if row is None else [*_spaced(row, unit)]
-    if row is None or -1 in spaces:
-        return None
-    runs = picked([(name, 0) for name, _, _ in row], [0, *spaces], said)
-    return Text(stance.turn * row[0][1], runs, round(10 * unit, 6), "start", stance.slanted, stance.rotation, ink)
-
-
-def _even(spots: Sequence[complex], known: Sequence[Sequence[_Cell]]) -> list[_Cell] | None:
-    """Set letters on the line of writing of the first that can be but one; each with the place of its corner."""
-    low = next(((spot + own[0][1]).imag for spot, own in zip(spots, known, strict=True) if len(own) == 1), math.nan)
-    row = []
-    for spot, own in zip(spots, known, strict=True):
-        for name, corner, width in own:
-            at = spot + corner
-            if abs(at.imag - low) <= EVEN:
-                row.append((name, at, width))
-                break
-        else:
-            return None
-    return row
-
-
-def _spaced(row: Sequence[_Cell], unit: float) -> Iterator[int]:
-    """Give how many thin spaces are between letters of one size; -1 where it takes a closer look."""
-    gap, thin = _GAP * unit, _THIN * unit
-    for (_, start, width), (_, end, _) in pairwise(row):
-        over = end.real - start.real - width - gap
-        count = round((over - gap) / thin) + 1 if over > EVEN else 0
-        yield count if abs(over - (gap - thin + count * thin if count else 0.0)) <= EVEN and count <= _WIDEST else -1
-
-
-@lru_cache(maxsize=16384)
-def _cells(steps: str, p: complex, q: complex, unit: float) -> Mapping[Stance, tuple[_Cell, ...]]:
-    """Give what letter some steps may be in each stance."""
-    found: dict[Stance, tuple[_Cell, ...]] = {}
-    for name, stance, corner, width in _looked_up(steps, p, q, unit)[1]:
-        found[stance] = (*found.get(stance, ()), (name, corner, width))
-    return found
+def plain_letters(part: Part) -> Iterator[SeenLetter]:
+    """Look up letters one by one."""
+    (p, q, t), unit = part.place, part.style.width
+    for across, down, rest in part.letters:
+        spot = complex(float(across), float(down))
+        yield SeenLetter(p * spot + q * spot.conjugate() + t, unit, *looked_up(rest, p, q, unit))
 
 
 def any_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
@@ -385,7 +340,7 @@ def pen_of_letters(style: LineStyle) -> bool:
 
 
 @lru_cache(maxsize=16384)
-def _looked_up(steps: str, p: complex, q: complex, unit: float) -> tuple[Trail, tuple[Reading, ...]]:
+def looked_up(steps: str, p: complex, q: complex, unit: float) -> tuple[Trail, tuple[Reading, ...]]:
     """Look up a letter by its steps from its first point."""
     linear = Affine(p, q)
     trail = _trail([track.mapped(linear) for track in tracks(f"M0 0{steps}")])

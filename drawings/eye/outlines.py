@@ -43,7 +43,10 @@ def outlines(tag: str, attributes: Mapping[str, str], place: Affine, style: Line
         return
     p, q, t = place
     for points, closed in plain:
-        yield _chain(tuple(_checked(p * one + q * one.conjugate() + t) for one in points), closed, style)
+        own = tuple([p * one + q * one.conjugate() + t for one in points])
+        if not max(map(abs, own)) <= REACH:
+            own = tuple(map(_checked, own))
+        yield _chain(own, closed, style)
 
 
 def stroke(track: Track, style: LineStyle) -> Stroke:

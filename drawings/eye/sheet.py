@@ -5,15 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
 from drawings.eye import alike
+from drawings.eye.at_once import at_once
 from drawings.eye.covering import veiled
 from drawings.eye.ink import Ink, Unseen, ink, length
-from drawings.eye.lettered import SeenLetter, any_letters, at_once, pen_of_letters, plain_letters, written
+from drawings.eye.lettered import Part, SeenLetter, any_letters, part_of, pen_of_letters, plain_letters, written
 from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure
@@ -131,18 +131,17 @@ UNPAINTED = ("hidden", "clipped")  # why a stroke is unseen that hides nothing i
 _SAID = "data-text"
 
 
-@dataclass(slots=True)
 class Opened:
     """An element that has begun, and what was seen in it."""
 
-    frame: Frame
-    attributes: Mapping[str, str]
-    strokes: list[Stroke] = field(default_factory=list)
-    data: dict[str, str] = field(default_factory=dict)
-    title: str = ""
-    heard: list[str] = field(default_factory=list)
-    letters: list[SeenLetter | Typeset] = field(default_factory=list)
-    ink: Ink = PLAIN
+    __slots__ = ("attributes", "data", "frame", "heard", "ink", "letters", "strokes", "title")
+
+    def __init__(self, frame: Frame, attributes: Mapping[str, str]) -> None:
+        self.frame, self.attributes, self.title, self.ink = frame, attributes, "", PLAIN
+        self.strokes: list[Stroke] = []
+        self.data: dict[str, str] = {}
+        self.heard: list[str] = []
+        self.letters: list[SeenLetter | Part | Typeset] = []
 
 
 class Observer:
@@ -223,12 +222,15 @@ class Observer:
         if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
             return False
         said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
-        if _SAID not in outer.attributes:
-            plain = at_once(path, one.frame.to_paper, seen.style, said or "", _penned(seen.style))
-            if plain is not None:
-                self._add(outer, (plain,), seen)
-                return True
-        letters = plain_letters(path, one.frame.to_paper, seen.style)
+        part = part_of(path, one.frame.to_paper, seen.style)
+        if _SAID in outer.attributes and part.letters:
+            outer.letters.append(part)
+            outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
+            return True
+        if (plain := at_once([part], said or "", _penned(seen.style))) is not None:
+            self._add(outer, (plain,), seen)
+            return True
+        letters = [*plain_letters(part)]
         if not letters and said is not None:
             letters = any_letters(path, one.frame.to_paper, seen.style)
         read = [bool(letter.readings) for letter in letters]
@@ -288,12 +290,18 @@ class Observer:
 
 def _text(one: Opened) -> Text | None:
     """Read the letters that were collected in a group."""
+    if not one.letters:
+        return None
     typed = [part for part in one.letters if isinstance(part, Typeset)]
-    lined = [part for part in one.letters if isinstance(part, SeenLetter)]
+    plain = [part for part in one.letters if isinstance(part, Part)]
     said = one.attributes.get(_SAID, "")
     if typed:
         return joined(typed, said, _filled(one.ink.style.fill))
-    return written(lined, said, _penned(one.ink.style)) if lined else None
+    ink = _penned(one.ink.style)
+    if len(plain) == len(one.letters) and (text := at_once(plain, said, ink)) is not None:
+        return text
+    lined = (plain_letters(part) if isinstance(part, Part) else (part,) for part in one.letters)
+    return written([letter for own in lined for letter in own if isinstance(letter, SeenLetter)], said, ink)
 
 
 def _penned(style: LineStyle) -> LineStyle:

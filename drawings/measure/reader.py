@@ -38,6 +38,7 @@ def foreign(source: bytes) -> str | None:
 
 _SVG = "http://www.w3.org/2000/svg"
 _CHUNK = 64 * 1024
+_TELLING = ("style", "metadata")  # elements whose text may be heard
 _GZIP = b"\x1f\x8b"
 _SAID = 40  # letters of a name that are told
 
@@ -167,7 +168,8 @@ class _Reader:
 
     def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         outer = self.frames[-1]
-        self._listen(tag, attributes)
+        if tag in _TELLING or self.heard is not None:
+            self._listen(tag, attributes)
         if space != _SVG:
             gone = outer.look.gone or message("gone.inside", tag=tag[:_SAID])
             self.frames.append(outer._replace(tag=tag, look=outer.look._replace(gone=gone)))
