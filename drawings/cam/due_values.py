@@ -228,7 +228,7 @@ class CamValues:
         shown = ("profile", "pitch", "outer") if rolls else ("profile",)
         stretches = self._stretches
         for name in shown if self.contour.outer is not None else shown[:2]:
-            own = [np.append(getattr(one, name), getattr(end, name)) for one, end in stretches]
+            own = [np.append(getattr(one, name)[:-1], getattr(end, name)) for one, end in stretches]
             own += [] if self.cam.translates else [own[0][:1]]
             corners = [complex(end.pitch[0]) for _, end in stretches]
             turned = [_corner(*pair, at) for pair, at in zip(pairwise(own), corners, strict=False) if rolls]
@@ -237,7 +237,7 @@ class CamValues:
 
     @cached_property
     def _stretches(self) -> list[tuple[Contour, Contour]]:
-        """The contour between shocks, each stretch with its end before what jumps there."""
+        """The contour between shocks, each stretch with its end again, before what jumps there."""
         found, bounds = [], sorted({0.0, *(one.turned for one in self.found.shocks), self.cam.turn})
         for start, end in pairwise(bounds):
             turned = np.linspace(start, end, max(int(DENSE * (end - start) / self.cam.turn), 3))
@@ -245,8 +245,12 @@ class CamValues:
                 own = self.at(turned)
                 curves = (own.profile, own.pitch, own.profile if own.outer is None else own.outer)
                 wide = np.max([bows(one) for one in curves], axis=0) > self.cam.tolerance
+                if not wide.any():
+                    break
                 turned = np.sort(np.append(turned, ((turned[:-1] + turned[1:]) / 2)[wide]))
-            found.append((self.at(turned[:-1]), self.at(turned[-1:], True)))
+            else:
+                own = self.at(turned)
+            found.append((own, self.at(turned[-1:], True)))
         return found
 
 

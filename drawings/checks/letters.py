@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from functools import lru_cache
+from typing import NamedTuple
 
 from drawings.checks.wrong import on
 from drawings.layout.ink import CELL, CLEAR
@@ -15,7 +15,7 @@ from drawings.lettering.vector_letters import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
-from drawings.paper.walk import groups, stated, texts, walk
+from drawings.paper.walk import groups, stated
 from drawings.symbols.symbols import BLOCK
 from plans.model.motion import ORDERS, POSITIONS
 from plans.words.words import Message
@@ -30,19 +30,21 @@ WITHIN = {order.plan: 1.6 + NEAR[-1] + ONE + ROUNDED for order in ORDERS[1:]}
 WITHIN[POSITIONS.plan] = BLOCK[1] / 2 + 1.0 + NEAR[-1] + ROUNDED
 
 
-@dataclass(frozen=True)
-class Label:
+class Label(NamedTuple):
     """A lettering, and the start of its leader if it has one."""
 
     text: Text
     leader: complex | None
 
-    @cached_property
+    @property
     def place(self) -> Box:
         """Where it points to: its own box, or the start of its leader."""
         if self.leader is None:
-            return bounds(self.text)
+            return _box(self.text)
         return self.leader.real, self.leader.imag, self.leader.real, self.leader.imag
+
+
+_box = lru_cache(maxsize=4096)(bounds)
 
 
 def unlettered(leaf: Leaf, due: Mapping[Key, str] | None = None) -> Iterator[Message]:
@@ -103,17 +105,12 @@ def distance(labels: Iterable[Label], spots: Iterable[complex]) -> float:
     return min((off(spot, box) for box in (label.place for label in labels) for spot in places), default=math.inf)
 
 
-def leaders(strokes: Iterable[Stroke]) -> Iterator[tuple[Line, Text]]:
-    """Give the leaders (линии-выноски), each with its letter."""
-    for one in groups(strokes):
-        match one.strokes:
-            case (Line() as leader, Text() as text):
-                yield leader, text
-
-
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
-    led = {id(text): leader.start for leader, text in leaders(strokes)}
-    return (Label(text, led.get(id(text))) for text in texts(strokes))
+    """Give the labels of strokes; a line and a letter alone in a group are a leader (линия-выноска) and its letter."""
+    for group in groups((Group(strokes),)):
+        own = group.strokes
+        leader = own[0].start if len(own) == 2 and isinstance(own[0], Line) else None
+        yield from (Label(text, leader) for text in own if isinstance(text, Text))
 
 
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[Key, str, list[complex]]]:
@@ -122,7 +119,7 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[Key, str, list[complex
     A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
     writes it; one that is too short to be seen as a vector has none.
     """
-    for stroke in walk(strokes):
+    for stroke in groups(strokes):
         match stroke:
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
                 *start, name = stroke.data["name"].split(" ")

@@ -15,7 +15,6 @@ from drawings.page.scale import drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.points import placed
-from plans.linkage.quantities import road_of
 from plans.model.cyclogram import BEGIN, END, Cyclogram
 from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS
@@ -46,7 +45,7 @@ def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
     mechanism, turned = own.pictured.mechanism, [one.turned for one in found.positions]
     # The sketch is of the first position of the scene: there the analysis is assembled, and goes on to the others.
     phi = np.concatenate([own.linkage.turn.phi[:1], found.sense * np.array(turned)])
-    motion = road_of(own.linkage).motion(phi, 0)
+    motion = study.comparison("linkage").road.around(phi, 0)
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
     places = {name: complex(one.r[1 + shown]) for name, one in motion.points.items()} | dict(fixed)
     size = max(abs(place) for place in places.values())

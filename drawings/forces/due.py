@@ -10,7 +10,7 @@ from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, by_hand
+from drawings.checks.expected import NOTES, Expected, by_hand, course
 from drawings.checks.expected import NOTHING as DASH
 from drawings.checks.hold import stated_keys
 from drawings.forces.due_acting import Acting, DueArm, forces_of, moments_of, named, unbraced
@@ -29,7 +29,6 @@ from plans.forces.primary import balancing_quantity
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.linkage.primaries import stroke
-from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import NOTHING, Floats
 from plans.study import Study
 
@@ -71,16 +70,21 @@ class _Curves:
 
     def ordinates(self) -> Iterator[Expected]:
         """Give the ordinates of the positions; where numbers have no room, or beside a jam, some have none."""
-        faint = self.slack + FAINT * float(np.nanmax(np.abs([*self.sizes, *self.turned[2]])))
+        faint = self.slack + FAINT * float(np.nanmax(np.abs([*self.sizes, *self.turned[1]])))
         for k, size in enumerate(self.sizes):
             if np.isfinite(size):
                 lost = k not in self.shown or abs(size) <= faint
                 yield Expected(Kind.VECTOR, BALANCING, str(k), 1j * float(size), self.slack, k, may_lack=lost)
 
     @cached_property
-    def turned(self) -> tuple[Floats, Kinetostatics, Floats]:
-        """The abscissas of a whole turn, degrees, or of a stroke, m; the forces there, and what balances the drive."""
+    def turned(self) -> tuple[Floats, Floats]:
+        """The abscissas of a whole turn, degrees, or of a stroke, m, and what balances the drive there.
+
+        Of a turn that cannot be made nothing is told.
+        """
         study, road = self.statics.study, self.comparison.motion.road
+        if road.ends and study.mechanism.drive.turns:
+            return np.array([0.0, TURN]), np.full(2, math.nan)
         first, last = study.turn.phi[0], study.turn.phi[-1]
         whole = study.sense * math.tau if study.mechanism.drive.turns else last - first
         phi = first + whole * np.arange(STEPS + 1) / STEPS
@@ -91,16 +95,14 @@ class _Curves:
             given = self.statics.given(found, motion, strokes)
         ways = stroke.ways(study.mechanism, phi)
         along = np.arange(STEPS + 1) * TURN / STEPS if ways is None else np.abs(ways - ways[0])
-        return along, found, np.asarray(given)
+        return along, np.asarray(given)
 
     def graph(self) -> Expected:
         """Give the graph; over less than a turn its positions alone hold it."""
-        x, _, y = self.turned
+        x, y = self.turned
         allowed = math.inf if np.isnan(y).any() else self.slack + FAR * float(np.ptp(y))
         name = balancing_quantity(self.statics.study.mechanism.drive).name
-        return Expected(
-            Kind.CURVE, BALANCING, name, lambda at: np.asarray(np.interp(at, x, y)), allowed, ends=(0.0, float(x[-1]))
-        )
+        return Expected(Kind.CURVE, BALANCING, name, course(x, y), allowed, ends=(0.0, float(x[-1])))
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""
