@@ -13,8 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.balance.report import drafting_for
-from drawings.checks.expected import KNOWN, NOTHING, Expected, course
-from drawings.layout.table import cell_name
+from drawings.checks.expected import KNOWN, Cell, Expected, cells, course, phrases
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight, with_index
 from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind
@@ -269,21 +268,17 @@ class _Sheet:
             x, y = np.array([share for share, _ in row]), np.array([value for _, value in row])
             points = course(x, y)
             yield Expected(Kind.CURVE, SHARES, kind, points, KNOWN * float(y.max()), ends=(float(x[0]), float(x[-1])))
-            for name, size in ((f"least {kind}", value), (f"share {kind}", one.share)):
-                yield Expected(Kind.PHRASE, SHARES, name, size, KNOWN * abs(size), digits=4)
+            told = (f"least {kind}", value, KNOWN * value), (f"share {kind}", one.share, KNOWN * abs(one.share))
+            yield from phrases(SHARES, told, digits=4)
 
     def weights(self) -> Iterator[Expected]:
         """Give the cells of the table of counterweights."""
         for one in self.own.balance.counterweights:
             row = counterweight(one.link, self.own.drafting.language)
-            cells = self._weight(one) if one.needed else ["0", "0", *(NOTHING for _ in range(6))]
-            for column, cell in enumerate(cells):
-                value, slack = cell if isinstance(cell, tuple) else (cell, 0.0)
-                period = TURN if column == 4 else 0.0
-                own = cell_name(row, column)
-                yield Expected(Kind.NUMBER, WEIGHTS, own, value, slack, digits=DIGITS, period=period)
+            told = self._weight(one) if one.needed else ["0", "0", *[None] * 6]
+            yield from cells(WEIGHTS, row, told, digits=DIGITS)
 
-    def _weight(self, one: Counterweight) -> Sequence[tuple[float, float] | str]:
+    def _weight(self, one: Counterweight) -> Sequence[Cell]:
         own, word = self.own, self.own.drafting.word
         slacks = [own.slack(f"{letter}{one.link}", WEIGHTS) for letter in ("U_", "m_cw", "r_cw")]
         turned = one.moment / line_of(own.mechanism, one.link, one.begin)
@@ -292,7 +287,7 @@ class _Sheet:
         outer = MILLIMETRES * one.outer
         return [
             (abs(one.moment), slacks[0]), (one.mass, slacks[1]), with_index(one.begin),
-            (MILLIMETRES * one.distance, MILLIMETRES * slacks[2]), (math.degrees(cmath.phase(turned)), loose),
+            (MILLIMETRES * one.distance, MILLIMETRES * slacks[2]), (math.degrees(cmath.phase(turned)), loose, TURN),
             word("disc") if one.place.shape == DISC else word("sector", angle=sector),
             (outer, outer * slacks[1] / one.mass), (MILLIMETRES * one.place.thickness, 0.0),
         ]  # fmt: skip
@@ -303,12 +298,10 @@ class _Sheet:
         was = dict(self._largest(own.balance.before))
         now = {} if own.after is None else dict(self._largest(own.after))
         for row, value in was.items():
-            yield Expected(Kind.NUMBER, COSTS, cell_name(row, 0), value, KNOWN * abs(value), digits=DIGITS)
-            if row in now:
-                changed = KNOWN * abs(now[row])
-                yield Expected(Kind.NUMBER, COSTS, cell_name(row, 1), now[row], changed, digits=DIGITS)
-                change = 100 * (now[row] / value - 1) if value else NOTHING
-                yield Expected(Kind.NUMBER, COSTS, cell_name(row, 2), change, CHANGE, digits=3)
+            both = [value, now[row]] if row in now else [value]
+            change = [(100 * (now[row] / value - 1), CHANGE) if value else None] if row in now else []
+            *told, last = cells(COSTS, row, [*((one, KNOWN * abs(one)) for one in both), *change], digits=DIGITS)
+            yield from (*told, last._replace(digits=3 if change else DIGITS))
 
     def _largest(self, state: State) -> Iterator[tuple[str, float]]:
         """Give what is largest of a state by the names of the rows; what is nothing is 0."""

@@ -13,8 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.bank.report import crank_of
-from drawings.checks.expected import NOTHING, Expected, by_hand, course
-from drawings.layout.table import cell_name
+from drawings.checks.expected import Expected, by_hand, cells, course, measured
 from drawings.lettering.bank_letters import lowered
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
@@ -296,9 +295,8 @@ class _Sheet:
             yield Expected(Kind.POINT, STAR, one.name, pin, FAR * abs(pin), may_lack=lacks)
             yield Expected(Kind.POINT, SHAFT, one.name, place, FAR * abs(place), may_lack=True)
         for where in {float(one.place) for one in own.members}:
-            yield Expected(Kind.LENGTH, SHAFT, f"h at {1000 * where:g}", abs(where), FAR * abs(where), may_lack=True)
-            far = FAR * abs(1000 * where)
-            yield Expected(Kind.PHRASE, SHAFT, f"h at {1000 * where:g}", 1000 * where, far, digits=4, may_lack=True)
+            row = Expected(Kind.LENGTH, SHAFT, f"h at {1000 * where:g}", abs(where), FAR * abs(where), may_lack=True)
+            yield from measured(row, 1000 * where, digits=4)
         for found in own.analysis.compensators:
             plan = f"compensator-{found.asked.order}"
             for body in own.bodies(found):
@@ -331,9 +329,10 @@ class _Sheet:
         answered = {one.asked.order for one in own.analysis.compensators}
         for order, single in own.analysis.single.items():
             force = self._size(FORCE, own.analysis.forces[order])
-            cells = [self._size(SINGLE, single), force, (0.0, 0.0) if order in answered else force]
-            for column, (value, slack) in enumerate([*cells, self._size(MOMENT, own.analysis.moments[order])]):
-                yield Expected(Kind.NUMBER, ORDERS, cell_name(str(order), column), value, slack, digits=DIGITS)
+            told = [self._size(SINGLE, single), force, (0.0, 0.0) if order in answered else force]
+            yield from cells(
+                ORDERS, str(order), [*told, self._size(MOMENT, own.analysis.moments[order])], digits=DIGITS
+            )
 
     def _size(self, kind: str, one: Harmonic) -> tuple[float, float]:
         """Give the largest that two vectors turning against each other come to: both along one line."""
@@ -354,24 +353,19 @@ class _Sheet:
         angle = math.degrees(cmath.phase(body.way / self.own.turn))
         turned = math.degrees(2 * slack / body.moment) + FAR if body.moment > slack else math.inf
         speed = body.turns * self.own.task.speed
-        cells = (body.moment, slack), None if mass is None else (mass, 0.0), far, (speed, 0.0), (angle, turned)
-        for column, cell in enumerate(cells):
-            name, period = cell_name(lowered(body.name), column), TURN if column == len(cells) - 1 else 0.0
-            value, off = (NOTHING, 0.0) if cell is None else cell
-            yield Expected(Kind.NUMBER, COMPENSATORS, name, value, off, digits=DIGITS, period=period, may_lack=True)
+        given = None if mass is None else (mass, 0.0)
+        told = (body.moment, slack), given, far, (speed, 0.0), (angle, turned, TURN)
+        yield from cells(COMPENSATORS, lowered(body.name), told, digits=DIGITS, may_lack=True)
 
     def results(self, slips: Mapping[tuple[str, int], float], drawn: bool) -> Iterator[Expected]:
         """Give the cells of the table of results; where nothing is drawn no hand can err."""
         for one in filter(_is_told, self.own.comparison.findings):
             row = f"{lowered(one.name)}, {self.drafting.word(one.unit)}"
             size, slack = float(abs(one.analysis[0])), float(one.allowed[0])
-            lacks = size <= 2 * slack
-            for column in range(2):
-                yield Expected(Kind.NUMBER, RESULTS, cell_name(row, column), size, slack, digits=DIGITS, may_lack=lacks)
-            if drawn:
-                most = max(size, slack * 10.0**DIGITS)
-                cell = by_hand(RESULTS, cell_name(row, 2), slips.get((one.name, 0), math.nan), most)
-                yield cell._replace(may_lack=True)
+            slip = by_hand(slips.get((one.name, 0), math.nan), max(size, slack * 10.0**DIGITS))
+            told = cells(RESULTS, row, [(size, slack), (size, slack), *([slip] * drawn)], digits=DIGITS)
+            for column, cell in enumerate(told):
+                yield cell._replace(may_lack=column == 2 or size <= 2 * slack)
 
 
 def plan_of(one: Polygon) -> str:

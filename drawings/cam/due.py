@@ -14,9 +14,8 @@ import numpy as np
 
 from drawings.cam.due_notes import DEGREES, MM, CamNumbers, every_cam, numbers_of
 from drawings.cam.due_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
-from drawings.checks.expected import Expected, by_hand, subject
+from drawings.checks.expected import Cell, Expected, by_hand, cells, measured, phrases, subject
 from drawings.cyclogram.due_rows import cam_rows, chart
-from drawings.layout.table import cell_name
 from drawings.measure.pathdata import pair
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
@@ -141,11 +140,11 @@ class _Cam:
         for kind, one in found.pressure.items():
             value, off = DEGREES * one.value, DEGREES * self.numbers.slack(f"α_{kind}")
             lacks = not abs(value) > off
-            yield Expected(Kind.VECTOR, PRESSURE, kind, 1j * value, off, may_lack=lacks)
-            yield Expected(Kind.PHRASE, PRESSURE, kind, value, off, digits=4, may_lack=lacks)
-        for kind, (low, high) in self._limits():
-            level = abs(DEGREES * (high if kind == RISE else low))
-            yield Expected(Kind.PHRASE, PRESSURE, f"[α_{kind}]", level, digits=4, may_lack=True)
+            row = Expected(Kind.VECTOR, PRESSURE, kind, 1j * value, off, may_lack=lacks)
+            yield from measured(row, value, digits=4, unit=1.0)
+        limits = ((kind, high if kind == RISE else low) for kind, (low, high) in self._limits())
+        levels = ((f"[α_{kind}]", abs(DEGREES * limit), 0.0) for kind, limit in limits)
+        yield from phrases(PRESSURE, levels, digits=4, may_lack=True)
 
     def _limits(self) -> Iterator[tuple[str, tuple[float, float]]]:
         """Give the limits that the sizes are found for, rad."""
@@ -168,11 +167,10 @@ class _Cam:
         yield from self._lengths()
         senses = {"v": -cam.sense} if cam.translates else {"ω": cam.sense, "−ω": -cam.sense}
         yield from (Expected(Kind.DIRECTION, PROFILE, name, complex(sense)) for name, sense in senses.items())
-        angle = DEGREES * abs(found.sizes.initial)
         if cam.rocks and not cam.translates:
-            yield Expected(Kind.ANGLE, PROFILE, "ψ_0", abs(found.sizes.initial), self._off("ψ_0"), may_lack=True)
-            off = DEGREES * self._off("ψ_0")
-            yield Expected(Kind.PHRASE, PROFILE, "ψ_0", angle, off, digits=4, may_lack=True)
+            initial = abs(found.sizes.initial)
+            row = Expected(Kind.ANGLE, PROFILE, "ψ_0", initial, self._off("ψ_0"), may_lack=True)
+            yield from measured(row, DEGREES * initial, digits=4, unit=DEGREES)
 
     def _off(self, name: str) -> float:
         return self.numbers.slack(name)
@@ -188,8 +186,8 @@ class _Cam:
         for name, value in true.items():
             way = cmath.phase(pair(self.drawn[name]["value"])) if name in self.drawn else 0.0
             number, slack = told[name]
-            yield Expected(Kind.VECTOR, PROFILE, name, value * cmath.rect(1.0, way), slack / MM, may_lack=True)
-            yield Expected(Kind.PHRASE, PROFILE, name, number, slack, digits=4, may_lack=True)
+            row = Expected(Kind.VECTOR, PROFILE, name, value * cmath.rect(1.0, way), slack / MM, may_lack=True)
+            yield from measured(row, number, digits=4)
         if sizes.pivot:
             yield Expected(Kind.POINT, PROFILE, "O_1", sizes.pivot, self._off("O1"))
 
@@ -227,12 +225,11 @@ class _Cam:
         if self.values.found.sharpest is not None:
             told["ρ_{min}"] = numbers.radius("ρ_min", self.values.found.sharpest)
         for name, (number, slack) in told.items():
-            yield Expected(Kind.LENGTH, SIZES, name, abs(number) / MM, slack / MM, may_lack=True)
-            yield Expected(Kind.PHRASE, SIZES, name, number, slack, digits=4, may_lack=True)
+            row = Expected(Kind.LENGTH, SIZES, name, abs(number) / MM, slack / MM, may_lack=True)
+            yield from measured(row, number, digits=4)
         for kind, (low, high) in self._limits():
-            ends = {f"α_{kind}": high if kind == RISE else -low, f"−α_{kind}": low}
-            for name, angle in ends.items():
-                yield Expected(Kind.PHRASE, SIZES, name, DEGREES * angle, digits=4, may_lack=True)
+            ends = (f"α_{kind}", high if kind == RISE else -low), (f"−α_{kind}", low)
+            yield from phrases(SIZES, ((name, DEGREES * angle, 0.0) for name, angle in ends), 4, may_lack=True)
 
     def table(self) -> Iterator[Expected]:
         """Give the cells of the table: by plan, by analysis, by hand; of what is given that it is."""
@@ -241,15 +238,12 @@ class _Cam:
         for letter, unit, (value, slack), given in self._quantities():
             title = self.drafting.letter(letter)
             name = f"{title}, {self.drafting.word(unit)}" if unit else title
-            cells = [cell_name(name, column) for column in range(3)]
-            yield Expected(Kind.NUMBER, SIZES, cells[0], value, slack, digits=DIGITS)
-            if given:
-                yield Expected(Kind.NUMBER, SIZES, cells[1], self.drafting.word("cam given"))
-            else:
-                yield Expected(Kind.NUMBER, SIZES, cells[1], value, slack, digits=DIGITS)
+            found = self.drafting.word("cam given") if given else (value, slack)
+            told: list[Cell] = [(value, slack), found]
             if slips is not None:
                 error = math.nan if given else slips.get((letter, 0), math.nan)
-                yield by_hand(SIZES, cells[2], error, abs(value) or 1.0)
+                told.append(by_hand(error, abs(value) or 1.0))
+            yield from cells(SIZES, name, told, digits=DIGITS)
 
     def _quantities(self) -> Iterator[tuple[str, str, Any, bool]]:
         """Give letter, unit, value with its slack, and whether the scene gives it, of every row."""

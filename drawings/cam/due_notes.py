@@ -11,8 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.cam.due_values import HARD, CamValues
-from drawings.checks.expected import NOTES, Expected
-from drawings.layout.table import cell_name
+from drawings.checks.expected import NOTES, Expected, cells, phrases
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
@@ -119,10 +118,8 @@ class CamNumbers:
 
     def notes(self) -> Iterator[Expected]:
         """Give the rows of all that may be told; what is not told of this cam may lack."""
-        told = dict(self._told())
-        for name, (value, slack) in told.items():
-            own = f"{name} {self.cam.name}"
-            yield Expected(Kind.PHRASE, NOTES, own, value, slack, digits=DIGITS, may_lack=True)
+        told = ((f"{name} {self.cam.name}", *own) for name, own in dict(self._told()).items())
+        yield from phrases(NOTES, told, DIGITS, may_lack=True)
 
     def _told(self) -> Iterator[tuple[str, tuple[float, float]]]:
         cam, found = self.cam, self.found
@@ -261,9 +258,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
         row = drafting.number(exact.names[k], FINE)
         far = float(np.abs(exact.told[k]))
         off = MM * slack if found.cam.translates else math.degrees(slack / far) if far else math.inf
-        lacks = k % every > 0
-        yield Expected(Kind.NUMBER, RADII, cell_name(row, 0), float(first), MM * slack, may_lack=lacks)
-        yield Expected(Kind.NUMBER, RADII, cell_name(row, 1), float(second), off, may_lack=lacks)
+        told = (float(first), MM * slack), (float(second), off)
+        yield from cells(RADII, row, told, may_lack=k % every > 0)
     yield from (*_notes(exact, slack), *every_cam(study))
 
 
@@ -285,8 +281,8 @@ def _notes(exact: TabledCam, slack: float) -> Iterator[Expected]:
     name, roller = exact.cam.name, exact.found.roller
     sizes = {f"r_rol {name}": MM * roller, f"breadth {name}": 2 * MM * roller}
     sizes |= {f"r {k} {name}": MM * radius for k, (_, radius) in enumerate(exact.dwells())}
-    for quantity, size in sizes.items():
-        yield Expected(Kind.PHRASE, NOTES, quantity, size, 2 * MM * slack, digits=FINE, may_lack=True)
+    told = ((quantity, size, 2 * MM * slack) for quantity, size in sizes.items())
+    yield from phrases(NOTES, told, FINE, may_lack=True)
     for k, (phase, _) in enumerate(exact.dwells()):
         for quantity, turn in ((f"start {k} {name}", phase.start), (f"end {k} {name}", phase.end)):
             yield Expected(Kind.PHRASE, NOTES, quantity, math.degrees(turn), digits=FINE, may_lack=True, period=TURN)

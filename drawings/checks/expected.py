@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from drawings.layout.table import cell_name
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf
 from plans.model.motion import Complexes, Floats
@@ -60,8 +61,38 @@ def course(x: Floats, y: Floats) -> Callable[[Floats], Floats]:
     return lambda at: np.asarray(np.interp(at, x, y))
 
 
-def by_hand(table: str, name: str, error: float, most: float, position: int | None = None) -> Expected:
-    """Give the cell of what a hand may be out: two digits of it, or nothing at a dead centre."""
-    if not error <= most:
-        return Expected(Kind.NUMBER, table, name, NOTHING, position=position)
-    return Expected(Kind.NUMBER, table, name, error, 0.05 * error, position=position)
+# A number and how far off it may be; of an angle besides what more or less is the same. A text; None where nothing is.
+Cell: TypeAlias = tuple[float, float] | tuple[float, float, float] | str | None
+HAND = 0.05  # of what a hand may be out: two digits of it are told
+
+
+def cells(
+    table: str, row: str, told: Iterable[Cell], position: int | None = None, digits: int = 0, may_lack: bool = False
+) -> Iterator[Expected]:
+    """Give the cells of a row of a table from the left."""
+    for column, cell in enumerate(told):
+        value, allowed, period = (*cell, 0.0)[:3] if isinstance(cell, tuple) else (cell or NOTHING, 0.0, 0.0)
+        own = Expected(Kind.NUMBER, table, cell_name(row, column), value, allowed, position, may_lack)
+        yield own._replace(digits=digits, period=period) if digits or period else own
+
+
+def by_hand(error: float, most: float) -> Cell:
+    """Give the cell of what a hand may be out: nothing at a dead centre."""
+    return (error, HAND * error) if error <= most else None
+
+
+def phrases(
+    figure: str, told: Iterable[tuple[str, float, float]], digits: int = 0, may_lack: bool = False
+) -> Iterator[Expected]:
+    """Give numbers within sentences by the names of their quantities, each with how far off it may be."""
+    for name, value, allowed in told:
+        yield Expected(Kind.PHRASE, figure, name, value, allowed, may_lack=may_lack, digits=digits)
+
+
+def measured(
+    row: Expected, lettered: float, digits: int = 0, unit: float = 1000.0, may_lack: bool | None = None
+) -> Iterator[Expected]:
+    """Give a dimension, or what else is drawn to scale, and the number beside it: in a unit, mm as a rule."""
+    lost = row.may_lack if may_lack is None else may_lack
+    yield row
+    yield Expected(Kind.PHRASE, row.figure, row.name, lettered, unit * row.allowed, may_lack=lost, digits=digits)

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from drawings.checks.expected import Expected
+from drawings.checks.expected import Expected, cells
 from drawings.cyclogram.due_rows import chart, machine_rows
-from drawings.layout.table import cell_name
 from drawings.linkage.due import mass_centres, measures
 from drawings.page.scale import drafting_of
 from drawings.paper.statement import Kind
@@ -67,8 +66,6 @@ def _table(study: Study, found: Cyclogram) -> Iterator[Expected]:
         row = f"{k}  {word(f'role {one.role}')}"
         gone = one.share * (1000 * found.stroke if found.sliding else math.degrees(found.stroke))
         turned, rests = math.degrees(one.turned), one.role in (BEGIN, END)
-        yield Expected(Kind.NUMBER, TABLE, cell_name(row, 0), gone, LENGTHS)
-        for column in (1, 2):
-            yield Expected(Kind.NUMBER, TABLE, cell_name(row, column), turned, ANGLES, period=WHOLE)
-        condition = INFINITE if rests else one.condition
-        yield Expected(Kind.NUMBER, TABLE, cell_name(row, 3), condition, FAR, digits=3)
+        told = [(gone, LENGTHS), *[(turned, ANGLES, WHOLE)] * 2, INFINITE if rests else (one.condition, FAR)]
+        *first, condition = cells(TABLE, row, told)
+        yield from (*first, condition._replace(digits=3))

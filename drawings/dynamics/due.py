@@ -11,11 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, NOTHING, Expected
+from drawings.checks.expected import NOTES, Expected, cells, measured, phrases
 from drawings.checks.readers import Frame, frames
 from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, Turn, graphs, tachogram
 from drawings.forces.due_loads import diagrams
-from drawings.layout.table import cell_name
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
@@ -44,8 +43,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     strokes = statics.over(study.comparison("linkage").road.extremes)
     yield from diagrams(statics.machine.loads, strokes)
     if comparison.analysis.cycle is None:
-        rates = _rates(study["dynamics"].task)
-        yield from (Expected(Kind.PHRASE, NOTES, name, rate, may_lack=True, digits=DIGITS) for name, rate, _ in rates)
+        yield from phrases(NOTES, _rates(study["dynamics"].task), DIGITS, may_lack=True)
         yield from _reduction(comparison.analysis)
         return
     turn = Turn(study["dynamics"].task, comparison.analysis)
@@ -70,10 +68,9 @@ def _reduction(found: Account) -> Iterator[Expected]:
 def _columns(columns: Sequence[Floats], rows: Iterator[str]) -> Iterator[Expected]:
     """Give the cells of a table of values over the turn; rounding is a share of the largest of a column."""
     slacks = [KNOWN * float(np.nanmax(np.abs(column), initial=0.0)) for column in columns]
-    for row, cells in zip(rows, np.column_stack(columns).tolist(), strict=True):
-        for column, (value, slack) in enumerate(zip(cells, slacks, strict=True)):
-            own = NOTHING if math.isnan(value) else value
-            yield Expected(Kind.NUMBER, POSITIONS, cell_name(row, column), own, slack, may_lack=True, digits=FINE)
+    for row, own in zip(rows, np.column_stack(columns).tolist(), strict=True):
+        told = (None if math.isnan(value) else (value, slack) for value, slack in zip(own, slacks, strict=True))
+        yield from cells(POSITIONS, row, told, digits=FINE, may_lack=True)
 
 
 class _Value(NamedTuple):
@@ -151,12 +148,10 @@ class _Machine:
         values += [("o_1l", cuts[0] / frame.up, energy / frame.up), ("o_1k", cuts[1] / frame.up, energy / frame.up)]
         values += [("x_O", -wheel.whole / frame.across, self.slack / frame.across)]
         values += [("y_O", -wheel.energy / frame.up, energy / frame.up), ("T_0", wheel.energy, energy)]
-        values += [("J_0", wheel.whole, self.slack), ("J_0^*", wheel.own + wheel.present, self.slack)]
-        for name, value, slack in values:
-            yield Expected(Kind.PHRASE, EQUATIONS, name, value, slack, may_lack=name == "J_0^*", digits=FINE)
-        yield Expected(
-            Kind.PHRASE, EQUATIONS, "J_{fly}", wheel.inertia, self.slack, may_lack=not wheel.needed > 0, digits=FINE
-        )
+        values += [("J_0", wheel.whole, self.slack)]
+        yield from phrases(EQUATIONS, values, FINE)
+        yield from phrases(EQUATIONS, [("J_0^*", wheel.own + wheel.present, self.slack)], FINE, may_lack=True)
+        yield from phrases(EQUATIONS, [("J_{fly}", wheel.inertia, self.slack)], FINE, may_lack=not wheel.needed > 0)
 
     @cached_property
     def wheel(self) -> Wheel | None:
@@ -170,10 +165,10 @@ class _Machine:
             return
         share = self._share
         for name, value in (("D", 1j * rim.diameter), ("t", 1j * rim.thickness), ("b", complex(rim.breadth))):
-            yield Expected(Kind.VECTOR, SKETCH, name, value, share * abs(value))
-            yield Expected(Kind.PHRASE, SKETCH, name, 1000 * abs(value), 1000 * share * abs(value), digits=DIGITS)
-        for name, size in (("m", rim.mass), ("J", rim.inertia)):
-            yield Expected(Kind.PHRASE, SKETCH, name, size, share * size, digits=DIGITS)
+            row = Expected(Kind.VECTOR, SKETCH, name, value, share * abs(value))
+            yield from measured(row, 1000 * abs(value), DIGITS)
+        told = ("m", rim.mass, share * rim.mass), ("J", rim.inertia, share * rim.inertia)
+        yield from phrases(SKETCH, told, DIGITS)
 
     @property
     def _share(self) -> float:
@@ -203,17 +198,15 @@ class _Machine:
         for key, name in METHODS if methods is not None and whole is not None else ():
             own = _Value("", "", float(getattr(methods, name)), self.slack, 0.0)
             true = _Value("", "", whole.whole if whole else 0.0, self.slack, whole.whole if whole else 0.0)
-            empty, _, share = self._row(f"J_0 {self.drafting.word(key)}", own, true)
-            yield empty._replace(value="")
-            yield Expected(Kind.NUMBER, RESULTS, empty.name.replace("[0]", "[1]"), own.value, own.slack, digits=FINER)
-            yield share
+            yield from self._row(f"J_0 {self.drafting.word(key)}", own, true, alone=True)
 
-    def _row(self, row: str, own: _Value, true: _Value) -> Iterator[Expected]:
-        for column, one in enumerate((own, true)):
-            yield Expected(Kind.NUMBER, RESULTS, cell_name(row, column), one.value, one.slack, digits=FINER)
-        share = 100 * (own.value - true.value) / true.whole if true.whole else NOTHING
-        slack = 100 * (own.slack + true.slack) / true.whole if true.whole else 0.0
-        yield Expected(Kind.NUMBER, RESULTS, cell_name(row, 2), share, slack)
+    def _row(self, row: str, own: _Value, true: _Value, alone: bool = False) -> Iterator[Expected]:
+        """Give a row of both roads and their difference, per cent; of what is found by analysis `alone` no other."""
+        share, slack = 100 * (own.value - true.value), 100 * (own.slack + true.slack)
+        off = (share / true.whole, slack / true.whole) if true.whole else None
+        mine, exact = (own.value, own.slack), (true.value, true.slack)
+        first, second, last = cells(RESULTS, row, [mine, mine if alone else exact, off], digits=FINER)
+        yield from (first._replace(value="") if alone else first, second, last._replace(digits=0))
 
     def _values(self, account: Account) -> Iterator[_Value]:
         """Give each quantity of the results; the parts of a length are told in shares of it."""

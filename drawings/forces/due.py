@@ -10,13 +10,11 @@ from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, by_hand, course
-from drawings.checks.expected import NOTHING as DASH
+from drawings.checks.expected import NOTES, Expected, by_hand, cells, course
 from drawings.checks.hold import stated_keys
 from drawings.forces.due_acting import Acting, DueArm, forces_of, moments_of, named, unbraced
 from drawings.forces.due_lever import lever
 from drawings.forces.due_loads import diagrams
-from drawings.layout.table import cell_name
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Key, Kind
@@ -319,12 +317,7 @@ class _Sheet:
             told = np.abs(comparison.analysis.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed
             found, slack = one.analysis[self.k], float(one.allowed[self.k])
             value = float(abs(found) if np.iscomplexobj(found) else found)
-            rows = [
-                Expected(Kind.NUMBER, TABLE, cell_name(head, column), value, slack, self.k)
-                if math.isfinite(value)
-                else Expected(Kind.NUMBER, TABLE, cell_name(head, column), DASH, position=self.k)
-                for column in range(2)
-            ]
-            error = slips.get((one.name, self.k), math.nan) if math.isfinite(value) else math.nan
-            rows.append(by_hand(TABLE, cell_name(head, 2), error, one.largest, self.k))
-            yield from (row._replace(may_lack=not np.any(told)) for row in rows)
+            size = (value, slack) if math.isfinite(value) else None
+            error = math.nan if size is None else slips.get((one.name, self.k), math.nan)
+            row = size, size, by_hand(error, one.largest)
+            yield from cells(TABLE, head, row, self.k, may_lack=not np.any(told))

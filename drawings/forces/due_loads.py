@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.expected import Expected
+from drawings.checks.expected import Expected, measured
 from drawings.paper.statement import Kind
 from plans.forces.stroke import Stroke, asks
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Moment, Track
@@ -64,8 +64,8 @@ def _diagram(load: Force | Moment, stroke: Stroke) -> Iterator[Expected]:
     figure, reach = f"{FIGURE}-{load.name}", abs(stroke.reach[1] - stroke.reach[0])
     length, whole = (reach, "H") if stroke.sliding else (math.degrees(reach), "ψ")
     written = 1000 * length if stroke.sliding else length
-    yield Expected(Kind.VECTOR, figure, whole, complex(length), KNOWN * length)
-    yield Expected(Kind.PHRASE, figure, whole, written, KNOWN * written, digits=4)
+    row = Expected(Kind.VECTOR, figure, whole, complex(length), KNOWN * length)
+    yield from measured(row, written, digits=4, unit=1000.0 if stroke.sliding else 1.0)
     for k, share in enumerate(load.overrun, 1):
         if share:
             yield Expected(Kind.VECTOR, figure, f"overrun_{k}", complex(share * length), KNOWN * length)

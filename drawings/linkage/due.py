@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, by_hand
+from drawings.checks.expected import NOTES, Expected, by_hand, cells, measured, phrases
 from drawings.checks.hold import stated_keys
 from drawings.diagrams import due as diagrams
 from drawings.layout import value_table
-from drawings.layout.table import cell_name
 from drawings.lettering.words import letter
 from drawings.linkage.due_plans import VectorPlans
 from drawings.page.scale import Drafting, drafting_of
@@ -150,8 +149,8 @@ class _Linkage:
 
     def _stroke(self, name: str, found: Extremes) -> Iterator[Expected]:
         slack = self._slack("H")
-        yield Expected(Kind.LENGTH, POSITIONS.plan, name, found.stroke, slack, may_lack=True)
-        yield Expected(Kind.PHRASE, POSITIONS.plan, name, 1000 * found.stroke, 1000 * slack, may_lack=True)
+        row = Expected(Kind.LENGTH, POSITIONS.plan, name, found.stroke, slack, may_lack=True)
+        yield from measured(row, 1000 * found.stroke)
 
     def _arc(self, name: str, arc: float) -> Iterator[Expected]:
         slack = 2 * self._slack("H" if name == "ψ" else "θ")
@@ -164,18 +163,17 @@ class _Linkage:
             slack, turned = self._slack("H"), self._slack("θ")
             size, unit = ("H", 1000.0) if found.sliding else ("ψ", math.degrees(1))
             rests = 0 if self.study.travel is None else len(self.study.travel.rests)
-            yield from self._noted(size, unit * found.stroke, unit * slack, False)
-            yield from self._noted(f"{size}, {'m' if found.sliding else 'rad'}", found.stroke, slack, True)
-            yield from self._noted("θ", math.degrees(found.overlap), math.degrees(turned), rests > 2)
+            yield from phrases(NOTES, [(size, unit * found.stroke, unit * slack)])
+            named = f"{size}, {'m' if found.sliding else 'rad'}"
+            yield from phrases(NOTES, [(named, found.stroke, slack)], may_lack=True)
             ratio = 2 * math.pi / (math.pi - found.overlap) ** 2 if found.overlap < math.pi else math.inf
-            yield from self._noted("K", found.ratio, ratio * turned, rests > 2)
+            told = ("θ", math.degrees(found.overlap), math.degrees(turned)), ("K", found.ratio, ratio * turned)
+            yield from phrases(NOTES, told, may_lack=rests > 2)
         for group in self.study.groups:
             seen = interval(self.study.sweep, group, self.study.nodes)
-            for name, angle in (("low", seen.low), ("high", seen.high)):
-                yield from self._noted(f"{name} {group.label}", math.degrees(angle), 0.0, True)
-
-    def _noted(self, name: str, value: float, slack: float, lost: bool) -> Iterator[Expected]:
-        yield Expected(Kind.PHRASE, NOTES, name, value, slack, may_lack=lost)
+            angles = ("low", seen.low), ("high", seen.high)
+            own = ((f"{name} {group.label}", math.degrees(angle), 0.0) for name, angle in angles)
+            yield from phrases(NOTES, own, may_lack=True)
 
     def plans(self) -> Iterator[Expected]:
         """Give the vectors of the plans that are shown; of a position that cannot be assembled there are none."""
@@ -201,14 +199,13 @@ class _Linkage:
         told = value_table.told(self.comparison, self._vectors.parts, hand.given)
         for same in alike(told, self.study.mechanism, self.masses):
             row, first = value_table.label(same, self.drafting.language), same[0]
+            lost = not is_something(first)
             for k in positions:
-                names, value = [cell_name(row, column) for column in range(3)], first.analysis[k]
-                size = float(abs(value)) if np.iscomplexobj(value) else float(value)
-                slack, lost = float(first.allowed[k]), not is_something(first)
-                for name in names[:2]:
-                    yield Expected(Kind.NUMBER, VALUES, name, size, slack, k, may_lack=lost)
-                error = math.nan if math.isnan(size) else errors.get((first.name, k), math.nan)
-                yield by_hand(VALUES, names[2], error, first.largest, k)._replace(may_lack=lost)
+                value = first.analysis[k]
+                size = float(abs(value) if np.iscomplexobj(value) else value), float(first.allowed[k])
+                error = math.nan if math.isnan(value) else errors.get((first.name, k), math.nan)
+                told_by = size, size, by_hand(error, first.largest)
+                yield from cells(VALUES, row, told_by, k, may_lack=lost)
 
 
 def named(told: Sequence[Finding], language: str) -> dict[str, Finding]:

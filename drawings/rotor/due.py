@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
-from drawings.checks.expected import NOTES, NOTHING, Expected, by_hand
-from drawings.layout.table import cell_name
+from drawings.checks.expected import NOTES, Expected, by_hand, cells, measured, phrases
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
@@ -130,8 +129,8 @@ class _Rotor:
         arms = {arm: name for arm, name in arms.items() if arm}
         for arm, name in arms.items() if len(arms) <= ARMS else ():
             doubtful = any(not one.moment.size > one.moment.slack for one in self.balance.corrections)
-            yield Expected(Kind.LENGTH, ACROSS, f"h_{name}", abs(arm), may_lack=doubtful)
-            yield Expected(Kind.PHRASE, ACROSS, f"h_{name}", 1000 * abs(arm), digits=4, may_lack=doubtful)
+            row = Expected(Kind.LENGTH, ACROSS, f"h_{name}", abs(arm), may_lack=doubtful)
+            yield from measured(row, 1000 * abs(arm), digits=4)
 
     def masses(self) -> Iterator[Expected]:
         """Give the cells of the table of masses: mass, radius, angle, arm, static moment, its moment."""
@@ -162,14 +161,8 @@ class _Rotor:
         """Give the cells of a row, each a value and how far rounding can have moved it."""
         radius = None if far is None else (1000 * far[0], 1000 * far[1])
         turned = (size[0] * arm, size[1] * abs(arm))
-        cells = (mass, radius, angle, size) if flat else (mass, radius, angle, (1000 * arm, 0.0), size, turned)
-        for column, cell in enumerate(cells):
-            own = cell_name(name, column)
-            if cell is None:
-                yield Expected(Kind.NUMBER, MASSES, own, NOTHING)
-            else:
-                period = TURN if column == 2 else 0.0
-                yield Expected(Kind.NUMBER, MASSES, own, *cell, digits=DIGITS, period=period)
+        last = [size] if flat else [(1000 * arm, 0.0), size, turned]
+        yield from cells(MASSES, name, [mass, radius, (*angle, TURN), *last], digits=DIGITS)
 
     def results(self, slips: Mapping[tuple[str, int], float]) -> Iterator[Expected]:
         """Give the cells of the table of results: by plan, by analysis, by hand."""
@@ -177,10 +170,9 @@ class _Rotor:
             if one.largest > 0:
                 head, _, prime = one.name.partition("'")
                 row = f"{lowered(head, self.drafting.language)}{chr(39) if one.name.endswith(chr(39)) else prime}"
-                names = [cell_name(f"{row}, {self.drafting.word(one.unit)}", column) for column in range(3)]
-                size, slack = float(abs(one.analysis[0])), float(one.allowed[0])
-                yield from (Expected(Kind.NUMBER, RESULTS, name, size, slack, digits=DIGITS) for name in names[:2])
-                yield by_hand(RESULTS, names[2], slips.get((one.name, 0), math.nan), one.largest)
+                size = float(abs(one.analysis[0])), float(one.allowed[0])
+                told = size, size, by_hand(slips.get((one.name, 0), math.nan), one.largest)
+                yield from cells(RESULTS, f"{row}, {self.drafting.word(one.unit)}", told, digits=DIGITS)
 
     def _findings(self) -> Iterator[Finding]:
         return (one for one in self.comparison.findings if one.plan != EQUILIBRIUM)
@@ -199,11 +191,12 @@ class _Rotor:
         for found in self.balance.corrections:
             slack, lost = self.slack, not found.moment.size > self.slack
             sizes = (("m", found.mass, 1.0, found.plane.radius), ("D", found.radius, 1000.0, found.plane.mass))
-            for letter, size, unit, other in sizes:
-                if size is not None:
-                    off = unit * slack / (other or math.inf)
-                    own = f"{letter}_{found.plane.name}"
-                    yield Expected(Kind.PHRASE, NOTES, own, unit * size, off, digits=DIGITS, may_lack=lost)
+            told = (
+                (f"{letter}_{found.plane.name}", unit * size, unit * slack / (other or math.inf))
+                for letter, size, unit, other in sizes
+                if size is not None
+            )
+            yield from phrases(NOTES, told, DIGITS, lost)
         yield from self._quality()
 
     def _quality(self) -> Iterator[Expected]:

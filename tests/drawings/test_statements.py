@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from drawings.checks import hold
-from drawings.checks.expected import NOTES, Expected, by_hand
+from drawings.checks.expected import NOTES, Expected, by_hand, cells
 from drawings.checks.readers import frames, read
 from drawings.lettering.lettering import lettered
 from drawings.lettering.phrase import joined, phrase, slotted
@@ -144,6 +144,11 @@ def faults(*groups: Stroke, due: Sequence[Expected] = ()) -> list[str]:
     return [str(one) for one in hold.faults(hold.seen(blank, leaf(*groups)), rows, rows)]
 
 
+def hand(error: float, most: float) -> Expected:
+    """Give what must be read of a cell of what a hand may be out."""
+    return next(cells("figure", "x", [by_hand(error, most)]))._replace(name="x")
+
+
 def due(kind: Kind, true: Any, allowed: float = 0.0, **more: Any) -> Expected:
     return Expected(kind, "figure", "x", true, allowed, **more)
 
@@ -189,9 +194,9 @@ def line(y: float) -> Callable[[Any], Any]:
         (number("350"), due(Kind.NUMBER, -10.0, period=360.0), ""),
         (number("350"), due(Kind.NUMBER, -10.0), "(against the analysis)"),
         (number("—"), due(Kind.NUMBER, math.nan), ""),
-        (number("±0,0021"), by_hand("figure", "x", 0.00213, 1.0), ""),
-        (number("±0,021"), by_hand("figure", "x", 0.00213, 1.0), "(against the analysis)"),
-        (number("—"), by_hand("figure", "x", 3.0, 1.0), ""),
+        (number("±0,0021"), hand(0.00213, 1.0), ""),
+        (number("±0,021"), hand(0.00213, 1.0), "(against the analysis)"),
+        (number("—"), hand(3.0, 1.0), ""),
         (stated(Kind.LETTER, Text(0j, "v_{BA}")), due(Kind.LETTER, "vBA"), ""),
         (stated(Kind.LETTER, Text(0j, "v_{AB}")), due(Kind.LETTER, "vBA"), "(against the analysis)"),
     ],
