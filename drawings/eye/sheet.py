@@ -10,10 +10,18 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from drawings.eye import alike
-from drawings.eye.at_once import at_once
 from drawings.eye.covering import veiled
 from drawings.eye.ink import Ink, Unseen, ink, length
-from drawings.eye.lettered import Part, SeenLetter, any_letters, part_of, pen_of_letters, plain_letters, written
+from drawings.eye.lettered import (
+    Part,
+    SeenLetter,
+    any_letters,
+    at_once,
+    part_of,
+    pen_of_letters,
+    plain_letters,
+    written,
+)
 from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure

@@ -203,7 +203,7 @@ class _Linkage:
             for k in positions:
                 value = first.analysis[k]
                 size = float(abs(value) if np.iscomplexobj(value) else value), float(first.allowed[k])
-                error = math.nan if math.isnan(value) else errors.get((first.name, k), math.nan)
+                error = math.nan if math.isnan(size[0]) else errors.get((first.name, k), math.nan)
                 told_by = size, size, by_hand(error, first.largest)
                 yield from cells(VALUES, row, told_by, k, may_lack=lost)
 
