@@ -329,10 +329,8 @@ class _Sheet:
         answered = {one.asked.order for one in own.analysis.compensators}
         for order, single in own.analysis.single.items():
             force = self._size(FORCE, own.analysis.forces[order])
-            told = [self._size(SINGLE, single), force, (0.0, 0.0) if order in answered else force]
-            yield from cells(
-                ORDERS, str(order), [*told, self._size(MOMENT, own.analysis.moments[order])], digits=DIGITS
-            )
+            left, moment = (0.0, 0.0) if order in answered else force, self._size(MOMENT, own.analysis.moments[order])
+            yield from cells(ORDERS, str(order), [self._size(SINGLE, single), force, left, moment], digits=DIGITS)
 
     def _size(self, kind: str, one: Harmonic) -> tuple[float, float]:
         """Give the largest that two vectors turning against each other come to: both along one line."""

@@ -42,9 +42,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     if name == EVERY:
         yield from chart(cam_rows([one.cam for one in study.comparison("cam").analysis.cams]))
     else:
-        scales: Mapping[str, float] = next(
-            (one.metadata["scales"] for one in leaves if SIZES in one.metadata["scales"]), {}
-        )
+        told = (one.metadata["scales"] for one in leaves)
+        scales: Mapping[str, float] = next((own for own in told if SIZES in own), {})
         drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
         said = [one.states for leaf in leaves for one in stated(leaf.groups) if one.states is not None]
         axes = {(one.figure, one.name): one.scale for one in said if one.kind is Kind.AXIS}

@@ -85,15 +85,11 @@ class CamNumbers:
         """A main size, mm or degrees."""
         own, slack = self.found.sizes, self.slack("R_0")
         level = math.sqrt(max(own.base**2 - own.offset**2, 0.0))
-        moved = (
-            (own.base * slack + (abs(own.offset) * self.slack("e") if own.offset else 0.0)) / level
-            if level
-            else math.inf
-        )
+        moved = own.base * slack + (abs(own.offset) * self.slack("e") if own.offset else 0.0)
         known = {
             "R_0": (MM * own.base, MM * slack),
             "e": (MM * own.offset, MM * self.slack("e")),
-            "S_0": (MM * level, MM * moved),
+            "S_0": (MM * level, MM * moved / level if level else math.inf),
             "L": (MM * own.centre, MM * self.slack("L")),
             "ψ_0": (DEGREES * own.initial, DEGREES * self.slack("ψ_0")),
             "r_rol": (MM * self.found.roller, MM * self.slack("r_r")),

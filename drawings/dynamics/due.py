@@ -50,9 +50,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     own, shown = _Machine(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
     frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
     drawn = dict(chain(*map(_drawn, leaves)))
-    yield from chain(
-        graphs(turn, shown), own.loop(frame, drawn), own.rim(), own.positions(), own.results(), own.notes()
-    )
+    yield from chain(graphs(turn, shown), own.loop(frame, drawn), own.rim())
+    yield from chain(own.positions(), own.results(), own.notes())
     if comparison.construction.run is not None:
         yield from tachogram(comparison.construction.run)
 
@@ -60,9 +59,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
 def _reduction(found: Account) -> Iterator[Expected]:
     """Give the table of what is reduced to a crank that cannot turn fully."""
     reduced = found.reduced
-    yield from _columns(
-        [np.degrees(reduced.phi), reduced.moment, reduced.inertia, reduced.slope], map(str, range(len(reduced.phi)))
-    )
+    columns = [np.degrees(reduced.phi), reduced.moment, reduced.inertia, reduced.slope]
+    yield from _columns(columns, map(str, range(len(reduced.phi))))
 
 
 def _columns(columns: Sequence[Floats], rows: Iterator[str]) -> Iterator[Expected]:
@@ -117,10 +115,8 @@ class _Machine:
 
     def _tangent(self, wheel: Flywheel, which: int, frame: Frame, drawn: Mapping[str, complex]) -> Iterator[Expected]:
         cut, touch, name = wheel.cuts[which], wheel.touches[which], TANGENTS[which]
-        psi, high = (
-            math.atan(wheel.slopes[which] * frame.across / frame.up),
-            sum(map(abs, wheel.cuts)) + np.ptp(self.turn.cycle.surplus),
-        )
+        psi = math.atan(wheel.slopes[which] * frame.across / frame.up)
+        high = sum(map(abs, wheel.cuts)) + np.ptp(self.turn.cycle.surplus)
         long = drawn.get(name, 0j)
         way = complex(math.cos(psi), math.sin(psi)) * math.copysign(abs(long), long.real)
         yield Expected(Kind.VECTOR, LOOP, name, way, KNOWN * abs(way))
@@ -222,29 +218,22 @@ class _Machine:
             both = abs(low) + abs(high)
             for letter, cut in (("o_1k", high), ("o_1l", low)):
                 yield _Value(self.drafting.true(letter, "T"), "J", cut, KNOWN * both, both)
-            for letter, value in (
-                ("J_0", wheel.whole),
-                ("T_0", wheel.energy),
-                ("J_0^*", there),
-                ("J_{fly}", wheel.inertia),
-            ):
+            inertias = ("J_0", wheel.whole), ("T_0", wheel.energy), ("J_0^*", there), ("J_{fly}", wheel.inertia)
+            for letter, value in inertias:
                 unit, slack = ("J", KNOWN * (abs(value) + both)) if letter == "T_0" else ("kg*m2", self.slack)
                 yield _Value(letter, unit, value, slack, abs(value))
         if speeds is not None:
             low, high = speeds.extremes
-            yield from (
-                _Value(f"ω_{{{end}}}", "rad/s", one, KNOWN * high, one) for end, one in (("max", high), ("min", low))
-            )
+            ends = ("max", high), ("min", low)
+            yield from (_Value(f"ω_{{{end}}}", "rad/s", one, KNOWN * high, one) for end, one in ends)
             delta = 2 * (high - low) / (high + low)
             yield _Value("δ", "", delta, 2 * KNOWN, delta)
 
     def notes(self) -> Iterator[Expected]:
         """Give the numbers of the notes, by the names of their quantities; which of them are told the words decide."""
         for name, value, slack in chain(self._task(), self._reasons(), self._achieved(), self._sizes()):
-            digits, period = (
-                FEW if name in ("J_fly off", "rim added") else DIGITS,
-                360.0 if name.startswith("φ") else 0.0,
-            )
+            digits = FEW if name in ("J_fly off", "rim added") else DIGITS
+            period = 360.0 if name.startswith("φ") else 0.0
             yield Expected(Kind.PHRASE, NOTES, name, value, slack, may_lack=True, digits=digits, period=period)
 
     def _task(self) -> Iterator[tuple[str, float, float]]:
@@ -271,12 +260,9 @@ class _Machine:
         if not abs(rest) > off:
             yield f"J_0 of links {'+' if rest < 0 else '−'}", abs(rest), off
         there = wheel.own + wheel.present
-        yield from (
-            ("J_0", wheel.whole, self.slack),
-            ("J_fly", wheel.inertia, self.slack),
-            ("J_0^*", there, self.slack),
-        )
-        yield from (("J_0^* of links", wheel.own, self.slack), ("J_0^* of shafts", wheel.present, 0.0))
+        own = ("J_0", wheel.whole), ("J_fly", wheel.inertia), ("J_0^*", there), ("J_0^* of links", wheel.own)
+        yield from ((name, value, self.slack) for name, value in own)
+        yield "J_0^* of shafts", wheel.present, 0.0
         yield from self._others(wheel, there)
 
     def _ties(self, wheel: Flywheel) -> bool:
@@ -301,11 +287,8 @@ class _Machine:
         for name, one in (("δ", speeds), ("δ without flywheel", before)):
             if one is not None and all(map(math.isfinite, one.extremes)):
                 low, high = one.extremes
-                yield (
-                    name,
-                    2 * (high - low) / (high + low),
-                    2 * KNOWN + (0.0 if low > LOST * high else math.sqrt(KNOWN)),
-                )
+                slack = 2 * KNOWN + (0.0 if low > LOST * high else math.sqrt(KNOWN))
+                yield name, 2 * (high - low) / (high + low), slack
         if speeds is not None:
             yield from zip(("ω_min", "ω_max"), speeds.extremes, [KNOWN * speeds.extremes[1]] * 2, strict=True)
 

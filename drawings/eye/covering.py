@@ -25,7 +25,7 @@ _PARTS = 5
 _CELL = 10.0  # mm: areas are looked up by the squares of the paper that they reach into
 _MANY = 400  # squares: an area of more is looked at everywhere; areas: of more each stroke is looked at closely
 _GAP, _BLANK = 2.0, 4.0  # d: between letters, and the width of one that the alphabet does not have
-_MIDDLE = 3j  # d: how high the middles of letters lie
+_MIDDLE, _WIDEST = 3j, 13.0  # d: how high the middles of letters lie; no letter of the alphabet is wider
 _FACETS = 8  # of a round piece of an outline
 
 _Cell: TypeAlias = tuple[float, float]  # whole numbers
@@ -87,26 +87,16 @@ def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, area
 def _reach(one: Stroke) -> Box:
     """Give a box in which all that is looked at of a stroke is for certain; of a curve it is the whole plane."""
     match one:
-        case Line(a, b):
-            pass
         case Circle(centre, radius) | Arc(centre, radius):
-            a, b = centre - radius * (1 + 1j), centre + radius * (1 + 1j)
+            corners = [centre - radius * (1 + 1j), centre + radius * (1 + 1j)]
         case Text():
             turn = cmath.rect(one.size / 10, math.radians(one.rotation))
-            a = one.at + _MIDDLE * turn
-            b = a + len(one.plain) * (_widest() + _GAP) * turn
-        case Fill(points) | Polyline(points) if points:
-            across, up = [spot.real for spot in points], [spot.imag for spot in points]
-            return min(across), min(up), max(across), max(up)
+            middle = one.at + _MIDDLE * turn
+            corners = [middle, middle + len(one.plain) * (_WIDEST + _GAP) * turn]
         case _:
-            return -math.inf, -math.inf, math.inf, math.inf
-    return min(a.real, b.real), min(a.imag, b.imag), max(a.real, b.real), max(a.imag, b.imag)
-
-
-@cache
-def _widest() -> float:
-    """Give the width of the widest letter of the alphabet, d."""
-    return max(_BLANK, *(float(one.partition(":")[0]) for one in notations().values() if one[0] not in "=^_"))
+            corners = [] if isinstance(one, Curve | Group) else [*_corners(one)]
+    across, up = [spot.real for spot in corners], [spot.imag for spot in corners]
+    return (min(across), min(up), max(across), max(up)) if corners else (-math.inf, -math.inf, math.inf, math.inf)
 
 
 def small(leaf: Leaf, most: float) -> set[int]:

@@ -165,15 +165,7 @@ class SeenLetter(NamedTuple):
     place: complex
     unit: float
     trail: Trail
-    readings: tuple[Reading, ...]
-
-
-class Part(NamedTuple):
-    """Letters of one pen as a plain pen writes them, each by its place and its steps, and how they lie on paper."""
-
-    letters: Sequence[tuple[str, str, str]]
-    place: Affine
-    style: LineStyle
+    known: Mapping[Stance, Sequence[Reading]]
 
 
 class _Set(NamedTuple):
@@ -187,10 +179,7 @@ class _Set(NamedTuple):
     level: int = 0
 
 
-_Cells: TypeAlias = tuple[tuple[str, complex, float], ...]  # of what a letter may be: its name, corner and width
-_Stood: TypeAlias = tuple[
-    complex, float, Mapping[Stance, _Cells]
-]  # a letter: its place, its pen, itself in each stance
+_Turned: TypeAlias = tuple[complex, float, Sequence[Reading]]  # a letter as if its line of writing went along
 _Line: TypeAlias = tuple[Stance, list[_Set]]
 _ALONG = attrgetter("along")
 
@@ -198,27 +187,7 @@ _ALONG = attrgetter("along")
 def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
     """Read letters as one text; those that are none are unread in it."""
     size = 10 * max(letter.unit for letter in letters)
-    line = _straight([*map(_stood, letters)], size) or _askew(letters, size) or _unread(letters)
-    return _text(line, size, said, ink)
-
-
-def at_once(parts: Sequence[Part], said: str, ink: LineStyle) -> Text | None:
-    """Read letters as plain pens write them on one line along or up a sheet; None of all that takes a closer look."""
-    place, found = parts[0].place, list[_Stood]()
-    for own, there, style in parts:
-        if not own or there != place:
-            return None
-        (p, q, t), unit = there, style.width
-        spots = [complex(float(across), float(down)) for across, down, _ in own]
-        cells = [_cells(steps, p, q, unit) for _, _, steps in own]
-        found += [(p * one + q * one.conjugate() + t, unit, known) for one, known in zip(spots, cells, strict=True)]
-    size = 10 * max(part.style.width for part in parts)
-    line = _straight(found, size)
-    return None if line is None else _text(line, size, said, ink)
-
-
-def _text(line: _Line, size: float, said: str, ink: LineStyle) -> Text:
-    stance, row = line
+    stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
     spaces = (0, *_spaces(row, size))
     seen = [(one[0] if space >= 0 else UNREAD, one[5]) for one, space in zip(row, spaces, strict=True)]
     runs = picked(seen, [max(space, 0) for space in spaces], said)
@@ -227,11 +196,11 @@ def _text(line: _Line, size: float, said: str, ink: LineStyle) -> Text:
     return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation, ink)
 
 
-def _straight(letters: Sequence[_Stood], size: float, even: float = EVEN) -> _Line | None:
-    """_Set letters on one line of writing along or up a sheet, the most usual first."""
-    for stance in letters[0][2]:
+def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
+    """Set letters on one line of writing along or up a sheet, the most usual first."""
+    for stance in letters[0].known:
         back = stance.turn.conjugate()
-        along = [(place * back, unit, known.get(stance, ())) for place, unit, known in letters]
+        along = [(place * back, unit, known.get(stance, ())) for place, unit, _, known in letters]
         for low in _lows(along, size):
             row = _levelled(along, low, size, stance, even)
             if len(row) == len(letters):
@@ -239,12 +208,12 @@ def _straight(letters: Sequence[_Stood], size: float, even: float = EVEN) -> _Li
     return None
 
 
-def _lows(letters: Sequence[tuple[complex, float, _Cells]], size: float) -> list[float]:
+def _lows(letters: Sequence[_Turned], size: float) -> list[float]:
     """Give how high a line of writing may lie: by that of the largest letters which may be the fewest."""
     fewest: list[float] = []
     for place, unit, known in letters:
         if unit * 10 == size:
-            own = [(place + corner).imag for _, corner, _ in known]
+            own = [(place + one.corner).imag for one in known]
             if len(own) <= 1:
                 return own
             fewest = own if not fewest or len(own) < len(fewest) else fewest
@@ -252,15 +221,15 @@ def _lows(letters: Sequence[tuple[complex, float, _Cells]], size: float) -> list
 
 
 def _askew(letters: Sequence[SeenLetter], size: float) -> _Line | None:
-    """_Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
+    """Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
     # As far as any two are apart: a lowered letter may be written last and stand between.
     loose = ASKEW * max(abs(one.place - other.place) for one in letters for other in letters) + EVEN
     for angle in angles([(one.trail, one.unit) for one in letters]):
-        rough = _straight([_stood(_turned_back(one, angle, 2 * NEAR)) for one in letters], size, loose)
+        rough = _straight([_turned_back(one, angle, 2 * NEAR) for one in letters], size, loose)
         if rough is None or rough[0].rotation:
             continue
         finer = angle + _slope(rough[1], size)
-        line = _straight([_stood(_turned_back(one, finer, 2 * NEAR)) for one in letters], size, 4 * EVEN)
+        line = _straight([_turned_back(one, finer, 2 * NEAR) for one in letters], size, 4 * EVEN)
         if line is not None and line[0].rotation == 0:
             return Stance(math.degrees(finer) % 360, line[0].slanted), line[1]
     return None
@@ -279,13 +248,11 @@ def _slope(row: Sequence[_Set], size: float) -> float:
     return math.atan2(low[-1] - low[0], row[-1].along - row[0].along) if len(row) > 1 else 0.0
 
 
-def _levelled(
-    letters: Sequence[tuple[complex, float, _Cells]], low: float, size: float, stance: Stance, even: float
-) -> list[_Set]:
-    """_Set letters on a line of writing until one is none: each the first that it may be, on the level where it is."""
+def _levelled(letters: Sequence[_Turned], low: float, size: float, stance: Stance, even: float) -> list[_Set]:
+    """Set letters on a line of writing until one is none: each the first that it may be, on the level where it is."""
     row: list[_Set] = []
     for count, (place, unit, known) in enumerate(letters):
-        for name, corner, width in known:
+        for name, _, corner, width in known:
             spot = place + corner
             rise = spot.imag - low
             if abs(rise) <= even and unit * 10 == size:
@@ -302,11 +269,11 @@ def _levelled(
 
 
 def _unread(letters: Sequence[SeenLetter]) -> _Line:
-    """_Set letters that do not stand on one line: those that are one, wherever it is, and the others unread."""
-    stance = next((one.readings[0].stance for one in letters if one.readings), STANCES[0])
+    """Set letters that do not stand on one line: those that are one, wherever it is, and the others unread."""
+    stance = next((stance for one in letters for stance in one.known), STANCES[0])
     row = []
     for place, unit, _, known in letters:
-        name, corner, width = next(((one[0], one[2], one[3]) for one in known if one[1] is stance), (UNREAD, 0j, 0.0))
+        name, corner, width = next(((one[0], one[2], one[3]) for one in known.get(stance, ())), (UNREAD, 0j, 0.0))
         spot = place * stance.turn.conjugate() + corner
         row.append(_Set(name, spot.real, spot.imag, width, unit))
     return stance, sorted(row, key=_ALONG)
@@ -340,35 +307,16 @@ _LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
 
 
-def part_of(path: str, place: Affine, style: LineStyle) -> Part:
-    """Read path data that is written letter by letter; of any other there are no letters."""
+def plain_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
+    """Read path data that is written letter by letter; nothing, if it is not."""
     found = _LETTERS.findall(path)
-    return Part(found if sum(map(len, chain(*found))) + 2 * len(found) == len(path) else (), place, style)
-
-
-def plain_letters(part: Part) -> Iterator[SeenLetter]:
-    """Look up letters one by one."""
-    (p, q, t), unit = part.place, part.style.width
-    for across, down, rest in part.letters:
-        spot = complex(float(across), float(down))
-        yield SeenLetter(p * spot + q * spot.conjugate() + t, unit, *_looked_up(rest, p, q, unit))
-
-
-def _stood(letter: SeenLetter) -> _Stood:
-    return letter.place, letter.unit, _in_stances(letter.readings)
-
-
-@lru_cache(maxsize=16384)
-def _cells(steps: str, p: complex, q: complex, unit: float) -> Mapping[Stance, _Cells]:
-    return _in_stances(_looked_up(steps, p, q, unit)[1])
-
-
-def _in_stances(known: Sequence[Reading]) -> Mapping[Stance, _Cells]:
-    """Give what a letter may be in each stance, the most usual first."""
-    found: dict[Stance, _Cells] = {}
-    for name, stance, corner, width in known:
-        found[stance] = (*found.get(stance, ()), (name, corner, width))
-    return found
+    if sum(map(len, chain(*found))) + 2 * len(found) != len(path):
+        return []
+    (p, q, t), unit = place, style.width
+    return [
+        SeenLetter(p * spot + q * spot.conjugate() + t, unit, *_looked_up(rest, p, q, unit))
+        for spot, rest in ((complex(float(across), float(down)), rest) for across, down, rest in found)
+    ]
 
 
 def any_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
@@ -388,7 +336,7 @@ def pen_of_letters(style: LineStyle) -> bool:
 
 
 @lru_cache(maxsize=16384)
-def _looked_up(steps: str, p: complex, q: complex, unit: float) -> tuple[Trail, tuple[Reading, ...]]:
+def _looked_up(steps: str, p: complex, q: complex, unit: float) -> tuple[Trail, Mapping[Stance, Sequence[Reading]]]:
     """Look up a letter by its steps from its first point."""
     linear = Affine(p, q)
     trail = _trail([track.mapped(linear) for track in tracks(f"M0 0{steps}")])
@@ -398,8 +346,8 @@ def _looked_up(steps: str, p: complex, q: complex, unit: float) -> tuple[Trail, 
 def _longest(left: Sequence[Track], unit: float) -> SeenLetter:
     """Find the letter of the most strokes that a row of tracks begins with; an editor rounds it once more."""
     trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
-    _looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
-    trail, found = next((one for one in _looked_up if one[1]), (trails[-1], ()))
+    looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
+    trail, found = next((one for one in looked_up if one[1]), (trails[-1], {}))
     return SeenLetter(left[0].start, unit, trail, found)
 
 

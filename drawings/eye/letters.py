@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, lru_cache
 from typing import NamedTuple
 
@@ -57,9 +57,10 @@ class Trail(NamedTuple):
 
 
 @lru_cache(maxsize=16384)
-def readings(trail: Trail, unit: float, near: float = NEAR) -> tuple[Reading, ...]:
-    """Give what letters a trail may be that a pen of a width in mm has drawn; () if it is none."""
-    return tuple(_of(trail, unit, near, False)) or tuple(_of(trail, unit, near, True))
+def readings(trail: Trail, unit: float, near: float = NEAR) -> Mapping[Stance, Sequence[Reading]]:
+    """Give by stances what letters a trail may be that a pen of a width in mm has drawn; nothing if it is none."""
+    own = tuple(_of(trail, unit, near, False)) or tuple(_of(trail, unit, near, True))
+    return {stance: [one for one in own if one.stance is stance] for stance in dict.fromkeys(one.stance for one in own)}
 
 
 def angles(trails: Sequence[tuple[Trail, float]]) -> Iterator[float]:

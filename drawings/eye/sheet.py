@@ -12,16 +12,7 @@ from typing import NamedTuple
 from drawings.eye import alike
 from drawings.eye.covering import veiled
 from drawings.eye.ink import Ink, Unseen, ink, length
-from drawings.eye.lettered import (
-    Part,
-    SeenLetter,
-    any_letters,
-    at_once,
-    part_of,
-    pen_of_letters,
-    plain_letters,
-    written,
-)
+from drawings.eye.lettered import SeenLetter, any_letters, pen_of_letters, plain_letters, written
 from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure
@@ -149,7 +140,7 @@ class Opened:
         self.strokes: list[Stroke] = []
         self.data: dict[str, str] = {}
         self.heard: list[str] = []
-        self.letters: list[SeenLetter | Part | Typeset] = []
+        self.letters: list[SeenLetter | Typeset] = []
 
 
 class Observer:
@@ -230,18 +221,10 @@ class Observer:
         if one.frame.tag != "path" or not path or not pen_of_letters(seen.style):
             return False
         said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
-        part = part_of(path, one.frame.to_paper, seen.style)
-        if _SAID in outer.attributes and part.letters:
-            outer.letters.append(part)
-            outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
-            return True
-        if (plain := at_once([part], said or "", _penned(seen.style))) is not None:
-            self._add(outer, (plain,), seen)
-            return True
-        letters = [*plain_letters(part)]
+        letters = plain_letters(path, one.frame.to_paper, seen.style)
         if not letters and said is not None:
             letters = any_letters(path, one.frame.to_paper, seen.style)
-        read = [bool(letter.readings) for letter in letters]
+        read = [bool(letter.known) for letter in letters]
         if not letters or (said is None and not all(read)):
             return False
         if _SAID in outer.attributes:
@@ -301,15 +284,11 @@ def _text(one: Opened) -> Text | None:
     if not one.letters:
         return None
     typed = [part for part in one.letters if isinstance(part, Typeset)]
-    plain = [part for part in one.letters if isinstance(part, Part)]
+    lined = [part for part in one.letters if isinstance(part, SeenLetter)]
     said = one.attributes.get(_SAID, "")
     if typed:
         return joined(typed, said, _filled(one.ink.style.fill))
-    ink = _penned(one.ink.style)
-    if len(plain) == len(one.letters) and (text := at_once(plain, said, ink)) is not None:
-        return text
-    lined = (plain_letters(part) if isinstance(part, Part) else (part,) for part in one.letters)
-    return written([letter for own in lined for letter in own if isinstance(letter, SeenLetter)], said, ink)
+    return written(lined, said, _penned(one.ink.style))
 
 
 def _penned(style: LineStyle) -> LineStyle:

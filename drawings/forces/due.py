@@ -10,7 +10,7 @@ from itertools import chain
 
 import numpy as np
 
-from drawings.checks.expected import NOTES, Expected, by_hand, cells, course
+from drawings.checks.expected import NOTES, Expected, by_hand, cells, course, phrases
 from drawings.checks.hold import stated_keys
 from drawings.forces.due_acting import Acting, DueArm, forces_of, moments_of, named, unbraced
 from drawings.forces.due_lever import lever
@@ -125,20 +125,16 @@ def notes(comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expecte
     found, slack = comparison.friction[1], {one.name: one.allowed for one in comparison.of("friction")}
     pairs = {key: indices(*map(int, key.split("-"))) for key in found.powers}
     none = NOTHING * max(float(np.nanmax(np.abs(row), initial=0.0)) for row in (found.lost, found.useful))
-    row = Expected(Kind.PHRASE, NOTES, "", 0.0)
     for k in (k for k in shown if np.isfinite(found.lost[k])):
         off = none + sum(float(slack[f"N_{own}"][k]) for own in pairs.values())
-        yield row._replace(name=f"friction index {k}", value=float(found.lost[k]), allowed=off, digits=4)
-        off = none + float(slack["N_us"][k])
-        yield row._replace(name=f"useful index {k}", value=float(found.useful[k]), allowed=off, digits=4)
-        own = row._replace(name=f"η {k}", value=float(found.efficiency[k]), allowed=float(slack["η"][k]), digits=3)
-        yield own._replace(may_lack=not np.isfinite(found.efficiency[k]))
-    own = row._replace(digits=3, may_lack=True)
-    if found.cycle is not None:
-        yield own._replace(name="η", value=found.cycle, allowed=_one(slack, "η cycle"))
-    for key, share in found.wear.items():
-        off = 100 * _one(slack, f"wear {pairs.get(key, key)}")
-        yield own._replace(name=f"wear {key}", value=100 * share, allowed=off)
+        useful = f"useful index {k}", float(found.useful[k]), none + float(slack["N_us"][k])
+        yield from phrases(NOTES, [(f"friction index {k}", float(found.lost[k]), off), useful], 4)
+        share = float(found.efficiency[k])
+        yield from phrases(NOTES, [(f"η {k}", share, float(slack["η"][k]))], 3, may_lack=not math.isfinite(share))
+    told = [] if found.cycle is None else [("η", found.cycle, _one(slack, "η cycle"))]
+    wear = ((key, 100 * share, 100 * _one(slack, f"wear {pairs.get(key, key)}")) for key, share in found.wear.items())
+    told += [(f"wear {key}", share, off) for key, share, off in wear]
+    yield from phrases(NOTES, told, 3, may_lack=True)
 
 
 def _one(slack: Mapping[str, Floats], name: str) -> float:
@@ -282,9 +278,8 @@ class _Sheet:
                 about, found = one.about.name, one.found.name
                 own = {load.name for load in one.loads} | {found}
                 arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
-                terms = {
-                    arm.force.name: (arm.moment, f"{self.acting.letter(arm.force.name)}·{arm.letter}") for arm in arms
-                }
+                letters = [f"{self.acting.letter(arm.force.name)}·{arm.letter}" for arm in arms]
+                terms = {arm.force.name: (arm.moment, term) for arm, term in zip(arms, letters, strict=True)}
                 moments = moments_of(bill)
                 couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
                 terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}

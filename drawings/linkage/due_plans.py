@@ -60,9 +60,8 @@ class VectorPlans:
     def _values(self, plan: str, k: int) -> dict[str, complex]:
         """Give the vectors of the equations of a plan, by the names of their ends."""
         true = self._analysed(k)
-        found = {
-            f"{start} {end}": one for (own, start, end), one in true.arrows(self.study.groups).items() if own == plan
-        }
+        arrows = true.arrows(self.study.groups).items()
+        found = {f"{start} {end}": one for (own, start, end), one in arrows if own == plan}
         order = next(one.number for one in ORDERS if one.plan == plan)
         for name, mass in self.masses.items():
             found[f"{POLES[plan]} {true.letters.small(name)}"] = true.centre(*mass, order)
@@ -82,17 +81,15 @@ class VectorPlans:
     def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
         """Give the Coriolis part of what slides over a link that turns, and the part along the guide after it."""
         written, found = self.study.drafts().velocities.written, dict[str, complex]()
-        speeds, known = (
-            dict(chain(*(one.items() for one in all_))) for all_ in (self._images(VELOCITIES.plan, k), images)
-        )
+        both = self._images(VELOCITIES.plan, k), images
+        speeds, known = (dict(chain(*(one.items() for one in own))) for own in both)
         for pair, (pin, host) in written.pins.items():
             if host == FRAME:
                 continue
             name, under = written.coriolis(pin, host, pair), written.under(pin, host)
             (other,) = (link for link in pair if link != host)
-            own = (
-                self._image(pin, plan) if pin in self.study.mechanism.links[other].points else written.under(pin, other)
-            )
+            mine = pin in self.study.mechanism.links[other].points
+            own = self._image(pin, plan) if mine else written.under(pin, other)
             for start, end in ((under, own), (own, under)):
                 part = 2j * self._analysed(k).omega(host) * (speeds.get(end, 0j) - speeds.get(start, 0j))
                 found |= {f"{start} {name}": part, f"{name} {end}": known.get(end, 0j) - known.get(start, 0j) - part}
@@ -110,9 +107,8 @@ class VectorPlans:
                 turned = np.exp(-1j * self.comparison.analysis.links[number].angle[k])
                 own |= {written.under(pin, number): first + (true.r(pin) - true.r(name)) * turned for pin in self._pins}
                 own[written.own("n", number)] = self.study.drafts().positions.images[number].at
-            found.append(
-                {one: 0j if number == FRAME else true.centre(number, place, order) for one, place in own.items()}
-            )
+            still = number == FRAME
+            found.append({one: 0j if still else true.centre(number, at, order) for one, at in own.items()})
         return found
 
     @property
@@ -200,11 +196,8 @@ class VectorPlans:
                     yield start, end, f"v_{index}"
                 else:
                     laid = written.coriolis(pin, host, pair)
-                    yield from (
-                        (start, laid, f"a^k_{index}"),
-                        (laid, end, f"a^r_{index}"),
-                        (start, end, f"a^r_{index}"),
-                    )
+                    yield start, laid, f"a^k_{index}"
+                    yield from ((one, end, f"a^r_{index}") for one in (laid, start))
 
     def _made(self, plan: str) -> Plan:
         """Give a plan as it was constructed: which images share a letter."""

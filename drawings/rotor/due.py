@@ -87,9 +87,8 @@ class _Rotor:
         """Give the places of the bodies, the arms, and the sense of turning."""
         rotor = self.rotor
         bodies = [*self._bodies()]
-        thin = (
-            not rotor.bearings and len({float(one.place) for own in (rotor.masses, rotor.planes) for one in own}) == 1
-        )
+        places = {float(one.place) for own in (rotor.masses, rotor.planes) for one in own}
+        thin = not rotor.bearings and len(places) == 1
         crowd = len(rotor.masses) + sum(bool(one.moment.size) for one in self.balance.corrections) > MANY
         for name, centre, place, added in bodies:
             if added or not crowd:
@@ -112,12 +111,8 @@ class _Rotor:
                 yield one.name, moment(one._replace(moment=one.radius)), float(one.place), False
         for found in self.balance.corrections:
             if found.radius is not None and found.moment.size:
-                yield (
-                    found.plane.name,
-                    found.radius * found.moment.value / found.moment.size,
-                    float(found.plane.place),
-                    True,
-                )
+                centre = found.radius * found.moment.value / found.moment.size
+                yield found.plane.name, centre, float(found.plane.place), True
 
     def _arms(self) -> Iterator[Expected]:
         """Give the arms that are dimensioned, each once, millimetres of the machine."""
@@ -138,9 +133,8 @@ class _Rotor:
         flat = not any(rotor.arm(one.place) for own in (rotor.masses, rotor.planes) for one in own)
         for one in rotor.masses:
             mass, far = (None if size is None else (size, 0.0) for size in (one.mass, one.radius))
-            yield from self._line(
-                one.name, mass, far, (float(one.angle), 0.0), rotor.arm(one.place), (one.moment, 0.0), flat
-            )
+            angle = float(one.angle), 0.0
+            yield from self._line(one.name, mass, far, angle, rotor.arm(one.place), (one.moment, 0.0), flat)
         for found in self.balance.corrections:
             name, slack, value = index(found.plane.name, self.drafting.language), self.slack, found.moment
             mass = None if found.mass is None else (found.mass, slack / (found.plane.radius or math.inf))
@@ -185,9 +179,8 @@ class _Rotor:
             yield Expected(Kind.PHRASE, NOTES, one.name, abs(value), slack, digits=DIGITS, may_lack=lost)
             turned = math.degrees(slack / abs(value)) if abs(value) > slack else math.inf
             angle = math.degrees(math.atan2(value.imag, value.real))
-            yield Expected(
-                Kind.PHRASE, NOTES, f"φ {one.name}", angle, turned, digits=DIGITS, may_lack=lost, period=TURN
-            )
+            row = Expected(Kind.PHRASE, NOTES, f"φ {one.name}", angle, turned, digits=DIGITS)
+            yield row._replace(may_lack=lost, period=TURN)
         for found in self.balance.corrections:
             slack, lost = self.slack, not found.moment.size > self.slack
             sizes = (("m", found.mass, 1.0, found.plane.radius), ("D", found.radius, 1000.0, found.plane.mass))
