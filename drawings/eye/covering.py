@@ -143,14 +143,15 @@ def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Are
 
 def _areas(order: int, one: Stroke) -> Iterator[_Area]:
     """Give what a stroke fills; a broad line in the colour of paper fills what lies under it."""
-    if isinstance(one, Text | Group) or not _hides(one.style):
+    if isinstance(one, Text | Group):
         return
-    if _pales(one.style):
+    pale, white = _hides(one.style)
+    if pale:
         if isinstance(one, Circle):
             yield _area(order, (one.centre,), one.radius)
         elif len(corners := tuple(_corners(one))) > 2:
             yield _area(order, corners, 0.0)
-    if _whitens(one.style):
+    if white:
         half = one.style.width / 2
         for a, b in pairwise(_corners(one)):
             side = (b - a) / abs(b - a) * 1j * half if a != b else 0j
@@ -158,16 +159,10 @@ def _areas(order: int, one: Stroke) -> Iterator[_Area]:
 
 
 @lru_cache(maxsize=256)
-def _hides(style: LineStyle) -> bool:
-    return _pales(style) or _whitens(style)
-
-
-def _pales(style: LineStyle) -> bool:
-    return style.fill != "none" and not dark(style.fill)
-
-
-def _whitens(style: LineStyle) -> bool:
-    return style.colour != "none" and style.width > 0 and not dark(style.colour)
+def _hides(style: LineStyle) -> tuple[bool, bool]:
+    """Tell whether a filling is in the colour of paper, and whether a line is."""
+    line = style.colour != "none" and style.width > 0 and not dark(style.colour)
+    return style.fill != "none" and not dark(style.fill), line
 
 
 def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Area:

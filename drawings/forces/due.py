@@ -105,9 +105,8 @@ class _Curves:
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""
         plan, one = f"hodograph-{key}", self.comparison.analysis.reactions[key]
-        slack = 2 * float(
-            np.nanmax([np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"])
-        )
+        bounds = [np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"]
+        slack = 2 * float(np.nanmax(bounds))
         for k, value in enumerate(one.force):
             if np.isfinite(value):
                 yield Expected(Kind.POINT, plan, str(k), complex(value), slack, k, may_lack=True)

@@ -66,10 +66,8 @@ class Acting:
     def bills(self) -> dict[str, ForceBill]:
         """What acts on each group, and on the primary link, by their links."""
         groups = self.statics.study.groups
-        return {
-            "-".join(map(str, one.links)): one
-            for one in (ForceBill(self.expected, groups, own) for own in (*groups, None))
-        }
+        bills = (ForceBill(self.expected, groups, own) for own in (*groups, None))
+        return {"-".join(map(str, one.links)): one for one in bills}
 
     @cached_property
     def slack(self) -> float:

@@ -107,9 +107,8 @@ class _Lever:
 
     def _force(self, one: ActingForce) -> _Hung:
         at = QUARTER * self.acting.bills[str(self.acting.statics.study.mechanism.drive.link)].speed(one.link, one.at)
-        return _Hung(
-            self.acting.name(one.name), self.acting.letter(one.name), one.value, at, (at.conjugate() * one.value).imag
-        )
+        power = (at.conjugate() * one.value).imag
+        return _Hung(self.acting.name(one.name), self.acting.letter(one.name), one.value, at, power)
 
     def _balancing(self) -> Iterator[ActingForce]:
         """Give what balances the lever: what drives by a force, else the force at the crank's end."""

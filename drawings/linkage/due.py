@@ -99,9 +99,8 @@ class _Linkage:
         fixed, moved = self.study.mechanism.links[FRAME].points, self.comparison.analysis
         slack = {one.name: float(one.allowed[k]) for one in self.comparison.of(POSITIONS.plan)}
         most = 2 * max((one for one in slack.values() if math.isfinite(one)), default=0.0)
-        places = {
-            name: (complex(moved.points[name].r[k]), slack[f"r_{name}"]) for name in moved.points if name not in fixed
-        }
+        moving = (name for name in moved.points if name not in fixed)
+        places = {name: (complex(moved.points[name].r[k]), slack[f"r_{name}"]) for name in moving}
         places |= {name: (place, 0.0) for name, place in fixed.items()}
         for name, (link, own) in self.masses.items():
             places[name] = complex(placed(self.study.mechanism, moved, link, own)[k]), most
@@ -117,9 +116,8 @@ class _Linkage:
         end = drive.guide.point if drive.guide is not None else drive.link
         for symbol, rate in zip(names, rates.at(k), strict=True):
             if rate:
-                yield Expected(
-                    Kind.DIRECTION, POSITIONS.plan, f"{symbol}_{end}", math.copysign(1.0, rate) * way, TURNED
-                )
+                sense = math.copysign(1.0, rate) * way
+                yield Expected(Kind.DIRECTION, POSITIONS.plan, f"{symbol}_{end}", sense, TURNED)
 
     def strokes(self) -> Iterator[Expected]:
         """Give the stroke of each slider on the frame, the swing of a rocker, the crank's angles over both strokes.

@@ -27,6 +27,9 @@ GRAM_MILLIMETRES = 1e6  # of a kg*m
 FAR = 1e-9  # of a place: both roads take it from one radius and one angle
 
 
+Known = tuple[float, float]  # a value, and how far rounding can have moved it
+
+
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's rotor (row of the table of sheets)."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
@@ -143,16 +146,9 @@ class _Rotor:
             yield from self._line(name, mass, far, angle, rotor.arm(found.plane.place), (value.size, slack), flat)
 
     def _line(
-        self,
-        name: str,
-        mass: tuple[float, float] | None,
-        far: tuple[float, float] | None,
-        angle: tuple[float, float],
-        arm: float,
-        size: tuple[float, float],
-        flat: bool,
+        self, name: str, mass: Known | None, far: Known | None, angle: Known, arm: float, size: Known, flat: bool
     ) -> Iterator[Expected]:
-        """Give the cells of a row, each a value and how far rounding can have moved it."""
+        """Give the cells of a row."""
         radius = None if far is None else (1000 * far[0], 1000 * far[1])
         turned = (size[0] * arm, size[1] * abs(arm))
         last = [size] if flat else [(1000 * arm, 0.0), size, turned]

@@ -56,7 +56,7 @@ def test_no_two_letters_that_differ_may_be_taken_for_each_other() -> None:
     for own in shapes().values():
         for letter in own:
             trail = written_trail(letter.letter)
-            found = {low.get(one.letter, one.letter) for one in readings(trail, 0.18) if one.stance == STANCES[0]}
+            found = {low.get(one.letter, one.letter) for one in readings(trail, 0.18)[STANCES[0]]}
             assert found == {low.get(letter.letter, letter.letter)}
 
 
