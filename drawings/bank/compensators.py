@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.bank_letters import lowered
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
@@ -57,7 +57,7 @@ class LayoutFigure:
         yield labels.beside(self.place.on(0j), "O", hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
         for one in self.shown.weights():
             spot = self.place.on(one.shaft + one.arm)
-            yield labels.beside(spot, lowered(one.name), hand.letter, gap, cmath.phase(one.arm))
+            yield labels.beside(spot, lowered_bank(one.name), hand.letter, gap, cmath.phase(one.arm))
 
     def _speeds(self, labels: Labels) -> Iterator[Stroke]:
         """Write on each shaft how fast it turns, against the crank with a minus."""
@@ -141,7 +141,7 @@ def _mass(shown: Layout, one: Weight, place: Place, hand: Hand) -> Group:
     if not known:
         return Group((arm, Group((circle,), "", {}, one.name)))
     body = point(subject, one.name, one.shaft + one.arm, place, circle)
-    return Group((arm, body._replace(title=lowered(one.name))))
+    return Group((arm, body._replace(title=lowered_bank(one.name))))
 
 
 def _sizes(shown: Layout, place: Place, drafting: Drafting) -> Iterator[Dimension]:

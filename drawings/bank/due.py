@@ -14,7 +14,7 @@ import numpy as np
 
 from drawings.bank.report import crank_of
 from drawings.checks.expected import Expected, by_hand, cells, course, measured
-from drawings.lettering.bank_letters import lowered
+from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
@@ -353,12 +353,12 @@ class _Sheet:
         speed = body.turns * self.own.task.speed
         given = None if mass is None else (mass, 0.0)
         told = (body.moment, slack), given, far, (speed, 0.0), (angle, turned, TURN)
-        yield from cells(COMPENSATORS, lowered(body.name), told, digits=DIGITS, may_lack=True)
+        yield from cells(COMPENSATORS, lowered_bank(body.name), told, digits=DIGITS, may_lack=True)
 
     def results(self, slips: Mapping[tuple[str, int], float], drawn: bool) -> Iterator[Expected]:
         """Give the cells of the table of results; where nothing is drawn no hand can err."""
         for one in filter(_is_told, self.own.comparison.findings):
-            row = f"{lowered(one.name)}, {self.drafting.word(one.unit)}"
+            row = f"{lowered_bank(one.name)}, {self.drafting.word(one.unit)}"
             size, slack = float(abs(one.analysis[0])), float(one.allowed[0])
             slip = by_hand(slips.get((one.name, 0), math.nan), max(size, slack * 10.0**DIGITS))
             told = cells(RESULTS, row, [(size, slack), (size, slack), *([slip] * drawn)], digits=DIGITS)

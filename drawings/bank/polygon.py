@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from drawings.bank.star import RESULT, SIDE, ShownOrder
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.bank_letters import lowered
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
@@ -29,7 +29,7 @@ def letter(name: str, count: int) -> str:
     ('F_{II,3}', '3', 'F_{II}')
     """
     number = name.partition(",")[2]
-    return number if count > FEW and number else lowered(name)
+    return number if count > FEW and number else lowered_bank(name)
 
 
 def size(text: str, drafting: Drafting) -> float:
@@ -128,6 +128,6 @@ def _under(shown: ShownOrder, scale: Scale, drafting: Drafting) -> str:
     """Write the scale; of a polygon that closes by itself that it does, and what is too short to bear a letter."""
     parts = [drafting.scale(scale)]
     parts += [drafting.word("closes by itself")] if shown.closed else []
-    faint = ", ".join(lowered(one.name) for one in shown.vectors if abs(one.value) < SEEN * scale.mu)
+    faint = ", ".join(lowered_bank(one.name) for one in shown.vectors if abs(one.value) < SEEN * scale.mu)
     parts += [drafting.word("unlettered", names=faint)] if faint else []
     return ";  ".join(parts)

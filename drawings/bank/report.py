@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from drawings.dynamics.report_tables import listed, plain
-from drawings.lettering.bank_letters import lowered
+from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, chapter, header, row
@@ -174,13 +174,15 @@ class BankNotes(NamedTuple):
             if abs(value) > one.slack:
                 angle = self._number(direction(value, one.slack))
                 size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
-                yield f"{lowered(letters(kind, sense * one.order))} = {size}"
+                yield f"{lowered_bank(letters(kind, sense * one.order))} = {size}"
         yield from self._largest(one, unit) if kind == FORCE else ()
 
     def _largest(self, one: Harmonic, unit: str) -> Iterator[str]:
         """Say what both vectors come to together where they point alike: the force that the table tells."""
         pairs = ((one.order, one.ahead), (-one.order, one.back))
-        summed = "+".join(f"|{lowered(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > one.slack)
+        summed = "+".join(
+            f"|{lowered_bank(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > one.slack
+        )
         if summed:
             told = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(one.size)}
             yield self.drafting.word("order largest", unit=unit, **told)
@@ -231,13 +233,19 @@ class BankNotes(NamedTuple):
         moments = ((1, one.with_crank, one.with_angle), (-1, one.against, one.against_angle))
         for sense, moment, angle in moments:
             if angle is not None:
-                told = {"force": lowered(letters(FORCE, sense * order)), "square": square, "moment": number(moment)}
-                yield word("compensator mass", letters=lowered(letters(STATIC, sense * order)), **told)
+                told = {
+                    "force": lowered_bank(letters(FORCE, sense * order)),
+                    "square": square,
+                    "moment": number(moment),
+                }
+                yield word("compensator mass", letters=lowered_bank(letters(STATIC, sense * order)), **told)
         yield from self._unequal(one)
         if asked.offset and one.residual:
             yield word("compensator couple", residual=number(one.residual))
         if asked.shafts is not None and one.couple:
-            yield word("couple mass", letters=lowered(couple_letters(order)), square=square, moment=number(one.couple))
+            yield word(
+                "couple mass", letters=lowered_bank(couple_letters(order)), square=square, moment=number(one.couple)
+            )
 
     def _unequal(self, one: Compensator) -> Iterator[str]:
         """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""
@@ -246,7 +254,7 @@ class BankNotes(NamedTuple):
         if one.on_crank:
             yield word("on crank")
         elif abs(one.with_crank - one.against) > max(EYE * max(one.with_crank, one.against), slack):
-            pair = {"ahead": lowered(letters(FORCE, order)), "back": lowered(letters(FORCE, -order))}
+            pair = {"ahead": lowered_bank(letters(FORCE, order)), "back": lowered_bank(letters(FORCE, -order))}
             yield word("unequal vectors", **pair)
             if order == 1 and one.with_angle is not None and one.with_crank > one.against:
                 angle = direction(cmath.rect(one.with_crank, one.with_angle), slack)

@@ -24,7 +24,7 @@ from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.layout.value_table import DIGITS as FIGURES
-from drawings.lettering.bank_letters import lowered
+from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
@@ -85,7 +85,7 @@ def _result(one: Finding, drafting: Drafting) -> TableRow:
     """Give the row of a finding: values to their own digits, as orders differ by powers."""
     known = float(one.allowed[0]) * 10 ** (FIGURES - 1)
     own = one._replace(largest=max(float(abs(one.analysis[0])), known))  # rounding has no digits
-    return row_by_hand(own, f"{lowered(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language)
+    return row_by_hand(own, f"{lowered_bank(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language)
 
 
 def compared(comparison: Comparison) -> list[Finding]:
@@ -109,12 +109,12 @@ def _masses(one: Compensator, balance: BankBalance, drafting: Drafting) -> Itera
             cells = _cells(
                 (moment, mass, far, sense * order * speed, direction(cmath.rect(moment, angle), slack)), drafting
             )
-            yield TableRow(lowered(letters(MASS, sense * order)), cells)
+            yield TableRow(lowered_bank(letters(MASS, sense * order)), cells)
     if one.couple_angle is not None:
         moment = max(one.with_crank, one.against)
         angle = direction(cmath.rect(moment, one.couple_angle), slack)
         cells = _cells((one.couple, None, None, order * speed, angle), drafting)
-        yield TableRow(lowered(f"{COUPLED}{roman(order)}"), cells)
+        yield TableRow(lowered_bank(f"{COUPLED}{roman(order)}"), cells)
 
 
 def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...]:

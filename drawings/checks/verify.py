@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from drawings.checks import hold
-from drawings.checks.documents import block_faults, scale_faults
 from drawings.checks.expected import Expected
 from drawings.checks.letters import unlettered
 from drawings.checks.seen.differences import differences
 from drawings.checks.seen.plain import plain
-from drawings.checks.written import marked_scales
+from drawings.checks.written import block_faults, marked_scales, scale_faults
 from drawings.checks.wrong import Wrong, on
 from drawings.eye.covering import COVERED, OUTSIDE, small, veiled
 from drawings.eye.sheet import SeenSheet, see
@@ -24,6 +23,7 @@ from drawings.paper.strokes import Arc, Leaf, Text
 from drawings.paper.walk import unstated
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
+from plans.checks.comparison import Comparison, Lone
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
@@ -127,3 +127,21 @@ def first(wrong: Iterable[Wrong]) -> Message | tuple[Wrong, ...]:
     own = list(dict.fromkeys(wrong))
     marks, more = tuple(own[:TOLD]), len(own) - TOLD
     return message("check.more", marks=marks, count=more) if more > 0 else marks
+
+
+def agree(comparison: Comparison) -> None:
+    """See that both roads find the same within what is allowed, and name the same gaps."""
+    told = disagreement(comparison)
+    if told is not None:
+        raise told
+
+
+def disagreement(comparison: Comparison) -> SelfCheckFailed | None:
+    """Say in what both roads differ by more than is allowed, or which gap one of them alone names."""
+    for lone in comparison.alone[:1]:
+        return SelfCheckFailed(_alone(lone))
+    return SelfCheckFailed(comparison.apart) if comparison.worst > 1.0 else None
+
+
+def _alone(lone: Lone) -> Message:
+    return message(f"check.{lone.by}", position=lone.gap.position, plan=lone.gap.plan, reason=lone.gap.reason)

@@ -1,16 +1,21 @@
-"""Numbers and scales as they are written on a sheet, read back (чтение чисел и масштабов)."""
+"""What is written on a sheet: numbers and scales as they are read, title blocks and stated scales held (надписи)."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
+from drawings.checks.wrong import Wrong, on
 from drawings.lettering.words import number
+from drawings.measure.measure import Measured
+from drawings.page.page import BLOCK
+from drawings.page.title_cell import NUMBERS
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
+from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
@@ -83,3 +88,33 @@ def written_scales(group: Group) -> dict[str, float]:
     found = (match for text in texts((group,)) for match in _SCALE.finditer(text.plain))
     pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
     return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs if value}
+
+
+Sheets = Sequence[tuple[Mapping[str, str], Measured]]  # how names of figures begin, and their keys of [sheet.scale]
+
+# Keys that govern an axis of graphs, with the quantities of the marks along it: the others measure ordinates.
+AXES: Mapping[str, tuple[str, ...]] = {"angle": (), "way": ("S", "ψ")}
+
+
+def block_faults(leaf: Leaf, sheet: SheetTable) -> Iterator[Wrong]:
+    """Give what the title block says otherwise than the set: its number among the sheets of its document, its name."""
+    document = leaf.metadata["document"]
+    name, number, count = (document[key] for key in ("designation", "sheet", "sheets"))
+    gost = [f"{number}"] * (count > 1) + [f"{count}"] * (number == 1)
+    block = [group for group in groups(leaf.groups) if group.name in (BLOCK, NUMBERS)]
+    told = [text.plain for group in block if group.name == NUMBERS for text in texts(group.strokes)]
+    if told != (gost if sheet.standard == "GOST" else [f"{number}/{count}"]):
+        yield message("wrong.sheet_number", number=number, count=count, kind=leaf.metadata["sheet"])
+    if name.replace(" ", "") not in "".join(text.plain for text in texts(block)).replace(" ", ""):
+        yield message("wrong.designation", name=name, kind=leaf.metadata["sheet"])
+
+
+def scale_faults(sheets: Sheets, sheet: SheetTable) -> Iterator[Wrong]:
+    """Give the figures of measured sheets whose marks have another scale than the scene states for them."""
+    stated = dict(sheet.scale.stated)
+    for keys, measured in sheets if stated else ():
+        for mark in (*measured.vectors, *measured.points, *measured.profiles):
+            figure = f"{mark.plan.replace(' ', '-')}-"
+            key = next((key for begin, key in keys.items() if figure.startswith(begin)), "")
+            if mark.quantity in AXES.get(key, (mark.quantity,)) and mark.scale != stated.get(key, mark.scale):
+                yield on("scale_stated", mark.plan)

@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 from drawings.collation import edit
 from drawings.collation.edit import STILL, Edit, Figures
 from drawings.collation.items import BEARERS, Ink, Item, brought, items, middle, spots
-from drawings.collation.matching import alike_in_style, lies, match, reversed_lies
-from drawings.collation.similarity import looks_alike, shift_of, stretch_of
+from drawings.collation.matching import alike_in_style, lies, looks_alike, match, reversed_lies, shift_of, stretch_of
 from drawings.eye.covering import crosses
 from drawings.measure.transform import STAY, Affine, placing
 from drawings.paper.limits import QUANTUM

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from drawings.collation.items import Item, is_heading, items, middle, spots
-from drawings.collation.similarity import Shift
+from drawings.collation.matching import Shift
 from drawings.paper.strokes import Group, Leaf, LineStyle, Text
 from drawings.paper.walk import groups
 from plans.words.words import Message, message

@@ -98,7 +98,7 @@ def drawn(path: Path, folder: Path, trace: Trace) -> SheetSet:
 
 def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Draw the sheets whose techniques find the same by both roads; where they do not for any, raise what differs."""
-    from drawings.checks.agreement import disagreement
+    from drawings.checks.verify import disagreement
 
     with trace.stage("construction"):
         study.construct()

@@ -13,8 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.eye.alike import picked
 from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
-from drawings.measure.curvedata import handles
-from drawings.measure.pathdata import PathStep, steps
+from drawings.measure.pathdata import PathStep, handles, steps
 from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text

@@ -8,9 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
 from drawings.eye.lettered import Track, chains, tracks
-from drawings.measure.curvedata import pieces
 from drawings.measure.marks import at
-from drawings.measure.pathdata import number, numbers
+from drawings.measure.pathdata import number, numbers, pieces
 from drawings.measure.transform import Affine
 from drawings.paper.limits import REACH, SheetRefused
 from drawings.paper.strokes import PLAIN, Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke

@@ -17,8 +17,7 @@ from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure
 from drawings.measure.pathdata import SPACE, number
-from drawings.measure.transform import STAY, Affine
-from drawings.measure.viewport import Viewport, viewport
+from drawings.measure.transform import STAY, Affine, Viewport, viewport
 from drawings.measure.visibility import Look, Said, declarations, unfollowed
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text

@@ -16,9 +16,9 @@ from drawings.layout.picture import Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, stated
+from drawings.symbols.couples import coupling, spring
 from drawings.symbols.force_arrow import ForceArrow
 from drawings.symbols.symbols import HINGE, fixed_hinge
-from drawings.symbols.transmission import coupling, spring
 
 SEEN = 0.4  # mm that a friction circle must be wider than the hinge's own circle
 ATTACHMENTS_OFF, REACH = 20.0, 8.0  # mm from the shaft to its coupling, and how far the coupled shafts reach

@@ -31,14 +31,13 @@ from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, Gear
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Arm, Dimension, to_scale
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
 from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import BLOCK, MASS, POINT, mass_centre
-from drawings.symbols.transmission import Gear
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
 RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider

@@ -42,3 +42,13 @@ def lowered(name: str) -> str:
     ('h_{2}', 'm_{3}r_{S3}', 'mr_{S}')
     """
     return INDEX.sub(lambda found: f"_{{{found[1]}}}", name)
+
+
+def lowered_bank(name: str) -> str:
+    """Mark up the letters of a vector or a mass, its index lowered, its prime above.
+
+    >>> lowered_bank("F_-II,12"), lowered_bank("mr_M,I"), lowered_bank("m_M,II'")
+    ('F_{−II,12}', 'mr_{M,I}', "m_{M,II}'")
+    """
+    letter, _, index = name.rstrip("'").partition("_")
+    return (f"{letter}_{{{index.replace('-', '−')}}}" if index else letter) + "'" * name.count("'")

@@ -31,7 +31,7 @@ from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
-from plans.linkage.barrier import Barrier
+from plans.linkage.margin import Barrier
 from plans.model.motion import CHANGE_POINT, POSITIONS
 
 NAME = POSITIONS.plan

@@ -21,8 +21,8 @@ from drawings.report.formula import Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions
 from drawings.report.table import chapter, header, row
 from plans.checks.comparison import Finding
-from plans.linkage.barrier import Barrier
 from plans.linkage.extreme import ExtremePositions
+from plans.linkage.margin import Barrier
 from plans.linkage.parts import alike
 from plans.linkage.pressure import interval
 from plans.linkage.primaries import ram as cylinder

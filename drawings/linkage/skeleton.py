@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Protocol, cast
 import numpy as np
 
 from drawings.layout.picture import Place
-from plans.linkage.angles import angle
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions
+from plans.linkage.margin import angle
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.strokes import other_strokes

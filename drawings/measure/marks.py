@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
-from drawings.measure.curvedata import Spots, curve
-from drawings.measure.pathdata import centre, number, numbers, trace
-from drawings.measure.transform import Affine
-from drawings.measure.viewport import Viewport
+from drawings.measure.pathdata import Spots, centre, curve, number, numbers, trace
+from drawings.measure.transform import Affine, Viewport
 from drawings.measure.visibility import Look, Said
 from drawings.paper.limits import SheetRefused
 from plans.words.words import Message, message

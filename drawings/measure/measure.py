@@ -14,10 +14,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
-from drawings.measure.curvedata import pieces
 from drawings.measure.marks import SheetMark, Witness
 from drawings.measure.measured import MarkKey, MeasuredMark, MeasuredPoint, MeasuredVector
-from drawings.measure.pathdata import number, pair
+from drawings.measure.pathdata import number, pair, pieces
 from drawings.measure.reader import read
 from drawings.measure.transform import STAY, Affine, placing
 from drawings.paper.limits import CURVE_QUANTUM, FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused

@@ -12,8 +12,7 @@ from xml.parsers import expat
 
 from drawings.measure.marks import LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
 from drawings.measure.pathdata import pair
-from drawings.measure.transform import about, transform
-from drawings.measure.viewport import Viewport, viewport
+from drawings.measure.transform import Viewport, about, transform, viewport
 from drawings.measure.visibility import ANIMATIONS, Look, presented, said, telling
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused

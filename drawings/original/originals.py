@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 from drawings import VERSION
 from drawings.checks import verify
-from drawings.checks.agreement import agree
 from drawings.checks.expected import subject
 from drawings.checks.hold import stated_keys
 from drawings.checks.seen.plain import plain
+from drawings.checks.verify import agree
 from drawings.checks.wrong import Wrong
 from drawings.collation.items import items
 from drawings.collation.matching import match

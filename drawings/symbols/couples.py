@@ -1,4 +1,4 @@
-"""Couples at their points: an arc of some radius with an arrowhead in their sense (пары сил)."""
+"""Couples as arcs with arrowheads, and symbols of gears and couplings (пары сил, передачи)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Stroke
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import turning_arrow
 
@@ -52,3 +53,90 @@ class CoupleArc(NamedTuple):
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond the middle of its arc."""
         return labels.beside(self.place, self.letter, hand.letter, BESIDE, self.facing)
+
+
+CONTACT = 0.9  # radius of the pitch point
+TANGENT, ACTION = 22.0, 30.0  # mm: half of the pitch tangent drawn, and half of the line of action
+LEAST = 0.05  # mm: a shorter arc is a point
+ANGLE = 16.0  # radius of the arc of the pressure angle
+ARC = math.radians(32)  # half of the arc of the pitch circle drawn where the whole would not fit
+COILS, COIL = 5, 3.0  # zigzags of a spring, and half its width
+STRAIGHT = 0.2  # share of a spring's length that is straight at either end
+HALF_TOOTH, PLATE = 6.0, 1.6  # half the height of a coupling's plates, and the gap between them
+
+
+class Gear(NamedTuple):
+    """A toothed wheel on paper: its shaft, the radius of its pitch circle in mm, the pitch point's direction, rad.
+
+    `action` is the unit direction of the force on the wheel along the line of action.
+    """
+
+    centre: complex
+    radius: float
+    at: float
+    action: complex
+
+    @property
+    def contact(self) -> complex:
+        """The pitch point, where the pinion meets the wheel."""
+        return self.centre + cmath.rect(self.radius, self.at)
+
+    @property
+    def tangent(self) -> complex:
+        """The direction of the pitch tangent on the side of the force."""
+        across = 1j * cmath.rect(1.0, self.at)
+        return across if (self.action * across.conjugate()).real >= 0 else -across
+
+    def slants(self, hand: Hand) -> bool:
+        """Tell whether there is a pressure angle to be seen."""
+        return abs(_turn(self)) * ANGLE * hand.symbol > LEAST
+
+    def angle(self, hand: Hand) -> tuple[complex, float]:
+        """Give the middle of the pressure angle's arc, and its direction from the pitch point: for the letter."""
+        turn = cmath.phase(self.action) - _turn(self) / 2
+        return self.contact + cmath.rect(ANGLE * hand.symbol, turn), turn
+
+    def draw(self, hand: Hand, whole: bool = True) -> tuple[Stroke, ...]:
+        """Draw pitch circle, pitch tangent, line of action and the arc of the pressure angle between them."""
+        contact, factor = self.contact, hand.symbol
+        low, high = (0.0, 2 * math.pi) if whole else (self.at - ARC, self.at + ARC)
+        circle = Arc(self.centre, self.radius, low, high, hand.axis)
+        tangent, action = self.tangent * TANGENT * factor, self.action * ACTION * factor
+        turn = _turn(self)
+        first = cmath.phase(self.action) - max(turn, 0.0)
+        arc = Arc(contact, ANGLE * factor, first, first + abs(turn), hand.drafted)
+        lines = [Line(contact - half, contact + half, hand.drafted) for half in (tangent, action)]
+        return (
+            *fit_dashes([circle]),
+            *lines,
+            *([arc] if self.slants(hand) else []),
+            Circle(contact, CONTACT * factor, INK),
+        )
+
+
+def _turn(gear: Gear) -> float:
+    """Give the angle from the pitch tangent to the line of action, rad."""
+    return cmath.phase(gear.action / gear.tangent)
+
+
+def spring(start: complex, end: complex, hand: Hand, coils: int = COILS) -> Polyline:
+    """Draw a spring (пружина) between two places: a zigzag with straight ends."""
+    length = abs(end - start)
+    if length == 0:
+        return Polyline((start, end), False, hand.relative)
+    along = (end - start) / length
+    across = 1j * along * min(COIL * hand.symbol, length / 4)
+    first, last = STRAIGHT * length, (1 - STRAIGHT) * length
+    step = (last - first) / (2 * coils)
+    turns = [start + along * (first + (k + 0.5) * step) + (across if k % 2 else -across) for k in range(2 * coils)]
+    return Polyline((start, start + along * first, *turns, start + along * last, end), False, hand.relative)
+
+
+def coupling(at: complex, direction: complex, hand: Hand, reach: float = 12.0) -> tuple[Line, ...]:
+    """Draw a coupling (муфта): two plates facing each other across a shaft that runs in some direction."""
+    factor, signs = hand.symbol, (-1, 1)
+    plates = [at + sign * direction * PLATE / 2 * factor for sign in signs]
+    half = 1j * direction * HALF_TOOTH * factor
+    ends = zip(plates, signs, strict=True)
+    shafts = (Line(plate, plate + sign * direction * reach * factor, hand.result) for plate, sign in ends)
+    return *(Line(plate - half, plate + half, hand.result) for plate in plates), *shafts

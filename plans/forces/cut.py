@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from plans.linkage.plan import Plan
-from plans.linkage.redrawing import remade
+from plans.linkage.travel import remade
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine

@@ -20,7 +20,7 @@ from plans.forces.primary import primary
 from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate, resting
-from plans.linkage.redrawing import remade
+from plans.linkage.travel import remade
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine

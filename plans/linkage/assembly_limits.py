@@ -15,11 +15,9 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.meet import UNBORNE, Sizes
-from plans.linkage.angles import angle, rate
-from plans.linkage.barrier import SAME, Barrier, Edge
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
-from plans.linkage.margin import margins, meeting, of_arcs
+from plans.linkage.margin import SAME, Barrier, Edge, angle, margins, meeting, of_arcs, rate
 from plans.linkage.motion_plans import accelerations, positions, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import UNIT, PlanTemplate, resting

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from plans.linkage.angles import heading
+from plans.linkage.margin import heading
 from plans.model.motion import Complexes, Floats, Pace, Rates, rates_at
 from plans.scene.units import within
 

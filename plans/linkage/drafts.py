@@ -10,8 +10,8 @@ import numpy.typing as npt
 
 from plans.linkage import gaps
 from plans.linkage.assembly_limits import Drawing, Sweep
-from plans.linkage.barrier import Barrier
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.margin import Barrier
 from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate

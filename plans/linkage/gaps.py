@@ -10,9 +10,8 @@ import numpy.typing as npt
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
 from plans.linkage.assembly_limits import Sweep
-from plans.linkage.barrier import Barrier, Edge, bounding
 from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.margin import crossing, margins, undefined
+from plans.linkage.margin import Barrier, Edge, bounding, crossing, margins, undefined
 from plans.linkage.plan import Plan
 from plans.model.motion import (
     BEYOND_CHANGE_POINT,

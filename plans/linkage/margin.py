@@ -1,22 +1,146 @@
-"""Margins of groups: how far each is from its dead centre, and where it has no place (запас до мёртвого положения).
-
-A group's margin is the squared sine of its crossing angle: it falls to zero where the group comes to a dead centre, and
-beyond it there is no meeting.
-"""
+"""Margins of assembly: angles of a crank on its way, barriers that it cannot pass (запас сборки)."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Arc, Line, Mark, between
-from geometry.meet import UNBORNE, cross
+from geometry.meet import UNBORNE, Vectors, cross
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
 from plans.model.dyad import Group
-from plans.model.motion import Floats
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats
+
+RUN = 40  # positions whose angles are measured from the middle one, where they are close to it
+CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than a rounding
+
+
+def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
+    """Give the direction of a link's own +x axis, rad in (-pi, pi], from one of its vectors that is `span` there."""
+    own = np.asarray(vector if span.imag == 0 < span.real else vector / span)
+    # The first run tells most often enough that the others are not close either.
+    close = own.size >= RUN and own.size % RUN == 0 and abs(own[RUN // 2] - own[0]) <= CLOSE * abs(own[0])
+    found = _close(own.reshape(-1, RUN)) if close else None
+    return _turned(own) if found is None else found
+
+
+def _turned(own: Complexes) -> Floats:
+    turned = np.arctan2(own.imag, own.real)
+    return (
+        turned
+        if np.minimum.reduce(turned, None, initial=np.inf) > -np.pi
+        else np.where(turned <= -np.pi, np.pi, turned)
+    )
+
+
+def _close(runs: Complexes) -> Floats | None:
+    """Measure runs of vectors close to each other, each from the middle of its run; None where one is not close.
+
+    An arctangent costs as much as a meeting; of a small tangent t it is t - t3/3 + t5/5 - t7/7 to the last digit.
+    """
+    middle = runs[:, RUN // 2, None]
+    from_middle = np.conjugate(middle) * runs
+    tangent = from_middle.imag / from_middle.real
+    if not (np.abs(tangent).max() <= CLOSE and from_middle.real.min() > 0):
+        return None
+    square = tangent * tangent
+    angle = square * (-1 / 7)
+    for share in (1 / 5, -1 / 3):
+        angle += share
+        angle *= square
+    angle *= tangent
+    angle += tangent
+    angles = _turned(middle)
+    angle += angles
+    if np.abs(angles).max() > np.pi - CLOSE:
+        angle -= np.where(angle > np.pi, 2 * np.pi, 0.0)
+        angle += np.where(angle <= -np.pi, 2 * np.pi, 0.0)
+    return angle.ravel()
+
+
+def angle(plan: Plan, link: int) -> Floats:
+    """Read off the plan of positions the direction of a link's own +x axis, rad in (-pi, pi]."""
+    if link == FRAME:
+        return np.zeros(1)
+    return heading(plan.arm(link).point, plan.images[link].span)
+
+
+def rate(plan: Plan, link: int) -> Floats:
+    """Read off a velocity or acceleration plan a link's omega rad/s or epsilon rad/s2: Im(t/AB) (0.1).
+
+    t is the part of the plan's relative vector that is square to the link; a link that does not turn has none.
+    """
+    if link not in plan.readings:
+        return np.zeros(1)
+    reading = plan.readings[link]
+    return np.imag(reading.turning.point / reading.arm.point)
+
+
+SAME = 1e-6  # rad: an edge that touches is known to half the digits of an angle
+
+
+class Edge(NamedTuple):
+    """An edge of a barrier: its crank angle, rad, the first that is barred, and which group fails there, and how."""
+
+    phi: float
+    beyond: float
+    kind: str  # "change point", "out of reach" or "parallel guides"
+    group: int
+    where: str  # the mark whose loci miss or touch
+
+
+class Barrier(NamedTuple):
+    """A part of the turn that the crank cannot pass, from one edge counter-clockwise to the other."""
+
+    edges: tuple[Edge, Edge]
+    miss: float  # m, the largest miss seen
+
+    @property
+    def start(self) -> float:
+        """Where it begins, rad."""
+        return self.edges[0].phi
+
+    @property
+    def end(self) -> float:
+        """Where it ends, rad."""
+        return self.edges[1].phi
+
+    @property
+    def kind(self) -> str:
+        """What bars the crank where it begins."""
+        return self.edges[0].kind
+
+    @property
+    def group(self) -> int:
+        """The group that fails where it begins."""
+        return self.edges[0].group
+
+    @property
+    def where(self) -> str:
+        """The mark whose loci miss or touch where it begins."""
+        return self.edges[0].where
+
+    @property
+    def middle(self) -> float:
+        """The angle in the middle of it, rad."""
+        return (self.start + self.end) / 2
+
+
+def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Edge | None:
+    """Give the edge that keeps the crank from an angle, rad: of the two that bound its way from home, the nearer."""
+    if not barriers:
+        return None
+    turn = 2 * np.pi
+    ahead = min((b.edges[0] for b in barriers), key=lambda edge: float(np.mod(edge.phi - home, turn)))
+    behind = min((b.edges[1] for b in barriers), key=lambda edge: float(np.mod(home - edge.phi, turn)))
+    ways = [abs(float(np.angle(np.exp(1j * (phi - edge.phi))))) for edge in (ahead, behind)]
+    return ahead if ways[0] <= ways[1] + SAME else behind
+
 
 # Two points so much nearer to each other than their figure is large give a direction without a true digit.
 NOWHERE = 8.0 * UNBORNE

@@ -10,8 +10,8 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.tracing import Tracing
-from plans.linkage.angles import heading
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.margin import heading
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.model.motion import LinkMotion, Motion, PointMotion, Rates

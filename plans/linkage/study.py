@@ -14,12 +14,11 @@ import numpy.typing as npt
 from geometry.errors import ConstructionError, DraftError
 from plans.linkage import assembly_limits, gaps
 from plans.linkage.assembly_limits import FAN, Sweep, at_angles
-from plans.linkage.barrier import Barrier
 from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes, output
 from plans.linkage.gaps import of_positions
-from plans.linkage.margin import margins
+from plans.linkage.margin import Barrier, margins
 from plans.linkage.primaries import stroke
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of

@@ -2,15 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
+from geometry.board import Board, Mark
 from geometry.meet import dot
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
 from plans.linkage.crank_positions import CrankPositions
 from plans.model.mechanism import FRAME, Mechanism, Output, Parting, Slide
 from plans.model.motion import Complexes, Floats, Motion, PointMotion
+
+T = TypeVar("T")
+
+
+def remade(value: T, made: Mapping[Mark, Mark], boards: Mapping[str, Board]) -> T:
+    """Give a value with each mark in it answered by its new one, and each board by that of its subject."""
+    found: Any = value
+    if isinstance(value, Mark):
+        found = made[value]
+    elif isinstance(value, Board):
+        found = boards[value.subject]
+    elif isinstance(value, tuple):
+        parts = [remade(part, made, boards) for part in value]
+        found = type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    elif isinstance(value, list):
+        found = [remade(part, made, boards) for part in value]
+    elif isinstance(value, dict):
+        found = {key: remade(part, made, boards) for key, part in value.items()}
+    return cast(T, found)
+
 
 # An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
 STILL = 1e-12

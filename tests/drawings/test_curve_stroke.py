@@ -13,7 +13,7 @@ import pytest
 from drawings.bench import plain_pen
 from drawings.layout.ink import Ink
 from drawings.lettering.extent import GRAIN, bounds
-from drawings.measure.curvedata import curve, pieces
+from drawings.measure.pathdata import curve, pieces
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Curve, Group, Leaf, Line, LineStyle
 from drawings.pens.paths import curve as commands

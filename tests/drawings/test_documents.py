@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from drawings.checks.documents import block_faults
+from drawings.checks.written import block_faults
 from drawings.page.page import Page, page_of
 from drawings.page.title_cell import NUMBERS
 from drawings.paper.strokes import Group, Leaf

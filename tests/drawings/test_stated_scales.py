@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.checks.documents import Sheets, scale_faults
+from drawings.checks.written import Sheets, scale_faults
 from drawings.forces.sheet import leaves
 from drawings.linkage import kinematics
 from drawings.measure.measure import Measured, measure_file

@@ -8,7 +8,7 @@ import pytest
 from drawings.lettering.extent import bounds
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Line
-from drawings.symbols.transmission import Gear, coupling, spring
+from drawings.symbols.couples import Gear, coupling, spring
 
 HAND = hand_of("A1")
 

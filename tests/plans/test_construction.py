@@ -9,7 +9,7 @@ from math import degrees, radians, sqrt
 import numpy as np
 import pytest
 
-from plans.linkage.angles import angle, rate
+from plans.linkage.margin import angle, rate
 from plans.linkage.plan import Plan
 from plans.linkage.pressure import interval, pressure
 from plans.model.mechanism import Mechanism, Way

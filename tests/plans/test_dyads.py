@@ -10,8 +10,8 @@ import pytest
 
 from geometry.meet import dot
 from geometry.steps import Reading
-from plans.linkage.angles import rate
 from plans.linkage.groups.kinds import KINDS
+from plans.linkage.margin import rate
 from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Drive, Slide, Way

@@ -24,7 +24,7 @@ from drawings.grading.curves.figure_records import (
     Values,
 )
 from drawings.grading.drawn_plan import Arrow
-from drawings.lettering.bank_letters import lowered
+from drawings.lettering.vector_letters import lowered_bank
 from drawings.paper.strokes import Circle, Leaf, Line, Text
 from drawings.paper.walk import flat, group_named
 from plans.bank.harmonics import FORCE, letters
@@ -37,7 +37,7 @@ HOLLOW = ("", "none", "#ffffff")  # what fills a circle that is no mass
 
 def written(name: str) -> str:
     """Give the letter of a mass as it is read."""
-    return Text(0j, lowered(name)).plain
+    return Text(0j, lowered_bank(name)).plain
 
 
 def from_arms(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:

@@ -16,7 +16,7 @@ from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
 from drawings.lettering.vector_letters import with_index
 from drawings.measure.pathdata import number
-from drawings.measure.viewport import Viewport
+from drawings.measure.transform import Viewport
 from drawings.measure.visibility import declarations, said
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf, Run, Stroke, Text

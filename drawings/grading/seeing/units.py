@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 from drawings.eye.alike import folded
 from drawings.lettering.extent import bounds
 from drawings.measure.pathdata import NUMERAL, SPACE, numbers
-from drawings.measure.viewport import PIXEL, viewport
+from drawings.measure.transform import PIXEL, viewport
 from drawings.paper.formats import SIZES
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf

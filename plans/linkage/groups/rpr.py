@@ -9,7 +9,7 @@ import numpy as np
 from geometry.board import Mark
 from geometry.meet import Sizes
 from geometry.steps import Reading
-from plans.linkage.groups import crank_line, guide
+from plans.linkage.groups import guide, lead
 from plans.linkage.groups.vectors import Sliding, Slotted, Vector
 from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
@@ -92,16 +92,16 @@ def pressure(plan: Plan, dyad: Dyad) -> Floats:
 
 def extremes(plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
     """Draw from the slotted link's pivot the tangents to the crank circle: the crank is square to the slot (M1.7)."""
-    board, drive, end = plan.board, plan.mechanism.drive, crank_line.crank_end(plan, dyad)
+    board, drive, end = plan.board, plan.mechanism.drive, lead.crank_end(plan, dyad)
     sense = 1.0 if end == 0 else -1.0
     left = [guide.offset(plan, dyad.slide(), dyad.links[e], dyad.hinge(e)).left for e in (0, 1)]
     pivot, fixed = plan.point(drive.pivot), plan.point(dyad.hinge(1 - end))
-    radius_of_pin = crank_line.pin(plan, dyad)
+    radius_of_pin = lead.pin(plan, dyad)
     near, marks = abs(radius_of_pin), []
     for number, off in ((1, near), (2, -near)):
         away = sense * (left[0] - left[1]) + off
         slot = board.tangent(f"u_{number}", fixed, pivot, away, sense * side, because("tangent"))
-        by = -1j * off * (crank_line.end(plan) / radius_of_pin)
+        by = -1j * off * (lead.end(plan) / radius_of_pin)
         arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, by, because("crank_square"))
         marks.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, because("extreme", number=number)))
     return marks

@@ -8,7 +8,8 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.meet import Sizes
-from plans.linkage.groups import crank_line, lead
+from plans.linkage.groups import lead
+from plans.linkage.groups import lead as crank_line
 from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
 from plans.model.dyad import Dyad
