@@ -1,4 +1,4 @@
-"""The README's tables of keys, made of the statements of the keys: `python -m tests.readme_keys` writes them anew."""
+"""The tables of keys beside the gallery, made of the statements of the keys: `python -m tests.readme_keys` writes them anew."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from plans.scene.scene import Scene
 from plans.scene.tables import REQUIRED, Key, Table
 from plans.techniques import TECHNIQUES, named
 
-README = Path(__file__).parent.parent / "README.md"
+PAGE = Path(__file__).parent.parent / "drawings/gallery/keys.md"
 HEAD = ("| key | value | default | meaning |", "|---|---|---|---|")
 BLOCK = re.compile(r"(?<=<!-- )keys of (?P<part>[\w ]+) -->\n(?P<table>.*?)(?=<!-- end of keys -->)", re.DOTALL)
 
@@ -59,14 +59,14 @@ def _default(value: Any) -> str:
 
 
 def tabled(part: str) -> str:
-    """Give the table of one part as the README has it."""
+    """Give the table of one part as the page has it."""
     return "\n".join((*HEAD, *rows(parts()[part]))) + "\n"
 
 
 def renewed(text: str) -> str:
-    """Give the README with its tables of keys as they should be."""
+    """Give the page with its tables of keys as they should be."""
     return BLOCK.sub(lambda found: f"keys of {found['part']} -->\n{tabled(found['part'])}", text)
 
 
 if __name__ == "__main__":
-    README.write_text(renewed(README.read_text("utf-8")), "utf-8")
+    PAGE.write_text(renewed(PAGE.read_text("utf-8")), "utf-8")

@@ -172,5 +172,5 @@ def test_the_force_of_a_slide_is_out_in_newtons_at_any_size() -> None:
 
 
 def test_a_fair_hand_slips_by_as_much_as_is_told() -> None:
-    readme = (GALLERY.parents[1] / "README.md").read_text(encoding="utf-8")
-    assert f"out by up to {SLIP} mm to either side" in " ".join(readme.split())
+    promises = (GALLERY / "promises.md").read_text(encoding="utf-8")
+    assert f"out by up to {SLIP} mm to either side" in " ".join(promises.split())
