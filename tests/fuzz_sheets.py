@@ -1,7 +1,7 @@
 """Fuzzing of `check` and `measure`, and with `--grade` of `grade`: `python -m tests.fuzz_sheets --seconds 600`.
 
 Written sheets are changed at random in their bytes, elements and attributes; what is graded also in its layers, in its
-length and without data. Whatever they are then, the commands must end as the README says: with a verdict or one
+length and without data. Whatever they are then, the commands must end with a verdict or one
 message, and no exception of any other kind. `--seed 7` begins elsewhere.
 """
 

@@ -54,7 +54,7 @@ def index(exhibits: Sequence[GalleryScene]) -> str:
 def row(exhibit: GalleryScene) -> str:
     """Write a mechanism's row of the table."""
     entry, study = exhibit.entry, exhibit.study
-    link = f"[{entry.title}](#{_anchor(entry.title)})"
+    link = f"[{entry.title}](#{anchor(entry.title)})"
     subject = subject_of(study)
     return f"| {link} | `{entry.name}` | {subject.structure} | {subject.output} | {_sheet(study)} |\n"
 
@@ -80,6 +80,6 @@ def _sheet(study: Study) -> str:
     return f"{table.format}, {table.standard}, {word(table.language, 'language.name')}"
 
 
-def _anchor(title: str) -> str:
+def anchor(title: str) -> str:
     """Give the anchor that readers of Markdown make of a heading: small letters, hyphens, no other signs."""
     return re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-")
