@@ -1,4 +1,4 @@
-"""The tables of keys beside the gallery, made of what the keys state: `python -m tests.readme_keys` writes them anew."""
+"""The tables of keys beside the gallery, made of what the keys state; `python -m tests.readme_keys` writes them."""
 
 from __future__ import annotations
 
