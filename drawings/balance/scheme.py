@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.kinds.curve_graph import stretches
+from drawings.kinds.polygon import LaidVector, ShownVector, carriers, letters
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.parallel_offsets import APART, Segment, merging, offset
@@ -32,7 +33,6 @@ from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, LineStyl
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import plain_name
-from drawings.symbols.polygon import LaidVector, ShownVector, carriers, letters
 from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
 from drawings.symbols.trimming import trim
 from plans.model.balance.linkage import DISC, Counterweight

@@ -12,15 +12,15 @@ from typing import Any, NamedTuple
 from drawings.balance import graphs, hodograph, scheme, static_polygon
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
-from drawings.balance.static_polygon import StaticPolygon
 from drawings.forces.letters import REACTION, letter_of
-from drawings.kinds import curve_graph, working
+from drawings.kinds import curve_graph, polygon
+from drawings.kinds.polygon import Polygon, ShownVector
 from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
-from drawings.lettering.vector_letters import MOMENT, counterweight, lowered
+from drawings.lettering.vector_letters import MOMENT, counterweight
 from drawings.linkage import workings as link_working
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
@@ -28,7 +28,6 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, captions
-from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
@@ -288,18 +287,17 @@ class _BalancingSheet:
         mechanism = self.shown.bones.mechanism
         for one, _ in self._rooms:
             yield link_working.link_working(mechanism, list(mechanism.links), SCHEME + one.state, self.drafting)
-        sizes = {lowered(one.name): abs(one.value) for one in self._moments.vectors}
-        yield working.segment_working(sizes, static_polygon.SYMBOL, static_polygon.NAME, self.drafting)
+        yield self._moments.working(self.drafting)
 
     @property
     def _polygon(self) -> Exhibit:
-        return self._exhibit(static_polygon, self._moments)
+        return self._exhibit(polygon, self._moments)
 
     @property
-    def _moments(self) -> StaticPolygon:
+    def _moments(self) -> Polygon:
         moments = self.shown.moments
         least = NOTHING * sum(map(abs, moments.values()))
-        return static_polygon.polygon(self.shown.bones.shown, moments, least)
+        return static_polygon.polygon(self.shown.bones.shown, moments, least, self.drafting)
 
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from functools import partial
 
 from drawings.bank.star import NEAR, BankView
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
@@ -22,7 +22,7 @@ from drawings.rotor.across import END, FIRST, SHAFT
 from drawings.rotor.along import BESIDE, ORIGIN, SYMBOL, UNIT
 from drawings.rotor.polygon import dimension, extension, room_for, step
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import ARROW_LENGTH, pole
 from plans.model.balance.bank import Member
 
@@ -38,24 +38,12 @@ GUIDE = 6.0  # mm that the axis of a guide goes past the cranks
 MOST = 9  # different places that are dimensioned: of more the report tells them
 
 
-@dataclass(frozen=True)
-class ShaftFigure:
-    """The view placed on paper: its lines, and the numbers still to be placed among the lines of all figures."""
-
-    shown: BankView
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole view, each mechanism numbered at its place, the plane of place 0 lettered."""
-        hand, gap = self.drafting.hand, BESIDE + SHAFT * self.drafting.hand.symbol
-        letters = [
-            labels.beside(self.place.on(complex(place)), names, hand.letter, gap, math.pi / 4)
-            for place, names in named(self.shown).items()
-        ]
-        letters.append(labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, -3 * math.pi / 4))
-        return (Group((*self.lines, Group(tuple(letters))), NAME),)
+def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Number each mechanism at its place, letter the plane of place 0."""
+    hand, gap = drafting.hand, BESIDE + SHAFT * drafting.hand.symbol
+    for where, names in named(shown).items():
+        yield labels.beside(place.on(complex(where)), names, hand.letter, gap, math.pi / 4)
+    yield labels.beside(place.on(0j), ORIGIN, hand.letter, gap, -3 * math.pi / 4)
 
 
 def named(shown: BankView) -> dict[float, str]:
@@ -76,16 +64,15 @@ def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the shaft, its ends, the cranks, the dimensions under it."""
     hand, levels = drafting.hand, len(_dimensioned(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
-    side, below, above = (share * hand.letter for share in MARGINS)
     high = (THROW + GUIDE) * hand.symbol
-    under = below + high + FIRST * hand.symbol + levels * step(hand)
-    margins = Margins(side + END * hand.symbol, under, above + high + 2 * hand.title + hand.text)
+    under = high + FIRST * hand.symbol + levels * step(hand)
+    margins = around(MARGINS, hand, END * hand.symbol, under, high)
     ends = [0j, *(complex(place) for place in named(shown))]
     least = max(LETTERS * hand.letter, min(_roomy(shown, drafting), LONGEST * hand.letter / RANGE))
     return picture(NAME, ends, (SYMBOL, UNIT), margins, title, least)._replace(most=LONGEST * hand.letter)
 
 
-def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> ShaftFigure:
+def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the view in its spot: the shaft, the axes of the guides, the cranks, the places dimensioned."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
@@ -96,7 +83,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Shaf
     subject = Subject(NAME, QUANTITY, None)
     lines.append(point(subject, ORIGIN, 0j, place, pole(place.on(0j)), "pole"))
     lines += [_mark(subject, one, place, hand) for one in shown.members]
-    return ShaftFigure(shown, place, tuple(lines), drafting)
+    return LetteredFigure(NAME, tuple(lines), partial(_letters, shown, place, drafting))
 
 
 def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:

@@ -29,7 +29,7 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
 from drawings.sheets.leaves import EQUATION, lay_out
-from drawings.sheets.stated_scales import Draft, Exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
 from plans.bank.harmonics import MOMENT as M
 from plans.bank.quantities import EQUILIBRIUM, bank_by_hand
@@ -144,7 +144,7 @@ def view_of(study: Study) -> BankView:
 def sheets(scene: Scene, bank: BankStudy, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
-    polygons = tuple(_polygons(shown, drafting))
+    polygons = tuple(exhibit(polygon, one, drafting) for one in polygon.polygons(shown, drafting))
     shows = (*_views(shown, drafting), *polygons, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
     told = orders, compensator_table
@@ -172,19 +172,9 @@ def _facts(names: Collection[str]) -> dict[str, Any]:
 
 def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the bank along its shaft; across it too, unless all mechanisms stand in one plane."""
-    room = star.measure(shown, drafting)
-    yield Exhibit(Panel(room), partial(star.draw, shown, room, drafting=drafting))
+    yield exhibit(star, shown, drafting)
     if not shaft.is_thin(shown):
-        room = shaft.measure(shown, drafting)
-        yield Exhibit(Panel(room), partial(shaft.draw, shown, room, drafting=drafting))
-
-
-def _polygons(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
-    """Show the polygons of every order whose vectors do not vanish."""
-    for one in map(polygon.told_apart, shown.shown()):
-        if one.vectors:
-            room = polygon.measure(one, drafting)
-            yield Exhibit(Panel(room), partial(polygon.draw, one, room, drafting=drafting))
+        yield exhibit(shaft, shown, drafting)
 
 
 def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
@@ -199,7 +189,8 @@ def _force_graph(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     balance, compensated = shown.balance, shown.compensated
     force = TurnCurve(ACTING, FORCE, balance.force.real, "relative" if compensated else "result")
     left = (TurnCurve(LEFT, FORCE + AFTER, balance.left.real),) if compensated else ()
-    yield _graph(TurnGraph("force_graph", drafting.word("bank force title"), FORCE, "N", (force, *left)), drafting)
+    graph = TurnGraph("force_graph", drafting.word("bank force title"), FORCE, "N", (force, *left))
+    yield exhibit(turn_graph, graph, drafting)
 
 
 def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
@@ -207,12 +198,8 @@ def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
     if not straight(values, values):
         return _hodograph(MOMENTS, M, "N*m", shown.on_sheet(values), drafting)
     curve = TurnCurve(MOMENTS, M, values.real)
-    return _graph(TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,)), drafting)
-
-
-def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
-    room = turn_graph.measure(graph, drafting)
-    return Exhibit(Panel(room), partial(turn_graph.draw, graph, room, drafting=drafting))
+    graph = TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,))
+    return exhibit(turn_graph, graph, drafting)
 
 
 def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:

@@ -5,23 +5,23 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.bank.report import mirrored, slight_force, slight_left, slight_moment, slight_order, straight
+from drawings.kinds.polygon import RESULT, SIDE, ShownVector
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
 from drawings.rotor.along import AXIS, ORIGIN, SYMBOL, UNIT
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.polygon import ShownVector
+from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, hinge, turning_arrow
 from plans.bank.harmonics import FORCE, MOMENT
 from plans.bank.polygons import Total
@@ -30,7 +30,6 @@ from plans.model.motion import Complexes
 from plans.rotor.balancing import heading as direction
 
 ALIKE = 0.1  # degrees: vectors whose directions differ by less are laid off as if they had one
-SIDE, RESULT = "side", "result"  # what a vector is: of one member, or of all together
 
 
 class ShownOrder(NamedTuple):
@@ -160,37 +159,21 @@ PIN = 1.6  # mm, radius of a crank pin
 TURN = (10.0, math.radians(12), math.radians(60))  # radius mm, start and sweep of the arrow of rotation
 
 
-@dataclass(frozen=True)
-class StarFigure:
-    """The star placed on paper: its lines, and the numbers still to be placed among the lines of all figures."""
-
-    shown: BankView
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole star, its cranks numbered outward, its guides where they differ, its sense."""
-        letters = (*self._cranks(labels), *self._guides(labels), *self._shaft(labels))
-        return (Group((*self.lines, Group(letters)), NAME),)
-
-    def _cranks(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        for way, names in together((self.shown.crank_at(one), one) for one in self.shown.members).items():
-            spot, gap = self.place.on(way * reach(self.shown)), PIN * hand.symbol + BESIDE
-            yield labels.beside(spot, names, hand.letter, gap, cmath.phase(way))
-
-    def _guides(self, labels: Labels) -> Iterator[Stroke]:
-        hand, far = self.drafting.hand, self.place.length(reach(self.shown)) + AXIS * self.drafting.hand.symbol
-        guides = together((self.shown.guide_at(one), one) for one in self.shown.members)
-        for way, names in guides.items() if len(guides) > 1 else ():
-            text = self.drafting.word("guide of", names=names)
-            yield labels.beside(self.place.on(0j) + far * way, text, hand.number, BESIDE, cmath.phase(way))
-
-    def _shaft(self, labels: Labels) -> Iterator[Stroke]:
-        hand, centre = self.drafting.hand, self.place.on(0j)
-        yield labels.beside(centre, ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
-        yield labels.beside(centre + turned(self.shown, hand), "ω", hand.letter, BESIDE, TURN[1])
+def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Number the cranks outward, letter the guides where they differ, the shaft and its sense."""
+    hand, centre = drafting.hand, place.on(0j)
+    for way, names in together((shown.crank_at(one), one) for one in shown.members).items():
+        spot, gap = place.on(way * reach(shown)), PIN * hand.symbol + BESIDE
+        yield labels.beside(spot, names, hand.letter, gap, cmath.phase(way))
+    far, guides = (
+        place.length(reach(shown)) + AXIS * hand.symbol,
+        together((shown.guide_at(one), one) for one in shown.members),
+    )
+    for way, names in guides.items() if len(guides) > 1 else ():
+        text = drafting.word("guide of", names=names)
+        yield labels.beside(centre + far * way, text, hand.number, BESIDE, cmath.phase(way))
+    yield labels.beside(centre, ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
+    yield labels.beside(centre + turned(shown, hand), "ω", hand.letter, BESIDE, TURN[1])
 
 
 def together(pairs: Iterator[tuple[complex, Member]]) -> dict[complex, str]:
@@ -220,14 +203,13 @@ def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the star needs: a circle about the shaft."""
     hand, far = drafting.hand, reach(shown)
     title = text_width(Text(0j, drafting.word("star of cranks"), hand.title))
-    side, below, above = (share * hand.letter + AXIS * hand.symbol for share in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    margins = around(MARGINS, hand, *(AXIS * hand.symbol,) * 3)
     corners = [complex(x, y) for x in (-far, far) for y in (-far, far)]
     found = picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
     return found._replace(most=MOST * hand.letter)
 
 
-def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> StarFigure:
+def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the star in its spot: the circle of the pins, the guides' axes, the cranks at phi = 0."""
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) if shown.crank else drafting.word("angles alone")
@@ -239,7 +221,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Star
     pins = (_pin(shown, one, place, hand) for one in shown.members)
     (circle,) = hinge(place.on(0j), hand)
     shaft = point(Subject(NAME, QUANTITY, None), ORIGIN, 0j, place, circle, "pole")
-    return StarFigure(shown, place, (*lines, *cranks, *pins, shaft), drafting)
+    return LetteredFigure(NAME, (*lines, *cranks, *pins, shaft), partial(_letters, shown, place, drafting))
 
 
 def _axes(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:

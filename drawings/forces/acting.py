@@ -12,11 +12,11 @@ import numpy as np
 
 from drawings.forces.letters import KNOWN, PRESSING, UNKNOWN, letter_of
 from drawings.forces.lever_layout import largest
+from drawings.kinds.polygon import ShownVector
 from drawings.kinds.working import DIGITS, MASSES, Working
 from drawings.linkage.outlines import offset_foot
 from drawings.linkage.skeleton import Poses, poses
 from drawings.page.scale import Drafting
-from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.forces.cut import INERTIA, REACTION, WEIGHT, Couple, Cut, ForcePlan, Load, Support
 from plans.forces.primary import BALANCING, DRIVING

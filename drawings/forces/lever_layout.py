@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.forces.letters import BALANCE, PAIR, letter_of
+from drawings.kinds.polygon import ShownVector
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.picture import Place
 from drawings.lettering.vector_letters import with_index
@@ -20,7 +21,6 @@ from drawings.paper.walk import tied, tied_spot
 from drawings.symbols.dimension import LEAST, Arm, to_scale
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale
-from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import STAND
 from geometry.board import Mark, at
 from plans.forces.cut import Cut, Equation, ForcePlan

@@ -23,6 +23,7 @@ from drawings.forces.lever_layout import (
     terms,
 )
 from drawings.forces.polygon import ZERO
+from drawings.kinds.polygon import ShownVector
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
@@ -37,7 +38,6 @@ from drawings.paper.walk import stating
 from drawings.symbols.dimension import Arm
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow, plain_name
-from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
 from geometry.board import Mark, at
 from plans.forces.cut import ForcePlan

@@ -16,6 +16,7 @@ from drawings.forces.fan import UNSIZED, coupled, fan, friction_circles, lengths
 from drawings.forces.letters import KNOWN, PRESSING, letter_of
 from drawings.forces.lever_layout import Leverage, leverages
 from drawings.forces.scheme import Scheme, scheme
+from drawings.kinds.polygon import ShownVector
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
@@ -36,7 +37,6 @@ from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Arm, Dimension, to_scale
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
-from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import BLOCK, MASS, POINT, mass_centre
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from drawings.forces.letters import CLOSING, WHOLE, letter_of
 from drawings.forces.lever_layout import largest
+from drawings.kinds.polygon import Chain, LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.linkage.vector_plan import BEYOND, LEAST
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import LEAN, Circle, Group, Line, Stroke, Text
-from drawings.symbols.figure import LINE, Subject, heading
-from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
+from drawings.symbols.figure import LINE, Subject, heading, heading_width
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between
 from geometry.meet import EPS
@@ -76,7 +76,7 @@ SYMBOL, UNIT = "F", "N"
 DETAIL = "detail-"  # before a cut's links: the name of an enlarged detail of its force plan
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
 LETTERS, EACH = 12.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
-ROOM = 2.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
+WIDE = 2.7  # sizes of a letter between two lanes, with what it keeps clear of them
 AROUND, BESIDE = 2.5, 1.0  # mm from what a detail shows to the circle around it, and on to its letter
 # Rounding left where forces cancel, as a share of the greatest: a chain of some ten sides, each rounded a few times.
 ZERO = 256 * EPS
@@ -140,36 +140,13 @@ def _rays(corner: Mark, column: int) -> list[Segment]:
     return [(at(line.through, column), at(corner.point, column)) for line in met]
 
 
-@dataclass(frozen=True)
-class PolygonFigure:
-    """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: ForcePolygon
-    place: Place
-    lines: tuple[Stroke, ...]
-    arrows: tuple[LaidVector, ...]  # the vectors that are seen
-    faint: tuple[str, ...]  # names of forces that are not to be seen at this scale
-    circles: tuple[tuple[str, Circle], ...]  # around what is shown in details, with their letters
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure with the letter of each vector beside it, the shortest served first."""
-        size = self.drafting.hand.letter
-        beside = letters(self.arrows, self._mark, labels)
-        beside += [labels.beside(one.centre, name, size, one.radius + BESIDE) for name, one in self.circles]
-        return (Group((*self.lines, Group(tuple(beside))), f"{self.shown.plan}-{self.shown.column}"),)
-
-    def _mark(self, name: str) -> tuple[str, float]:
-        return letter_of(name, self.drafting), self.drafting.hand.letter
-
-
 def measure(shown: ForcePolygon, name: str, drafting: Drafting, details: Sequence[ForcePolygon] = ()) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading.
 
     There is room for the names of all forces that are neither to be seen at its least size nor shown in details.
     """
     hand = drafting.hand
-    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    title = heading_width(_title(shown, drafting), hand)
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
     room = picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
     mu = max(room.wide, room.high) / least
@@ -184,25 +161,30 @@ def measure(shown: ForcePolygon, name: str, drafting: Drafting, details: Sequenc
 
 def draw(
     shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting, details: Sequence[ForcePolygon] = ()
-) -> PolygonFigure:
+) -> LetteredFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above.
 
     A thin circle stands around what a detail shows enlarged.
     """
-    place, hand = room.place(*spot), drafting.hand
-    lengths = {one: place.length(abs(one.value)) for one in shown.forces}
-    order = sorted((one for one in lengths if lengths[one] >= SEEN), key=_rank)
-    arrows = lay(order, place, spot.box, ROOM, hand)
-    short = (LaidVector(one, ends(one, place)) for one, length in lengths.items() if LEAST <= length < SEEN)
-    sides = (_side(shown, one, place, drafting) for one in (*reversed(arrows), *short))
-    thin = [*_directions(shown, place, hand), *carriers(arrows, place, hand)]
+    place, hand, letter = room.place(*spot), drafting.hand, partial(letter_of, drafting=drafting)
+    chain = lay(shown.forces, WHOLE, place, spot.box, WIDE, hand, LEAST)
+    sides = chain.sides(Subject(shown.plan, SYMBOL, shown.column), WHOLE, letter, place, hand)
+    thin = [*_directions(shown, place, hand), *carriers(chain.seen, place, hand)]
     faint = _faint(shown, details, place.scale.mu)
-    circles = tuple((one.detail, _circle(one, arrows, place, hand)) for one in details)
+    circles = {one.detail: _circle(one, chain.seen, place, hand) for one in details}
     under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
     title = heading(spot.box, _title(shown, drafting), under, hand, *further)
-    around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles)
+    around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles.items())
     lines = (title, *([Group(tuple(thin))] if thin else []), *sides, *around)
-    return PolygonFigure(shown, place, lines, arrows, faint, circles, drafting)
+    return LetteredFigure(f"{shown.plan}-{shown.column}", lines, partial(_letter, chain, circles, drafting))
+
+
+def _letter(chain: Chain, circles: Mapping[str, Circle], drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter each vector beside it, and the circles around what is shown in details."""
+    size = drafting.hand.letter
+    yield from letters(chain.seen, lambda name: (letter_of(name, drafting), size), labels)
+    for name, one in circles.items():
+        yield labels.beside(one.centre, name, size, one.radius + BESIDE)
 
 
 def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, hand: Hand) -> Circle:
@@ -211,14 +193,6 @@ def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, ha
     spots = [end for one in detail.forces for end in laid.get(one.name, ends(one, place))]
     middle = sum(spots) / len(spots)
     return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
-
-
-def _side(shown: ForcePolygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
-    """Draw a side in a main line, a diagonal in a thinner one."""
-    hand, vector = drafting.hand, one.vector
-    style = hand.relative if vector.kind == WHOLE else hand.result
-    subject = Subject(shown.plan, SYMBOL, shown.column)
-    return one.draw(subject, letter_of(vector.name, drafting), place, style, hand.symbol)
 
 
 def _faint(shown: ForcePolygon, details: Sequence[ForcePolygon], mu: float) -> tuple[str, ...]:
@@ -246,11 +220,6 @@ def _broken(text: str, wide: float, hand: Hand) -> list[str]:
         else:
             lines[-1] = longer
     return lines
-
-
-def _rank(one: ShownVector) -> tuple[bool, float]:
-    """Rank a vector by who keeps its place where several run along one another: sides, the longest first."""
-    return one.kind == WHOLE, -abs(one.value)
 
 
 def _directions(shown: ForcePolygon, place: Place, hand: Hand) -> list[Stroke]:

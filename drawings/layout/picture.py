@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 from typing import NamedTuple, Protocol
 
@@ -44,6 +44,18 @@ class Figure(Protocol):
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its letters placed among the lines of all figures."""
         ...
+
+
+class LetteredFigure(NamedTuple):
+    """A figure by its name and its lines, and by what places its letters."""
+
+    name: str
+    lines: tuple[Stroke, ...]
+    letters: Callable[[Labels], Iterable[Stroke]]
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its letters over its lines."""
+        return (Group((*self.lines, Group(tuple(self.letters(labels)))), self.name),)
 
 
 class StillFigure(NamedTuple):

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from functools import partial
 
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined
 from drawings.lettering.rotor_letters import index
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.strokes import Line, Stroke, Text
 from drawings.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
-from drawings.rotor.polygon import RotorView, ShownBody, dimension, extension, letter, size, step
+from drawings.rotor.polygon import RotorView, ShownBody, dimension, extension, letters_of, step
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import heading
+from drawings.symbols.figure import around, heading
 from drawings.symbols.symbols import ground, pole
 from plans.rotor.study import BEARINGS
 from plans.words.words import ALONE
@@ -35,56 +35,17 @@ MOST = 9  # different arms: of more the table tells them
 NEAR = 1e-9  # of the rotor's length: places that are one
 
 
-@dataclass(frozen=True)
-class AcrossFigure:
-    """The view placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: RotorView
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole view: masses, planes of correction and bearings lettered."""
-        return (
-            Group((*self.lines, Group((*self._masses(labels), *self._planes(labels), *self._bearings(labels)))), NAME),
-        )
-
-    def _masses(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        for one in self.shown.distinct:
-            spot, up = self.place.on(_side(one)), 1.2 if one.centre.imag >= 0 else -1.2
-            text = letter(one.mark, len(self.shown.bodies), self.drafting)
-            yield labels.beside(spot, text, size(text, self.drafting), BODY * hand.symbol + BESIDE, up)
-
-    def _planes(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        base = self.place.on(complex(self.shown.planes[-1][1]))
-        yield labels.beside(base, ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
-        for name, place in self.shown.planes:
-            if name != ALONE:
-                top = self.place.on(complex(place)) + 1j * _half(self.shown, self.place, hand)
-                yield labels.beside(top, name, hand.letter, BESIDE, 1.5)
-
-    def _bearings(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        for name, place in zip(BEARINGS, self.shown.bearings, strict=False):
-            low = self.place.on(complex(place)) - 1j * (SHAFT + SHELL[1] + 3.0) * hand.symbol
-            yield labels.beside(low, name, hand.letter, BESIDE, -1.5)
-
-
 def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the rotor, its ends, and the dimensions under it."""
     hand, levels = drafting.hand, len(_arms(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
-    side, below, above = (share * hand.letter for share in MARGINS)
-    under = below + FIRST * hand.symbol + levels * step(hand)
-    margins = Margins(side + END * hand.symbol, under, above + ABOVE * hand.symbol + 2 * hand.title + hand.text)
+    under = FIRST * hand.symbol + levels * step(hand)
+    margins = around(MARGINS, hand, END * hand.symbol, under, ABOVE * hand.symbol)
     corners = [complex(x, y) for x in (min(shown.places), max(shown.places)) for y in (-shown.reach, shown.reach)]
     return picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
-def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> AcrossFigure:
+def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the view in its spot: shaft, bearings, planes of correction, masses, and the arms dimensioned."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
@@ -94,7 +55,25 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Acr
     arms = _dimensions(shown, place, drafting)
     base = complex(shown.planes[-1][1])
     zero = origin(NAME, base, place, pole(place.on(base)))
-    return AcrossFigure(shown, place, (title, *lines, *arms, zero, *bodies), drafting)
+    return LetteredFigure(NAME, (title, *lines, *arms, zero, *bodies), partial(_letters, shown, place, drafting))
+
+
+def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter masses, planes of correction and bearings."""
+    hand, lettering = drafting.hand, letters_of(drafting)
+    for one in shown.distinct:
+        text, size = lettering.of(one.mark, len(shown.bodies), hand)
+        up = 1.2 if one.centre.imag >= 0 else -1.2
+        yield labels.beside(place.on(_side(one)), text, size, BODY * hand.symbol + BESIDE, up)
+    base = place.on(complex(shown.planes[-1][1]))
+    yield labels.beside(base, ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
+    for name, where in shown.planes:
+        if name != ALONE:
+            top = place.on(complex(where)) + 1j * _half(shown, place, hand)
+            yield labels.beside(top, name, hand.letter, BESIDE, 1.5)
+    for name, where in zip(BEARINGS, shown.bearings, strict=False):
+        low = place.on(complex(where)) - 1j * (SHAFT + SHELL[1] + 3.0) * hand.symbol
+        yield labels.beside(low, name, hand.letter, BESIDE, -1.5)
 
 
 def _side(one: ShownBody) -> complex:

@@ -5,19 +5,20 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from functools import partial
 
+from drawings.kinds.polygon import FEW
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import stating
-from drawings.rotor.polygon import FEW, RotorView, ShownBody, letter, size
+from drawings.rotor.polygon import RotorView, ShownBody, letters_of
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, hinge, turning_arrow
 
 NAME = "along"
@@ -32,52 +33,16 @@ SYMBOL, UNIT, QUANTITY = "l", "m", "r"
 ORIGIN = "O"  # the letter of the axis, and of the plane that arms are measured from
 
 
-@dataclass(frozen=True)
-class AlongFigure:
-    """The view placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: RotorView
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole view, each mass lettered outward."""
-        letters = tuple(self._letter(labels, one) for one in self.shown.distinct)
-        letters += tuple(self._axis(labels))
-        return (Group((*self.lines, Group(letters)), NAME),)
-
-    def _axis(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the axis, the direction from which angles are counted, and the sense of turning."""
-        hand = self.drafting.hand
-        end = self.place.length(self.shown.reach) + AXIS * hand.symbol
-        gap = BESIDE + HINGE * hand.symbol
-        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, -math.pi / 4)
-        yield labels.beside(self.place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
-        if self.shown.turning:
-            radius, start, sweep = TURN
-            turned = cmath.rect(radius * hand.symbol, start + math.copysign(sweep, self.shown.turning) / 2)
-            yield labels.beside(self.place.on(0j) + turned, "ω", hand.letter, BESIDE, cmath.phase(turned))
-
-    def _letter(self, labels: Labels, one: ShownBody) -> Stroke:
-        hand = self.drafting.hand
-        gap = BODY * hand.symbol + BESIDE
-        text = letter(one.mark, len(self.shown.bodies), self.drafting)
-        return labels.beside(self.place.on(one.centre), text, size(text, self.drafting), gap, cmath.phase(one.centre))
-
-
 def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: a circle about the axis."""
     hand, reach = drafting.hand, shown.reach
     title = text_width(Text(0j, drafting.word("view along"), hand.title))
-    side, below, above = (share * hand.letter for share in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
     least = hand.letter * max(LETTERS, EACH * min(len(shown.bodies), FEW))
     corners = [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
-    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
+    return picture(NAME, corners, (SYMBOL, UNIT), around(MARGINS, hand), title, least)
 
 
-def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> AlongFigure:
+def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the view in its spot: axes, shaft, the lines to the masses, the masses."""
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) if shown.scaled else drafting.word("angles alone")
@@ -87,7 +52,23 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Alo
     bodies = (body(shown, one, one.centre, place, NAME, drafting) for one in shown.bodies)
     (circle,) = hinge(place.on(0j), hand)
     axis = origin(NAME, 0j, place, circle)
-    return AlongFigure(shown, place, (title, *lines, axis, *bodies), drafting)
+    return LetteredFigure(NAME, (title, *lines, axis, *bodies), partial(_letters, shown, place, drafting))
+
+
+def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter each mass outward, the axis, the direction from which angles are counted, and the sense of turning."""
+    hand, lettering = drafting.hand, letters_of(drafting)
+    for one in shown.distinct:
+        text, size = lettering.of(one.mark, len(shown.bodies), hand)
+        gap = BODY * hand.symbol + BESIDE
+        yield labels.beside(place.on(one.centre), text, size, gap, cmath.phase(one.centre))
+    end = place.length(shown.reach) + AXIS * hand.symbol
+    yield labels.beside(place.on(0j), ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
+    yield labels.beside(place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
+    if shown.turning:
+        radius, start, sweep = TURN
+        turned = cmath.rect(radius * hand.symbol, start + math.copysign(sweep, shown.turning) / 2)
+        yield labels.beside(place.on(0j) + turned, "ω", hand.letter, BESIDE, cmath.phase(turned))
 
 
 def _axes(shown: RotorView, place: Place, hand: Hand) -> list[Stroke]:
@@ -119,7 +100,7 @@ def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: 
     if many or not one.known:  # too many masses bear no letters; the table has them
         return Group((circle,), "", {}, one.mark)
     drawn = point(Subject(plan, QUANTITY, None), one.mark, centre, place, circle)
-    return drawn._replace(title=letter(one.mark, len(shown.bodies), drafting))
+    return drawn._replace(title=letters_of(drafting).of(one.mark, len(shown.bodies), hand)[0])
 
 
 def origin(plan: str, zero: complex, place: Place, circle: Circle) -> Group:

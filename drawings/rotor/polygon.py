@@ -1,46 +1,39 @@
-"""The figure of a polygon of static moments or of their moments: vectors end to end, and what closes them."""
+"""A rotor as it is seen, and its polygons of static moments or of their moments (ротор и его многоугольники)."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
-from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.kinds.polygon import RESULT, SIDE, Letters, Polygon, ShownVector, Sizes
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.phrase import telling
 from drawings.lettering.rotor_letters import INDEX, lowered
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.limits import SEEN
 from drawings.paper.statement import Statement
-from drawings.paper.strokes import LEAN, Group, Line, Stroke, Text
-from drawings.paper.walk import stating, tied
-from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
-from drawings.symbols.symbols import ARROW_LENGTH, arrowhead, pole
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from plans.model.rotor import Balance, Rotor
 from plans.rotor.balancing import COUPLES
 from plans.rotor.balancing import Polygon as Construction
 
-FEW, CROWD = 9, 40  # masses: of more each is numbered alone; of more still the table alone tells them apart
+CROWD = 40  # masses: of more the table alone tells them apart
 
 
-def letter(name: str, count: int, drafting: Drafting) -> str:
-    """Letter one of so many vectors: with its letters, or of many masses by the number of its mass alone."""
-    number = INDEX.search(name)
-    if count > FEW and number is not None and number[1].isdigit():
-        return number[1]
-    return lowered(name, drafting.language)
+def letters_of(drafting: Drafting) -> Letters:
+    """Letter vectors and masses; of many each has the number of its mass alone."""
+    return Letters(partial(lowered, language=drafting.language), _number)
 
 
-def size(text: str, drafting: Drafting) -> float:
-    """Give the size of a letter, mm: numbers alone are smaller."""
-    return drafting.hand.number if text.isdigit() else drafting.hand.letter
+def _number(name: str) -> str:
+    found = INDEX.search(name)
+    return found[1] if found is not None and found[1].isdigit() else ""
 
 
 PAST = 1.5  # mm an extension line goes past the lowest arrow
@@ -162,54 +155,27 @@ def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float 
     return ShownBody(name, centre, float(place), rotor.arm(place), False, bool(radius))
 
 
-SYMBOLS = {COUPLES: ("{mDh}", "kg*m2")}  # letter and unit of the scale
-SYMBOL = ("{mD}", "kg*m")
-MARGINS = Margins(4.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
-LETTERS, EACH = 14.0, 1.8  # a polygon is drawn at least so many letters large, and so many for each of its vectors
-ROOM = 4.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
-SIDE, RESULT = "side", "result"  # what a vector is: given, or found
+SCALES = {COUPLES: ("{mDh}", "kg*m2")}  # letter and unit of the scale
+SCALE = ("{mD}", "kg*m")
+SIZES = Sizes(14.0, 1.8, 4.7)
 SUM = "Σ"  # before the letters of all vectors together, that stand for more than can be told apart
 
 
-class RotorPolygon(NamedTuple):
-    """What a polygon shows: the vectors in the order of laying, the closing one last if there is one."""
-
-    plan: str  # the board: "couples" or "unbalances"
-    vectors: tuple[ShownVector, ...]
-    closed: bool  # by itself, so that no vector closes it
-
-    @property
-    def points(self) -> list[complex]:
-        """All true points that the figure must hold."""
-        return [0j, *(end for one in self.vectors for end in (one.at, one.end))]
-
-    @property
-    def subject(self) -> Subject:
-        """What its marks belong to."""
-        return Subject(self.plan, self.symbol[0].strip("{}"), None)
-
-    @property
-    def symbol(self) -> tuple[str, str]:
-        """The letter of its scale, and its unit."""
-        return SYMBOLS.get(self.plan, SYMBOL)
-
-    def faint(self, mu: float) -> tuple[str, ...]:
-        """Name the vectors that are not to be seen at a scale: a sheet lists them beside."""
-        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
-
-
-def polygon(construction: Construction, names: frozenset[str] = frozenset()) -> RotorPolygon:
+def polygon(construction: Construction, names: frozenset[str], drafting: Drafting) -> Polygon:
     """Read a polygon from its record; `names` are vectors in it that are results themselves."""
     vectors = [
         ShownVector(one.name, RESULT if one.name in names else SIDE, complex(start.point), complex(one.point))
         for one, start in ((side.vector, side.start) for side in construction.sides)
     ]
+    plan = construction.board.subject
     if len(vectors) > CROWD:
-        vectors = _together(vectors, construction.board.subject)
+        vectors = _together(vectors, plan)
     if not construction.closed:
         start = vectors[-1].end if vectors else 0j
         vectors.append(ShownVector(construction.closing.name, RESULT, start, complex(construction.closing.point)))
-    return RotorPolygon(construction.board.subject, tuple(vectors), construction.closed)
+    title = drafting.word("polygon of moments" if plan == COUPLES else "polygon of static moments")
+    scale = SCALES.get(plan, SCALE)
+    return Polygon(plan, title, scale, tuple(vectors), construction.closed, letters_of(drafting), SIZES)
 
 
 def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
@@ -221,69 +187,4 @@ def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
 
 def sum_letters(plan: str) -> str:
     """Letter all vectors of a polygon together."""
-    return SUM + SYMBOLS.get(plan, SYMBOL)[0].strip("{}")
-
-
-@dataclass(frozen=True)
-class RotorPolygonFigure:
-    """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: RotorPolygon
-    place: Place
-    lines: tuple[Stroke, ...]
-    arrows: tuple[LaidVector, ...]  # those that are lettered
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure with the letter of each vector beside it, the shortest served first."""
-        zero = labels.beside(self.place.on(0j), "0", self.drafting.hand.letter, 1.6, -math.pi / 4)
-        beside = letters(self.arrows, self._mark, labels)
-        return (Group((*self.lines, Group((zero, *beside))), self.shown.plan),)
-
-    def _mark(self, name: str) -> tuple[str, float]:
-        text = letter(name, len(self.shown.vectors), self.drafting)
-        return text, size(text, self.drafting)
-
-
-def measure(shown: RotorPolygon, drafting: Drafting) -> Picture:
-    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
-    hand = drafting.hand
-    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
-    least = hand.letter * max(LETTERS, EACH * min(len(shown.vectors), FEW))
-    return picture(shown.plan, shown.points, shown.symbol, margins(shown.points, MARGINS, hand), title, least)
-
-
-def draw(shown: RotorPolygon, room: Picture, spot: Spot, drafting: Drafting) -> RotorPolygonFigure:
-    """Draw the polygon in its spot: results in main lines, the others thinner, title and scale above."""
-    place, hand = room.place(*spot), drafting.hand
-    title = heading(spot.box, _title(shown, drafting), _under(shown, spot, drafting), hand)
-    zero = point(shown.subject, "0", 0j, place, pole(place.on(0j)), "pole")
-    order = sorted(shown.vectors, key=lambda one: (one.kind != RESULT, -tied(place.length(abs(one.value)))))
-    seen = [one for one in order if tied(place.length(abs(one.value))) >= SEEN]
-    arrows = lay(seen, place, spot.box, ROOM, hand)
-    short = (LaidVector(one, ends(one, place)) for one in order if one not in seen)
-    thin = carriers(arrows, place, hand)
-    sides = (_side(shown, one, place, drafting) for one in (*reversed(arrows), *short))
-    return RotorPolygonFigure(shown, place, (title, *thin, *sides, zero), arrows, drafting)
-
-
-def _side(shown: RotorPolygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
-    hand, vector = drafting.hand, one.vector
-    style = hand.result if vector.kind == RESULT else hand.relative
-    text = letter(vector.name, len(shown.vectors), drafting)
-    return one.draw(shown.subject, text, place, style, hand.symbol)
-
-
-def _title(shown: RotorPolygon, drafting: Drafting) -> str:
-    return drafting.word("polygon of moments" if shown.plan == COUPLES else "polygon of static moments")
-
-
-def _under(shown: RotorPolygon, spot: Spot, drafting: Drafting) -> str:
-    """Write the scale; of a polygon that closes by itself that it does, and what is too short to bear a letter."""
-    if not shown.vectors:
-        return drafting.word("no vectors")
-    parts = [drafting.scale(spot.scale)]
-    parts += [drafting.word("closes by itself")] if shown.closed else []
-    faint = ", ".join(lowered(name, drafting.language) for name in shown.faint(spot.scale.mu))
-    parts += [drafting.word("unlettered", names=faint)] if faint else []
-    return ";  ".join(parts)
+    return SUM + SCALES.get(plan, SCALE)[0].strip("{}")

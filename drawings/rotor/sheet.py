@@ -6,8 +6,8 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from typing import Any, TypeAlias
 
-from drawings.kinds import working
-from drawings.kinds.working import Working
+from drawings.kinds import polygon
+from drawings.kinds.polygon import Polygon
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Spot
@@ -18,11 +18,12 @@ from drawings.page.page import Field
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Group, Leaf
 from drawings.report.report import agreed
-from drawings.rotor import across, along, polygon
-from drawings.rotor.polygon import RotorPolygon, RotorView, rotor_view
+from drawings.rotor import across, along
+from drawings.rotor.polygon import RotorView, rotor_view
+from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
 from plans.checks.comparison import Comparison, Finding
 from plans.model.rotor import Balance, Correction, Rotor, Unbalance
 from plans.rotor.quantities import EQUILIBRIUM, rotor_by_hand
@@ -110,11 +111,12 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a rotor whose two roads are compared."""
     drafting = drafting_of(scene)
+    polygons = tuple(_polygons(rotor, drafting))
     shows: tuple[Exhibit | Caption, ...] = (
-        *_polygons(rotor, drafting),
+        *(exhibit(polygon, one, drafting, together=TOGETHER) for one in polygons),
         _results(comparison, drafting),
         *_views(rotor, drafting),
-        *captions(_workings(rotor, drafting)),
+        *captions(one.working(drafting) for one in polygons),
     )
     tables = (masses(rotor.rotor, rotor.balance, drafting),)
     said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(compared(comparison), drafting)
@@ -131,36 +133,20 @@ def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the rotor along its shaft; across it too, unless it is a thin disc in the plane of correction."""
     shown = rotor_view(rotor.rotor, rotor.balance)
     if not _thin(shown):
-        room = across.measure(shown, drafting)
-        yield Exhibit(Panel(room), partial(across.draw, shown, room, drafting=drafting))
-    room = along.measure(shown, drafting)
-    yield Exhibit(Panel(room), partial(along.draw, shown, room, drafting=drafting))
+        yield exhibit(across, shown, drafting)
+    yield exhibit(along, shown, drafting)
 
 
 def _thin(shown: RotorView) -> bool:
     return not shown.bearings and len(set(shown.places)) == 1
 
 
-def _workings(rotor: RotorStudy, drafting: Drafting) -> Iterator[Working]:
-    """How the polygons are laid off: beside them, where paper would stay bare."""
-    for shown in _shown(rotor):
-        sizes = {lowered(one.name, drafting.language): abs(one.value) for one in shown.vectors}
-        yield working.segment_working(sizes, shown.symbol[0].strip("{}"), shown.plan, drafting)
-
-
-def _shown(rotor: RotorStudy) -> Iterator[RotorPolygon]:
+def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Polygon]:
     """Give the polygon of moments, if a second plane asks for it, then that of static moments."""
     drawing = rotor.drawing
     names = frozenset(one.mark.name for one in drawing.corrections[:-1])
     for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
-        yield polygon.polygon(construction, names)
-
-
-def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
-    """Show the polygons in one column."""
-    for shown in _shown(rotor):
-        room = polygon.measure(shown, drafting)
-        yield Exhibit(Panel(room, together=TOGETHER), partial(polygon.draw, shown, room, drafting=drafting))
+        yield rotor_polygon(construction, names, drafting)
 
 
 def _results(comparison: Comparison, drafting: Drafting) -> Caption:

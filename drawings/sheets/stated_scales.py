@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
@@ -14,7 +15,7 @@ from drawings.layout.room import corner_of, room_of
 from drawings.layout.slicing import GAP, Size
 from drawings.layout.table import Later, RuledTable
 from drawings.page.page import Page
-from drawings.page.scale import Scale
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.strokes import Group, SheetError
 from drawings.sheets.documents import of_scale
 from drawings.sheets.table import SHEETS
@@ -27,6 +28,27 @@ class Exhibit(NamedTuple):
 
     panel: Panel
     draw: Callable[[Spot], Figure]
+
+
+Shown_contra = TypeVar("Shown_contra", contravariant=True)
+
+
+class Figures(Protocol[Shown_contra]):
+    """The figures of a kind: the file that measures and draws them."""
+
+    def measure(self, shown: Shown_contra, drafting: Drafting, /) -> Picture:
+        """Measure the room that one needs."""
+        ...
+
+    def draw(self, shown: Shown_contra, room: Picture, spot: Spot, /, drafting: Drafting) -> Figure:
+        """Draw it in its spot."""
+        ...
+
+
+def exhibit(figures: Figures[Shown_contra], shown: Shown_contra, drafting: Drafting, **wants: Any) -> Exhibit:
+    """Show a figure, given by its file and by what it shows, with what it `wants` of its place as a panel does."""
+    room = figures.measure(shown, drafting)
+    return Exhibit(Panel(room, **wants), partial(figures.draw, shown, room, drafting=drafting))
 
 
 class Caption(NamedTuple):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from drawings.layout.picture import Place
+from drawings.layout.picture import Margins, Place
+from drawings.lettering.lettering import text_width
 from drawings.page.scale import Scale
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
+from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols.symbols import arrowhead
 
 PLAN_LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
@@ -49,6 +50,17 @@ def vector(
 def point(subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point") -> Group:
     """Draw a point or a pole by its circle, and say what it is."""
     return Group((circle,), "", subject.data(kind, name, value, place.scale), name)
+
+
+def around(sizes: Margins, hand: Hand, side: float = 0.0, below: float = 0.0, above: float = 0.0) -> Margins:
+    """Give the paper around a figure, mm: for its letters, in their sizes, for what reaches beyond it, its heading."""
+    beside, under, over = (size * hand.letter for size in sizes)
+    return Margins(beside + side, under + below, over + above + 2 * hand.title + hand.text)
+
+
+def heading_width(title: str, hand: Hand) -> float:
+    """Give the width of a figure's title, mm, with what slanted letters lean beyond it."""
+    return text_width(Text(0j, title, hand.title)) + 2 * LEAN * hand.title
 
 
 def heading(box: Field, title: str, under: str, hand: Hand, *further: str) -> Group:

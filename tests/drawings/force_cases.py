@@ -12,7 +12,7 @@ import numpy as np
 from drawings.forces import lever_plan, polygon
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Picture, Spot
+from drawings.layout.picture import LetteredFigure, Picture, Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand, hand_of
@@ -26,7 +26,7 @@ from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.scene.scene import parse_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
-Figure: TypeAlias = polygon.PolygonFigure | lever_plan.LeverFigure
+Figure: TypeAlias = LetteredFigure | lever_plan.LeverFigure
 GEARED = Transmission(GEAR, 0.18, radians(210), radians(20))
 RAM = {1: Body(1, 6, 0.25, 0j), 3: Body(3, 15, 0.6, 0.35 + 0j), 4: Body(4, 3, 0.01, 0.1 + 0j), 5: Body(5, 25, 0, 0j)}
 
@@ -102,9 +102,7 @@ def spot(measure: Picture, cell: Field) -> Spot:
     return Spot(Field(low.real, low.imag, high.real, high.imag), scale)
 
 
-def polygons(
-    case: Forced, k: int, hand: Hand, language: str = "en", reactions: str = "R"
-) -> list[polygon.PolygonFigure]:
+def polygons(case: Forced, k: int, hand: Hand, language: str = "en", reactions: str = "R") -> list[LetteredFigure]:
     """Draw the force plans of all cuts in cells beside one another."""
     figures = []
     drafting = Drafting(hand, language, reactions=reactions)

@@ -10,7 +10,7 @@ import pytest
 
 from drawings.bank.report import chapters, headline, subject
 from drawings.bank.sheet import leaves, view_of
-from drawings.bank.star import SIDE
+from drawings.kinds.polygon import SIDE
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.bank_scenes import bank, compensator, scene

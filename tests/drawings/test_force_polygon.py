@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from drawings.forces.polygon import ForcePolygon, draw, polygon
+from drawings.forces.letters import WHOLE
+from drawings.forces.polygon import WIDE, ForcePolygon, draw, polygon
 from drawings.forces.polygon import measure as room_of
+from drawings.kinds.polygon import ShownVector, lay
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.measure.measure import measure
 from drawings.measure.measured import MeasuredVector
@@ -13,7 +17,6 @@ from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
-from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
 
@@ -64,11 +67,12 @@ def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -
     measure_ = room_of(shown, "forces-2-3-0", Drafting(A1))
     placed = spot(measure_, Field(10, 10, 300, 300))
     drawn = draw(shown, measure_, placed, Drafting(A1))
-    assert [arrow.vector.name for arrow in drawn.arrows if arrow.shift] == ["G_3", "G_2"]  # the longest keeps its place
-    assert len({arrow.shift for arrow in drawn.arrows if arrow.shift}) == 1  # both on one side, in one lane
+    arrows = lay(shown.forces, WHOLE, measure_.place(*placed), placed.box, WIDE, A1).seen
+    assert [arrow.vector.name for arrow in arrows if arrow.shift] == ["G_3", "G_2"]  # the longest keeps its place
+    assert len({arrow.shift for arrow in arrows if arrow.shift}) == 1  # both on one side, in one lane
     for one in measure(svg(leaf([drawn], A1))).vectors:
         assert abs(one.value - one.stated) <= 2e-3 * one.scale
-    for arrow in (arrow for arrow in drawn.arrows if arrow.shift):
+    for arrow in (arrow for arrow in arrows if arrow.shift):
         for end in arrow.ends:
             lead = [
                 line
@@ -82,9 +86,12 @@ def test_small_forces_among_huge_ones_are_named_for_the_table() -> None:
     """The press: 4 MN on the ram, the links' weights are 10^4 times less and more; the polygon closes all the same."""
     case = forced("press")
     drawn = polygons(case, 3, A1)[0]
-    assert {"G_4", "G_5", "Φ_4", "Φ_5"} <= set(drawn.faint)
-    assert {arrow.vector.name for arrow in drawn.arrows}.isdisjoint(drawn.faint)
-    assert {"F_us", "R_05", "R_24"}.isdisjoint(drawn.faint)
+    head = " ".join(one.plain for one in flat(drawn.lines) if isinstance(one, Text))
+    faint = set(head.partition(": ")[2].split(", "))
+    lettered = {one.plain for one in flat(drawn.letters(Labels(Ink(920, 460), A1.drafted))) if isinstance(one, Text)}
+    assert {"G4", "G5", "Φ4", "Φ5"} <= faint
+    assert {"Fus", "R05", "R54"} <= lettered
+    assert lettered.isdisjoint(faint)
 
 
 def test_a_force_that_is_zero_is_left_out() -> None:

@@ -1,0 +1,248 @@
+"""Vectors end to end: side by side where they run along one another, lettered beside them (многоугольник)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.kinds import working
+from drawings.kinds.working import Working
+from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import APART, Box, Segment, offset, parallel_offsets
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.page.page import Field
+from drawings.page.scale import Drafting, Scale
+from drawings.paper.hand import Hand
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke
+from drawings.paper.walk import tied
+from drawings.symbols.figure import Subject, around, heading, heading_width, point
+from drawings.symbols.symbols import arrowhead, pole
+
+FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
+BESIDE = 0.9  # mm from a vector to its letter
+HIGH = 1.9  # sizes of a letter: the height of one between two lanes, with what it keeps clear of them
+PAST = 1.0  # mm that the thin lines to a lane run past it
+
+
+class ShownVector(NamedTuple):
+    """A vector as a figure shows it, before it is put on paper: where it begins or acts, and its value.
+
+    The place is in the figure's own true units: N of a polygon of forces, m of a scheme, m/s of a lever.
+    """
+
+    name: str
+    kind: str  # what it is on its figure
+    at: complex
+    value: complex
+    spot: str = ""  # the letter of the point there, if it is one
+
+    @property
+    def end(self) -> complex:
+        """The true place of its end in a polygon."""
+        return self.at + self.value
+
+    @property
+    def direction(self) -> complex:
+        """Its unit direction; a vector that is zero has none."""
+        return self.value / abs(self.value)
+
+    @property
+    def moment(self) -> float:
+        """Its moment about the figure's zero: W of a force on a lever."""
+        return (self.at.conjugate() * self.value).imag
+
+
+class LaidVector(NamedTuple):
+    """A vector of a polygon on paper: its ends, mm, and how far it was shifted from its own place."""
+
+    vector: ShownVector
+    ends: Segment
+    shift: complex = 0j
+
+    def draw(self, subject: Subject, letter: str, place: Place, style: LineStyle, symbol: float) -> Group:
+        """Draw it, measurable, with its arrowhead."""
+        head = arrowhead(*self.ends, symbol)
+        strokes = (Line(*self.ends, style),) if head is None else (Line(*self.ends, style), head)
+        data = subject.data("vector", self.vector.name, self.vector.value, place.scale)
+        return Group(strokes, "", data, letter)
+
+
+def margins(points: Sequence[complex], sizes: Margins, hand: Hand) -> Margins:
+    """Give the paper around a polygon, mm: its letters, given in their sizes, lanes beside a flat one, its heading."""
+    spots = np.array(points)
+    wide, high = float(np.ptp(spots.real)), float(np.ptp(spots.imag))
+    beside = 2 * APART * hand.symbol if min(wide, high) < FLAT * max(wide, high) else 0.0
+    return around(sizes, hand, beside, beside, beside)
+
+
+def ends(one: ShownVector, place: Place) -> Segment:
+    """Give the ends of a vector at its own place on paper."""
+    return place.on(one.at), place.on(one.end)
+
+
+class Chain(NamedTuple):
+    """Vectors laid on paper: those that are seen, and those that are too short to bear a letter."""
+
+    seen: tuple[LaidVector, ...]
+    short: tuple[LaidVector, ...]
+
+    def sides(self, subject: Subject, thin: str, letter: Callable[[str], str], place: Place, hand: Hand) -> list[Group]:
+        """Draw them, measurable, those of the `thin` kind in thinner lines; what keeps its place lies on top."""
+        found = []
+        for one in (*reversed(self.seen), *self.short):
+            style = hand.relative if one.vector.kind == thin else hand.result
+            found.append(one.draw(subject, letter(one.vector.name), place, style, hand.symbol))
+        return found
+
+
+def lay(
+    vectors: Sequence[ShownVector], thin: str, place: Place, box: Field, wide: float, hand: Hand, least: float = 0.0
+) -> Chain:
+    """Lay vectors, in lanes where they run along one another: the longest keeps its place, before any `thin` one.
+
+    A letter between two lanes is so many of its sizes `wide`. What is shorter than the `least`, mm, is a point.
+    """
+    lengths = {one: place.length(abs(one.value)) for one in vectors}
+    order = sorted(lengths, key=lambda one: (one.kind == thin, -tied(lengths[one])))
+    seen = [one for one in order if tied(lengths[one]) >= SEEN]
+    short = (one for one in lengths if one not in seen and lengths[one] >= least)
+    return Chain(
+        _lanes(seen, place, box, complex(wide, HIGH), hand), tuple(LaidVector(one, ends(one, place)) for one in short)
+    )
+
+
+def _lanes(order: Sequence[ShownVector], place: Place, box: Field, room: complex, hand: Hand) -> tuple[LaidVector, ...]:
+    """Lay vectors in their lanes; of several that run along one another the first keeps its place.
+
+    A letter between two lanes has a room of width + 1j * height, in its sizes.
+    """
+    segments = [ends(one, place) for one in order]
+    wide, high = room.real * hand.letter, room.imag * hand.letter  # of a letter beside the outermost lane
+    top = box.top - 2 * hand.title - hand.text - high
+    inside: Box = (box.left + wide, box.bottom + high, box.right - wide, top)
+    shifts = parallel_offsets(segments, APART * hand.symbol, room * hand.letter, inside)
+    placed = zip(order, segments, shifts, strict=True)
+    return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in placed)
+
+
+def carriers(arrows: Sequence[LaidVector], place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the thin lines that carry the ends of vectors over to their lanes."""
+    style = LineStyle(hand.construction)
+    return [
+        Line(end, end + arrow.shift + arrow.shift / abs(arrow.shift) * PAST * hand.symbol, style)
+        for arrow in arrows
+        if arrow.shift
+        for end in ends(arrow.vector, place)
+    ]
+
+
+def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float]], labels: Labels) -> list[Stroke]:
+    """Letter each vector on its outer side, the shortest served first; `mark` gives a name's letter and its size."""
+    spots = [end for arrow in arrows for end in arrow.ends]
+    middle = sum(spots, 0j) / max(len(spots), 1)
+    strokes = []
+    for one, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
+        outward = shift or (start + end) / 2 - middle or 1j
+        strokes.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
+    return strokes
+
+
+FEW = 9  # vectors: of more each is numbered alone
+SIDE, RESULT = "side", "result"  # what a vector is: given, or found
+LANE = 2.4  # sizes of a letter: paper over and under a polygon
+
+
+class Letters(NamedTuple):
+    """How vectors are lettered: with their indices lowered, or where they are many by their numbers alone."""
+
+    lower: Callable[[str], str]
+    number: Callable[[str], str]  # "" of one that has none
+
+    def of(self, name: str, count: int, hand: Hand) -> tuple[str, float]:
+        """Letter one of so many; give the size of its letter too, mm: numbers alone are smaller."""
+        text = (self.number(name) if count > FEW else "") or self.lower(name)
+        return text, hand.number if text.isdigit() else hand.letter
+
+
+class Sizes(NamedTuple):
+    """What a polygon wants for its letters, in their sizes."""
+
+    least: float  # it is drawn at least so large
+    each: float  # and so large for each of its vectors
+    wide: float  # a letter between two lanes, with what it keeps clear of them
+    side: float = 4.0  # paper beside it
+
+
+class Polygon(NamedTuple):
+    """A polygon as a sheet shows it: its vectors in the order of laying, their sum or what closes them last, if any."""
+
+    name: str  # of the figure, and of the plan of its marks
+    title: str
+    scale: tuple[str, str]  # letter and unit
+    vectors: tuple[ShownVector, ...]
+    closed: bool  # by itself
+    letters: Letters
+    sizes: Sizes
+    position: int | None = None
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(end for one in self.vectors for end in (one.at, one.end))]
+
+    @property
+    def subject(self) -> Subject:
+        """What its marks belong to."""
+        return Subject(self.name, self.scale[0].strip("{}"), self.position)
+
+    def mark(self, name: str, hand: Hand) -> tuple[str, float]:
+        """Give the letter of a vector, and its size, mm."""
+        return self.letters.of(name, len(self.vectors), hand)
+
+    def under(self, scale: Scale, drafting: Drafting) -> str:
+        """Write the scale; of a polygon that closes by itself that it does, and what is too short to bear a letter."""
+        if not self.vectors:
+            return drafting.word("no vectors")
+        parts = [drafting.scale(scale)]
+        parts += [drafting.word("closes by itself")] if self.closed else []
+        faint = ", ".join(self.letters.lower(one.name) for one in self.vectors if abs(one.value) < SEEN * scale.mu)
+        parts += [drafting.word("unlettered", names=faint)] if faint else []
+        return ";  ".join(parts)
+
+    def working(self, drafting: Drafting) -> Working:
+        """Write beside it how long its vectors are drawn."""
+        sizes = {self.letters.lower(one.name): abs(one.value) for one in self.vectors}
+        return working.segment_working(sizes, self.subject.quantity, self.name, drafting)
+
+
+def measure(shown: Polygon, drafting: Drafting) -> Picture:
+    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
+    hand, own = drafting.hand, shown.sizes
+    paper = margins(shown.points, Margins(own.side, LANE, LANE), hand)
+    least = hand.letter * max(own.least, own.each * min(len(shown.vectors), FEW))
+    return picture(shown.name, shown.points, shown.scale, paper, heading_width(shown.title, hand), least)
+
+
+def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw the polygon in its spot: results in main lines, the others thinner, title and scale above."""
+    place, hand = room.place(*spot), drafting.hand
+    chain = lay(shown.vectors, SIDE, place, spot.box, shown.sizes.wide, hand)
+    lines = (
+        heading(spot.box, shown.title, shown.under(spot.scale, drafting), hand),
+        *carriers(chain.seen, place, hand),
+        *chain.sides(shown.subject, SIDE, lambda name: shown.mark(name, hand)[0], place, hand),
+        point(shown.subject, "0", 0j, place, pole(place.on(0j)), "pole"),
+    )
+    return LetteredFigure(shown.name, lines, partial(_letter, shown, chain, place.on(0j), hand))
+
+
+def _letter(shown: Polygon, chain: Chain, zero: complex, hand: Hand, labels: Labels) -> Iterator[Stroke]:
+    """Letter the beginning, and each vector beside it."""
+    yield labels.beside(zero, "0", hand.letter, 1.6, -math.pi / 4)
+    yield from letters(chain.seen, lambda name: shown.mark(name, hand), labels)
