@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.vector_letters import lowered_bank
 from drawings.page.scale import Drafting
@@ -22,7 +22,7 @@ from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, 
 from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, POINT, hinge, turning_arrow
 from plans.bank.harmonics import letters, roman
 from plans.model.balance.bank import Compensator
@@ -36,40 +36,18 @@ OFF = 7.0  # mm from what is dimensioned to its line
 TURN = (math.radians(200), math.radians(70))  # start and sweep of the arrow on a shaft
 
 
-@dataclass(frozen=True)
-class LayoutFigure:
-    """The layout placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: Layout
-    place: Place
-    lines: tuple[Stroke, ...]
-    sizes: tuple[Dimension, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole layout, each mass lettered outward, each shaft with the speed at which it turns."""
-        placed = (*self._masses(labels), *self._speeds(labels), *self._sizes(labels))
-        return (Group((*self.lines, Group(placed)), self.shown.name),)
-
-    def _masses(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        gap = BODY * hand.symbol + BESIDE
-        yield labels.beside(self.place.on(0j), "O", hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
-        for one in self.shown.weights():
-            spot = self.place.on(one.shaft + one.arm)
-            yield labels.beside(spot, lowered_bank(one.name), hand.letter, gap, cmath.phase(one.arm))
-
-    def _speeds(self, labels: Labels) -> Iterator[Stroke]:
-        """Write on each shaft how fast it turns, against the crank with a minus."""
-        middle = TURN[0] + TURN[1] / 2
-        for one in self.shown.weights():
-            spot = self.place.on(one.shaft) + cmath.rect(arrow_radius(self.shown, self.place), middle)
-            yield labels.beside(spot, speed(one.turns), self.drafting.hand.number, BESIDE, middle)
-
-    def _sizes(self, labels: Labels) -> Iterator[Stroke]:
-        for one in self.sizes:
-            side = cmath.phase(one.off)
-            yield labels.along(*one.lines[0], one.letter, self.drafting.hand.number, BESIDE, side)
+def _letters(shown: Layout, place: Place, sizes: Sequence[Dimension], hand: Hand, labels: Labels) -> Iterator[Stroke]:
+    """Letter the crank's shaft, each mass outward, each shaft with the speed at which it turns, the sizes."""
+    yield labels.beside(place.on(0j), "O", hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
+    for one in shown.weights():
+        spot, gap = place.on(one.shaft + one.arm), BODY * hand.symbol + BESIDE
+        yield labels.beside(spot, lowered_bank(one.name), hand.letter, gap, cmath.phase(one.arm))
+    middle = TURN[0] + TURN[1] / 2
+    for one in shown.weights():
+        spot = place.on(one.shaft) + cmath.rect(arrow_radius(shown, place), middle)
+        yield labels.beside(spot, speed(one.turns), hand.number, BESIDE, middle)
+    for size in sizes:
+        yield labels.along(*size.lines[0], size.letter, hand.number, BESIDE, cmath.phase(size.off))
 
 
 def arrow_radius(shown: Layout, place: Place) -> float:
@@ -81,8 +59,7 @@ def measure(shown: Layout, drafting: Drafting) -> Picture:
     """Measure the room that the layout needs."""
     hand = drafting.hand
     title = text_width(Text(0j, title_of(shown, drafting), hand.title))
-    side, below, above = (share * hand.letter + OFF * hand.symbol for share in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    margins = around(MARGINS, hand, *(OFF * hand.symbol,) * 3)
     found = picture(shown.name, list(shown.points()), (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
     return found._replace(most=MOST * hand.letter)
 
@@ -94,7 +71,7 @@ def title_of(shown: Layout, drafting: Drafting) -> str:
     return drafting.word("compensator of order", order=shown.found.asked.order)
 
 
-def draw(shown: Layout, sense: float, room: Picture, spot: Spot, drafting: Drafting) -> LayoutFigure:
+def draw(shown: Layout, sense: float, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the layout in its spot: guide and line of the compensators, gears, shafts, masses, sizes."""
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) + ("" if shown.known else f";  {drafting.word('arms nominal')}")
@@ -106,7 +83,7 @@ def draw(shown: Layout, sense: float, room: Picture, spot: Spot, drafting: Draft
     lines += [stroke for one in sizes for stroke in one.draw(hand)]
     (circle,) = hinge(place.on(0j), hand)
     lines.append(point(Subject(shown.name, QUANTITY, None), "O", 0j, place, circle, "pole"))
-    return LayoutFigure(shown, place, tuple(lines), sizes, drafting)
+    return LetteredFigure(shown.name, tuple(lines), partial(_letters, shown, place, sizes, hand))
 
 
 def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -11,7 +9,6 @@ from typing import NamedTuple
 from drawings.forces.letters import BALANCE, LOAD, PAIR
 from drawings.forces.lever_layout import (
     PLAN,
-    SAME,
     SYMBOL,
     UNIT,
     LeverTerm,
@@ -24,19 +21,18 @@ from drawings.forces.lever_layout import (
 )
 from drawings.forces.polygon import ZERO
 from drawings.kinds.polygon import ShownVector
+from drawings.kinds.vector_plan import LEAST, letter_images
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import with_index
-from drawings.linkage.vector_plan import LEAST, diagram
+from drawings.linkage.vector_plan import diagram
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import Circle, Group, Line, LineStyle, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.dimension import Arm
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, around, heading, heading_width, point
 from drawings.symbols.force_arrow import ForceArrow, plain_name
 from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
 from geometry.board import Mark, at
@@ -46,7 +42,6 @@ from plans.forces.lever import Lever
 QUARTER = -1j  # the plan is turned clockwise
 MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the letters
 LETTERS, EACH = 12.0, 1.6  # a lever is drawn at least so many letters large, and so many for each force that it bears
-BESIDE = 1.6  # mm from an image to its letter
 
 
 class Hanging(NamedTuple):
@@ -132,18 +127,10 @@ class LeverFigure:
         return (Group((*self.lines, Group(tuple(letters))), f"{PLAN}-{self.shown.column}"),)
 
     def _images(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the pole and every image once; images that fall on one place share it."""
-        names: dict[complex, list[str]] = {self.place.on(0j): [self.shown.pole]}
-        for _, letters, true in self.shown.images:
-            spot = self.place.on(true)
-            same = next((known for known in names if abs(known - spot) < SAME), spot)
-            own = names.setdefault(same, [])
-            own += [letter for letter in letters.split(" ") if letter not in own]
-        middle = sum(names, 0j) / len(names)
-        for spot, own in names.items():
-            prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
-            gap = BESIDE if spot != self.place.on(0j) else HINGE * self.hand.symbol + 1.0
-            yield labels.beside(spot, ", ".join(map(with_index, own)), self.hand.number, gap, prefer)
+        """Letter the pole and every image."""
+        images = [(0j, self.shown.pole), *((true, letters) for _, letters, true in self.shown.images)]
+        spots = ((self.place.on(true), letters.split(" ")) for true, letters in images)
+        return letter_images(spots, self.hand.number, labels, HINGE * self.hand.symbol + 1.0)
 
 
 def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
@@ -151,14 +138,13 @@ def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
     return terms(shown.forces, {true: letters.split(" ")[0] for _, letters, true in shown.images}, drafting)
 
 
-def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
+def measure(shown: Hanging, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
-    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
-    side, below, above = (size * hand.letter + reach(shown.forces) * hand.symbol for size in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    margins = around(MARGINS, hand, *(reach(shown.forces) * hand.symbol,) * 3)
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
-    return picture(name, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
+    title = heading_width(_title(shown, drafting), hand)
+    return picture(PLAN, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
 
 
 def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:

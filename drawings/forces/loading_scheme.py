@@ -292,9 +292,9 @@ class SchemeFigure:
         return (Group((*self.lines, letters), f"scheme-{self.shown.cut.label}-{self.shown.column}"),)
 
 
-def measure(shown: Scheme, name: str, drafting: Drafting) -> Picture:
+def measure(shown: Scheme, drafting: Drafting) -> Picture:
     """Measure the room that a scheme needs: its links to scale, and what of its arrows is outside them, in mm."""
-    hand = drafting.hand
+    hand, name = drafting.hand, f"scheme-{shown.cut.label}"
     least = LEAST * hand.letter
     bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0)
     solid = picture(name, shown.solid, ("l", "m"), Margins(0, 0, 0), 0.0)

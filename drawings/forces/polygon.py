@@ -10,15 +10,15 @@ from typing import NamedTuple
 from drawings.forces.letters import CLOSING, WHOLE, letter_of
 from drawings.forces.lever_layout import largest
 from drawings.kinds.polygon import Chain, LaidVector, ShownVector, carriers, ends, lay, letters, margins
+from drawings.kinds.vector_plan import LEAST, directions
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.linkage.vector_plan import BEYOND, LEAST
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import LEAN, Circle, Group, Line, Stroke, Text
+from drawings.paper.strokes import LEAN, Circle, Group, Stroke, Text
 from drawings.symbols.figure import LINE, Subject, heading, heading_width
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between
@@ -91,6 +91,7 @@ class ForcePolygon(NamedTuple):
     forces: tuple[ShownVector, ...]
     rays: tuple[Segment, ...]  # true ends of the lines of known direction: from their start to the meeting
     detail: str = ""  # the letter of a detail, of which only some sides are shown
+    details: tuple[ForcePolygon, ...] = ()  # that show what is too small in it
 
     @property
     def plan(self) -> str:
@@ -140,7 +141,7 @@ def _rays(corner: Mark, column: int) -> list[Segment]:
     return [(at(line.through, column), at(corner.point, column)) for line in met]
 
 
-def measure(shown: ForcePolygon, name: str, drafting: Drafting, details: Sequence[ForcePolygon] = ()) -> Picture:
+def measure(shown: ForcePolygon, drafting: Drafting) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading.
 
     There is room for the names of all forces that are neither to be seen at its least size nor shown in details.
@@ -148,20 +149,20 @@ def measure(shown: ForcePolygon, name: str, drafting: Drafting, details: Sequenc
     hand = drafting.hand
     title = heading_width(_title(shown, drafting), hand)
     least = hand.letter * max(LETTERS, EACH * len(shown.forces))
-    room = picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
+    room = picture(shown.plan, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
     mu = max(room.wide, room.high) / least
-    faint = _faint(shown, details, mu)
-    if not faint:
-        return room
-    wide = max(title, room.wide / mu + 2 * room.margins.side) if mu else title
-    lines = _under(shown, faint, Scale(mu, SYMBOL, UNIT), wide, drafting)
-    above = room.margins.above + (len(lines) - 1) * LINE * hand.text
-    return room._replace(heading=wide, margins=room.margins._replace(above=above))
+    faint = _faint(shown, mu)
+    if faint:
+        wide = max(title, room.wide / mu + 2 * room.margins.side) if mu else title
+        lines = _under(shown, faint, Scale(mu, SYMBOL, UNIT), wide, drafting)
+        above = room.margins.above + (len(lines) - 1) * LINE * hand.text
+        room = room._replace(heading=wide, margins=room.margins._replace(above=above))
+    if shown.detail:
+        room = room._replace(least=DETAIL_LETTERS * hand.letter, most=WIDEST * hand.letter)
+    return room
 
 
-def draw(
-    shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting, details: Sequence[ForcePolygon] = ()
-) -> LetteredFigure:
+def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above.
 
     A thin circle stands around what a detail shows enlarged.
@@ -169,9 +170,9 @@ def draw(
     place, hand, letter = room.place(*spot), drafting.hand, partial(letter_of, drafting=drafting)
     chain = lay(shown.forces, WHOLE, place, spot.box, WIDE, hand, LEAST)
     sides = chain.sides(Subject(shown.plan, SYMBOL, shown.column), WHOLE, letter, place, hand)
-    thin = [*_directions(shown, place, hand), *carriers(chain.seen, place, hand)]
-    faint = _faint(shown, details, place.scale.mu)
-    circles = {one.detail: _circle(one, chain.seen, place, hand) for one in details}
+    thin = [*directions(shown.rays, place, hand), *carriers(chain.seen, place, hand)]
+    faint = _faint(shown, place.scale.mu)
+    circles = {one.detail: _circle(one, chain.seen, place, hand) for one in shown.details}
     under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
     title = heading(spot.box, _title(shown, drafting), under, hand, *further)
     around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles.items())
@@ -195,9 +196,9 @@ def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, ha
     return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
 
 
-def _faint(shown: ForcePolygon, details: Sequence[ForcePolygon], mu: float) -> tuple[str, ...]:
+def _faint(shown: ForcePolygon, mu: float) -> tuple[str, ...]:
     """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail."""
-    enlarged = {side.name for one in details for side in one.forces}
+    enlarged = {side.name for one in shown.details for side in one.forces}
     return tuple(name for name in shown.faint(mu) if name not in enlarged)
 
 
@@ -219,17 +220,6 @@ def _broken(text: str, wide: float, hand: Hand) -> list[str]:
             lines.append(part)
         else:
             lines[-1] = longer
-    return lines
-
-
-def _directions(shown: ForcePolygon, place: Place, hand: Hand) -> list[Stroke]:
-    """Draw each line of known direction from a little before its start to a little past the meeting."""
-    lines: list[Stroke] = []
-    for start, end in shown.rays:
-        first, last = place.on(start), place.on(end)
-        if abs(last - first) >= LEAST:
-            along = (last - first) / abs(last - first) * BEYOND * hand.symbol
-            lines.append(Line(first - along / 2, last + along, hand.drafted))
     return lines
 
 

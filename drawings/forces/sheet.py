@@ -32,7 +32,7 @@ from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import unknown
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, see_ordinates
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, see_ordinates
 from geometry.board import at
 from plans.checks.comparison import Finding
 from plans.forces.cut import Cut, ForcePlan, indices
@@ -124,31 +124,23 @@ class _ForceSheet:
     def _column(self, cut: Cut) -> Iterator[Exhibit | Caption]:
         """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
         yield from (self._scheme(cut), self._equations(cut))
-        if self._shown(cut).forces:
-            yield self._polygon(cut)
-        for shown in self._details[cut.label]:
-            room = polygon.measure(shown, shown.plan, self.drafting)
-            least, most = (size * self.drafting.hand.letter for size in (polygon.DETAIL_LETTERS, polygon.WIDEST))
-            room = room._replace(least=least, most=most)
-            draw = partial(polygon.draw, shown, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=cut.label), draw)
-
-    def _shown(self, cut: Cut) -> polygon.ForcePolygon:
-        return polygon.polygon(self.plan, cut, self.position)
+        shown = self._polygons[cut.label]
+        for one in (*([shown] if shown.forces else []), *shown.details):
+            yield exhibit(polygon, one, self.drafting, together=cut.label)
 
     @cached_property
-    def _details(self) -> dict[str, tuple[polygon.ForcePolygon, ...]]:
-        """The enlarged details of each cut's polygon, lettered through all of them."""
-        found: dict[str, tuple[polygon.ForcePolygon, ...]] = {}
+    def _polygons(self) -> dict[str, polygon.ForcePolygon]:
+        """The polygon of each cut with its enlarged details, which are lettered through all of them."""
+        found, before = dict[str, polygon.ForcePolygon](), 0
         for cut in self.plan.cuts:
-            shown = self._shown(cut)
-            room, before = polygon.measure(shown, "", self.drafting), sum(map(len, found.values()))
-            found[cut.label] = polygon.details(shown, room, self.drafting, before)
+            shown = polygon.polygon(self.plan, cut, self.position)
+            details = polygon.details(shown, polygon.measure(shown, self.drafting), self.drafting, before)
+            found[cut.label], before = shown._replace(details=details), before + len(details)
         return found
 
     def _scheme(self, cut: Cut) -> Exhibit:
         shown = loading_scheme.scheme(self.plan, cut, self.position)
-        room = loading_scheme.measure(shown, f"scheme-{cut.label}", self.drafting)
+        room = loading_scheme.measure(shown, self.drafting)
         if cut is self.plan.cuts[-1]:
             room = room._replace(most=LARGEST * room.least or math.inf)
         draw = partial(loading_scheme.draw, shown, room, drafting=self.drafting)
@@ -159,22 +151,14 @@ class _ForceSheet:
         passage = equations.passage(f"equations-{cut.label}")
         return Caption(Panel(passage.block(), together=cut.label), partial(passage.write, hand=self.drafting.hand))
 
-    def _polygon(self, cut: Cut) -> Exhibit:
-        shown = self._shown(cut)
-        details = self._details[cut.label]
-        room = polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting, details)
-        draw = partial(polygon.draw, shown, room, drafting=self.drafting, details=details)
-        return Exhibit(Panel(room, together=cut.label), draw)
-
     def _lever(self) -> Iterator[Exhibit | Caption]:
         """The lever, with its equation of moments where anything has one."""
         plans = self.statics.drafts().plans
         if plans.lever is None or not self.study.rates.at(self.position)[0]:
             return
         shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
-        room, told = lever_plan.measure(shown, LEVER, self.drafting), lever_plan.balance(shown, self.drafting)
-        draw = partial(lever_plan.draw, shown, room, drafting=self.drafting)
-        yield Exhibit(Panel(room, together=LEVER if told else ""), draw)
+        told = lever_plan.balance(shown, self.drafting)
+        yield exhibit(lever_plan, shown, self.drafting, together=LEVER if told else "")
         if told:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None
@@ -197,7 +181,7 @@ class _ForceSheet:
         """How the known forces of a cut are laid off, and those that close its polygon are read."""
         name, drafting = f"{POLYGON}{cut.label}", self.drafting
         known, found = dict[str, float](), dict[str, float]()
-        for one in self._shown(cut).forces:
+        for one in self._polygons[cut.label].forces:
             (known if one.kind in LAID else found)[letter_of(one.name, drafting)] = abs(one.value)
         if known:
             yield working.segment_working(known, polygon.SYMBOL, name, drafting, SEEN)
@@ -209,10 +193,7 @@ class _ForceSheet:
         if self.position != self.chosen[0]:
             return
         for course in courses(self.statics.machine, self.statics.strokes, self.comparison.motion.construction):
-            room = load_diagram.measure(course, self.drafting)
-            shown = course._replace(shown=self.chosen)
-            draw = partial(load_diagram.draw, shown, room, drafting=self.drafting)
-            yield Exhibit(Panel(room), draw)
+            yield exhibit(load_diagram, course._replace(shown=self.chosen), self.drafting)
 
     def _graph(self) -> Iterator[Exhibit]:
         """The balancing moment over the turn, or the swing, of the crank: once in a set, on its first sheet."""

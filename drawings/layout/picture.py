@@ -52,10 +52,12 @@ class LetteredFigure(NamedTuple):
     name: str
     lines: tuple[Stroke, ...]
     letters: Callable[[Labels], Iterable[Stroke]]
+    grouped: bool = True  # whether its letters are a group within it
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its letters over its lines."""
-        return (Group((*self.lines, Group(tuple(self.letters(labels)))), self.name),)
+        placed = tuple(self.letters(labels))
+        return (Group((*self.lines, *((Group(placed),) if self.grouped else placed)), self.name),)
 
 
 class StillFigure(NamedTuple):

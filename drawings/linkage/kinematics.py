@@ -20,7 +20,6 @@ from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.linkage import position_plan, vector_plan, workings
-from drawings.linkage import vector_plan as own_scale
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import force_positions, plans, position
 from drawings.linkage.skeleton import Skeletons, skeletons, unnamed
@@ -28,7 +27,7 @@ from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, m
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.by_hand import MotionByHand
@@ -131,9 +130,7 @@ class _KinematicsSheet:
             why = self._why(subject, k)
             absent = measure_missing(why, name, self.drafting)
             return Exhibit(Panel(absent, together=str(k)), partial(draw_missing, why, name, drafting=self.drafting))
-        room = vector_plan.measure(shown, name, self.drafting)
-        draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
-        return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)
+        return exhibit(vector_plan, shown, self.drafting, together=str(k), scale=self._shared(subject))
 
     def _workings(self) -> Iterator[Working]:
         """How the plans are laid off and read: beside them, where paper would stay bare."""
@@ -177,7 +174,7 @@ class _KinematicsSheet:
     def _remarks(self, spots: Mapping[str, Spot]) -> tuple[str, ...]:
         """Say why a plan has another scale than the others of its kind."""
         plans = (exhibit.panel.item for exhibit in self._plans())
-        return tuple(own_scale.remarks([one for one in plans if isinstance(one, Picture)], spots, self.drafting))
+        return tuple(vector_plan.remarks([one for one in plans if isinstance(one, Picture)], spots, self.drafting))
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
+from drawings.kinds.vector_plan import LEAST, directions, letter_images
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, StillFigure, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, StillFigure, picture
 from drawings.lettering.lettering import text_width
-from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import runs
 from drawings.linkage.coriolis import (
     LaidPart,
@@ -27,7 +26,7 @@ from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
-from drawings.symbols.figure import PLAN_LETTERS, Subject, heading, point, vector
+from drawings.symbols.figure import PLAN_LETTERS, Subject, around, heading, point, vector
 from drawings.symbols.symbols import pole
 from geometry.board import Line as Direction
 from geometry.board import Mark, at
@@ -62,10 +61,8 @@ def remarks(plans: Sequence[Picture], spots: Mapping[str, Spot], drafting: Draft
             )  # fmt: skip
 
 
-BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
 NONE: Mapping[str, tuple[int, complex]] = {}
-LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
 SAME = 1e-6  # of a vector: two constructions of one point differ by rounding, a ten-thousandth of a mm on no sheet
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
@@ -96,6 +93,11 @@ class VectorDiagram(NamedTuple):
     centres: Mapping[str, Mark]  # images of mass centres that no point names, by their letters
     sides: tuple[tuple[complex, complex], ...]  # of the similar figures by which they are placed
     parts: Mapping[tuple[Mark, Mark], tuple[str, ...]] = {}  # letters of relative vectors and of parts, by their ends
+
+    @property
+    def name(self) -> str:
+        """The name of the figure."""
+        return f"{self.plan.board.subject}-{self.column}"
 
     @property
     def points(self) -> list[complex]:
@@ -173,52 +175,40 @@ def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
     return rays
 
 
-class PlanFigure(NamedTuple):
-    """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: VectorDiagram
-    place: Place
-    lines: tuple[Stroke, ...]
-    position: int
-    hand: Hand
-    box: Field
-    parts: tuple[LaidPart, ...] = ()
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
-        name = f"{self.shown.plan.board.subject}-{self.position}"
-        letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
-        seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
-        nearby = (draw_nearby(rule, self.box, labels.ink, self.hand) for rule in seen)
-        rules = [rule for rule in nearby if rule is not None]
-        parts = letter_parts(self.parts, labels, self.hand, name)
-        return (Group((*self.lines, letters, *rules, *([parts] if parts.strokes else [])), name),)
-
-
-def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
+def measure(shown: VectorDiagram, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
     kind, hand = shown.plan.board.subject, drafting.hand
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
-    side, below, above = (size * hand.letter for size in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
     least = hand.letter * max(PLAN_LETTERS, len(shown.seen))
-    return picture(name, shown.points, (VECTOR[kind].symbol, VECTOR[kind].unit), margins, title, least)
+    scale = VECTOR[kind].symbol, VECTOR[kind].unit
+    return picture(shown.name, shown.points, scale, around(MARGINS, hand), title, least)
 
 
-def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
+def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the plan in its spot, with its title and its written scale above it."""
-    position, hand = shown.column, drafting.hand
-    kind = shown.plan.board.subject
-    subject = Subject(kind, VECTOR[kind].symbol, position)
-    place = room.place(*spot)
+    kind, place, hand = shown.plan.board.subject, room.place(*spot), drafting.hand
+    subject = Subject(kind, VECTOR[kind].symbol, shown.column)
     title = _heading(shown, spot, drafting)
     sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
-    lines = Group((*_directions(shown, place, hand), *(side for side in sides if abs(side.end - side.start) >= LEAST)))
+    lines = Group(
+        (*directions(shown.rays, place, hand), *(side for side in sides if abs(side.end - side.start) >= LEAST))
+    )
     styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
     arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
     strokes = (title, *([lines] if lines.strokes else []), *arrows, dot)
-    return PlanFigure(shown, place, strokes, position, hand, spot.box, tuple(_parts(shown, place, drafting)))
+    return LetteredFigure(shown.name, strokes, partial(_letter, shown, place, spot.box, drafting), False)
+
+
+def _letter(shown: VectorDiagram, place: Place, box: Field, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter the images; beside the plan draw how its Coriolis parts are directed; letter its parts."""
+    hand = drafting.hand
+    yield Group(tuple(letter_images(_images(shown, place), hand.letter, labels)))
+    for rule in shown.turned:
+        nearby = draw_nearby(rule, box, labels.ink, hand) if place.length(rule.size) >= LEAST else None
+        yield from () if nearby is None else (nearby,)
+    parts = letter_parts(_parts(shown, place, drafting), labels, hand, shown.name)
+    yield from (parts,) if parts.strokes else ()
 
 
 def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[LaidPart]:
@@ -249,35 +239,12 @@ def _style(shown: VectorDiagram, arrow: Arrow, hand: Hand) -> LineStyle:
     return hand.relative if arrow.absolute or arrow.end.step.op == "meet" else LineStyle(hand.thin)
 
 
-def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
-    """Draw each line of known direction from a little before its start to a little past the meeting."""
-    lines: list[Stroke] = []
-    for start, end in shown.rays:
-        first, last = place.on(start), place.on(end)
-        length = abs(last - first)
-        if length < LEAST:
-            continue
-        along = (last - first) / length * BEYOND * hand.symbol
-        lines.append(Line(first - along / 2, last + along, hand.drafted))
-    return lines
-
-
-def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
-    """Letter the pole and every image once; images that fall on one place share it."""
-    pole = shown.plan.pole
-    resting = [shown.plan.letter(name) for name, mark in shown.centres.items() if mark is pole]
-    names: dict[complex, list[str]] = {place.on(0j): [pole.name, *resting]}
+def _images(shown: VectorDiagram, place: Place) -> Iterator[tuple[complex, list[str]]]:
+    """Give the pole and every image with its letters; mass centres that rest are at the pole."""
+    plan = shown.plan
+    resting = [plan.letter(name) for name, mark in shown.centres.items() if mark is plan.pole]
+    yield place.on(0j), [plan.pole.name, *resting]
+    points = (*plan.letters.items(), *shown.centres.items())
     for mark in shown.letters:
-        spot = place.on(at(mark.point, shown.column))
-        same = next((known for known in names if abs(known - spot) < 0.5), spot)
-        points = (*shown.plan.letters.items(), *shown.centres.items())
-        own = [shown.plan.letter(point) for point, image in points if image is mark]
-        names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
-    middle = sum(names, 0j) / len(names)
-    strokes: list[Stroke] = []
-    for spot, letters in names.items():
-        prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
-        strokes.append(
-            labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer)
-        )
-    return strokes
+        own = [plan.letter(name) for name, image in points if image is mark]
+        yield place.on(at(mark.point, shown.column)), [mark.name, *own]

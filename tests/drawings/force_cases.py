@@ -108,7 +108,7 @@ def polygons(case: Forced, k: int, hand: Hand, language: str = "en", reactions: 
     drafting = Drafting(hand, language, reactions=reactions)
     for number, cut in enumerate(case.plan.cuts):
         shown = polygon.polygon(case.plan, cut, k)
-        measure = polygon.measure(shown, f"{shown.plan}-{k}", drafting)
+        measure = polygon.measure(shown, drafting)
         placed = spot(measure, Field(10 + 300 * number, 230, 300 + 300 * number, 450))
         figures.append(polygon.draw(shown, measure, placed, drafting))
     return figures
@@ -118,7 +118,7 @@ def hung(case: Forced, k: int, hand: Hand, language: str = "en") -> lever_plan.L
     """Draw the lever below."""
     shown = lever_plan.hanging(case.plan, case.lever, k)
     drafting = Drafting(hand, language)
-    measure = lever_plan.measure(shown, f"lever-{k}", drafting)
+    measure = lever_plan.measure(shown, drafting)
     placed = spot(measure, Field(10, 10, 300, 225))
     return lever_plan.draw(shown, measure, placed, drafting)
 

@@ -64,7 +64,7 @@ def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -
         ShownVector("R_03", CLOSING, -100j, 100j),
     )
     shown = ForcePolygon("2-3", True, 0, down, ())
-    measure_ = room_of(shown, "forces-2-3-0", Drafting(A1))
+    measure_ = room_of(shown, Drafting(A1))
     placed = spot(measure_, Field(10, 10, 300, 300))
     drawn = draw(shown, measure_, placed, Drafting(A1))
     arrows = lay(shown.forces, WHOLE, measure_.place(*placed), placed.box, WIDE, A1).seen
