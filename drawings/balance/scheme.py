@@ -19,7 +19,6 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.parallel_offsets import APART, Segment, merging, offset
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture, traced
-from drawings.lettering.lettering import text_width
 from drawings.lettering.vector_letters import CENTRE, counterweight, lowered, with_index
 from drawings.linkage.guides import frame_slides, grounds, ties, travel, turnings
 from drawings.linkage.numbering import link_numbers
@@ -29,9 +28,9 @@ from drawings.linkage.skeleton import Skeletons
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import Subject, around, heading, heading_width
 from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
 from drawings.symbols.trimming import trim
@@ -356,9 +355,7 @@ def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting)
     links lie alike under level headings; and it is read at the scale at which these are.
     """
     hand = drafting.hand
-    side, below, above = (size * hand.letter for size in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    title = text_width(Text(0j, title_of(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    margins, title = around(MARGINS, hand), heading_width(title_of(shown, drafting), hand)
     subject, least = (SYMBOL, UNIT), LETTERS * hand.letter
     every = picture(shown.name, points, subject, margins, title, least)
     highest = max(shown.points, key=lambda one: one.imag).real

@@ -13,14 +13,13 @@ from drawings.cam.pressure_graph import PressureView, pressure_view
 from drawings.cam.profile_view import profile_view
 from drawings.cam.size_view import SizeView
 from drawings.layout import value_table
-from drawings.layout.contents import EVEN, Panel
 from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Draft, Exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
 from plans.cam.numbers import cam_by_hand, readings
 from plans.cam.quantities import of_cam
 from plans.cam.study import CYCLOGRAM, CamDrawing
@@ -70,7 +69,7 @@ def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding],
     return _Contents(
         drawing,
         pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
-        _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
+        exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         _results(drawing, exact, by_hand, drafting),
         (*CamNotes(drawing.found, drafting).all, *agreed(compared, drafting, by_hand)),
     )
@@ -100,24 +99,18 @@ def _shows(contents: _Contents, way: str, drafting: Drafting) -> Iterator[Exhibi
     """Show the law, and the sizes that follow from it."""
     drawing, angle = contents.drawing, contents.angle
     if way == JOINED:
-        yield _exhibit(column, (drawing.diagrams, angle), drafting)
+        yield exhibit(column, (drawing.diagrams, angle), drafting)
     else:
-        yield _exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
+        yield exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
-        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, scale=LENGTHS)
+        yield exhibit(size_diagram, SizeView(drawing.sizing), drafting, scale=LENGTHS)
     if _pressed(drawing.cam) and way != JOINED:
-        yield _exhibit(pressure_graph, angle, drafting, scale=way)
+        yield exhibit(pressure_graph, angle, drafting, scale=way)
 
 
 def _pressed(cam: Cam) -> bool:
     """Tell whether a cam has a pressure angle: under a flat face that translates there is none."""
     return cam.rocks or not cam.flat
-
-
-def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, scale: str = "") -> Exhibit:
-    """Show a figure, given by its module and by what it shows."""
-    room = figure.measure(shown, drafting)
-    return Exhibit(Panel(room, weight, "", scale), partial(figure.draw, shown, room, drafting=drafting))
 
 
 def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
