@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping
-from functools import partial
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -12,20 +13,23 @@ import numpy as np
 from drawings.balance.graphs import told
 from drawings.balance.scheme import AFTER, BEFORE
 from drawings.kinds.curve_graph import stretches
-from drawings.kinds.hodograph import DOT, LEAST, MARGINS, POLE, letter_pole, letter_vector, number_ends
 from drawings.layout.labels import Labels
-from drawings.layout.picture import LetteredFigure, Picture, Place, Spot, picture
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.lettering.lettering import text_width
 from drawings.lettering.vector_letters import FORCE
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Group, LineStyle, Polyline, Stroke
-from drawings.symbols.figure import Subject, around, heading, heading_width, point, vector
+from drawings.paper.strokes import INK, LEAN, Circle, Group, LineStyle, Polyline, Stroke, Text
+from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.symbols import pole
 from plans.model.balance.linkage import State
 from plans.model.motion import Complexes
 
-NAME, SYMBOL, UNIT = "shaking", "F", "N"
+NAME, SYMBOL, UNIT, POLE = "shaking", "F", "N", "o"
+MARGINS = Margins(2.6, 2.0, 2.0)  # paper around it for its letters, in their sizes
 LETTERS = 18.0  # it is drawn at least so many of its letters large: its positions are numbered
+DOT = 0.7  # mm, radius of a position's point
+LEAST = 0.05  # mm: a shorter vector is a point
 NUMBERED = 4.0  # mm: the ends of a smaller curve fall together, and bear no numbers
 
 
@@ -72,6 +76,41 @@ def _ends_of(state: State, shown: int) -> Complexes:
     return np.where(kept, force, np.nan + 0j)
 
 
+@dataclass(frozen=True)
+class ShakingFigure:
+    """The hodographs placed on paper: their lines, and the letters still to be placed."""
+
+    shown: ShakingHodograph
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure: the pole, the shown vectors lettered, the positions numbered outward."""
+        hand = self.drafting.hand
+        found = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
+        for one in self.shown.vectors:
+            found += self._vector(one, labels)
+        for one in self.shown.vectors:
+            found += self._numbers(one, labels)
+        return (Group((*self.lines, Group(tuple(found))), NAME),)
+
+    def _vector(self, one: MainVector, labels: Labels) -> Iterator[Stroke]:
+        end = complex(one.ends[self.shown.shown])
+        if self.place.length(abs(end)) > LEAST:  # not of a gap either
+            middle, letter = self.place.on(end / 2), letter_of(one.state)
+            yield labels.beside(middle, letter, self.drafting.hand.letter, 1.2, cmath.phase(1j * end))
+
+    def _numbers(self, one: MainVector, labels: Labels) -> Iterator[Stroke]:
+        if self.place.length(one.spread) < NUMBERED:
+            return
+        heart = complex(np.nanmean(one.ends))
+        for k, value in enumerate(one.ends.tolist()):
+            if not math.isnan(value.real):
+                side = cmath.phase(value - heart) if value != heart else math.pi / 4
+                yield labels.beside(self.place.on(value), str(k), self.drafting.hand.number, 1.2, side)
+
+
 def letter_of(state: str) -> str:
     """Letter the main vector of a state: after balancing it bears a prime."""
     return f"{FORCE}'" if state == AFTER else FORCE
@@ -79,11 +118,14 @@ def letter_of(state: str) -> str:
 
 def measure(shown: ShakingHodograph, drafting: Drafting) -> Picture:
     """Measure the room of the hodographs."""
-    hand, title = drafting.hand, heading_width(drafting.word("shaking hodograph"), drafting.hand)
-    return picture(NAME, shown.points, (SYMBOL, UNIT), around(MARGINS, hand), title, LETTERS * hand.letter)
+    hand = drafting.hand
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    title = text_width(Text(0j, drafting.word("shaking hodograph"), hand.title)) + 2 * LEAN * hand.title
+    return picture(NAME, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
-def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting) -> ShakingFigure:
     """Draw the hodographs in their spot: thin before, in main lines after; title and scale above."""
     place, hand = room.place(*spot), drafting.hand
     scale = drafting.scale(spot.scale)
@@ -95,19 +137,7 @@ def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting)
         curve = Group(tuple(_curve(one.values, place, style) if shown.whole else ()), f"{NAME}-{one.state}")
         lines += [curve, *_ends(one, shown.shown, place, hand)]
     lines.append(point(_subject(None), POLE, 0j, place, pole(place.on(0j)), "pole"))
-    return LetteredFigure(NAME, tuple(lines), partial(_letters, shown, place, hand))
-
-
-def _letters(shown: ShakingHodograph, place: Place, hand: Hand, labels: Labels) -> Iterator[Stroke]:
-    """Letter the pole and the shown vectors, number the positions outward."""
-    yield letter_pole(place, hand, labels)
-    for one in shown.vectors:
-        end = complex(one.ends[shown.shown])
-        if place.length(abs(end)) > LEAST:  # not of a gap either
-            yield letter_vector(letter_of(one.state), end, place, hand, labels)
-    for one in shown.vectors:
-        if place.length(one.spread) >= NUMBERED:
-            yield from number_ends(one.ends, range(len(one.ends)), place, hand, labels)
+    return ShakingFigure(shown, place, tuple(lines), drafting)
 
 
 def _subject(position: int | None) -> Subject:

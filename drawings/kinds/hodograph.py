@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from functools import partial
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.kinds.curve_graph import DOTTED, SPARE, stretches
 from drawings.layout.labels import Labels
-from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.extent import numbered
 from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Polyline, Stroke, Text
-from drawings.symbols.figure import Subject, around, heading, point, vector
+from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
+from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import pole
 from plans.model.motion import Complexes
@@ -51,12 +50,40 @@ class Hodograph(NamedTuple):
 def measure(shown: Hodograph, name: str, drafting: Drafting) -> Picture:
     """Measure the room of a hodograph."""
     hand = drafting.hand
-    width = text_width(Text(0j, _title(shown, drafting), hand.title))
-    subject, least = (shown.symbol, shown.unit), LETTERS * hand.letter
-    return picture(name, shown.points, subject, around(MARGINS, hand), width, least)
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    heading = text_width(Text(0j, _title(shown, drafting), hand.title))
+    return picture(name, shown.points, (shown.symbol, shown.unit), margins, heading, LETTERS * hand.letter)
 
 
-def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+@dataclass(frozen=True)
+class HodographFigure:
+    """A hodograph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Hodograph
+    name: str
+    place: Place
+    lines: tuple[Stroke, ...]
+    numbers: tuple[int, ...]  # the positions that bear one
+    hand: Hand
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure: the pole and the shown vector lettered, the positions numbered outward."""
+        hand, ends = self.hand, self.shown.ends
+        letters = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
+        end = complex(ends[self.shown.shown])
+        if not math.isnan(end.real):
+            middle = self.place.on(end / 2)
+            letters.append(labels.beside(middle, self.shown.letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j))))
+        heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
+        for k in self.numbers:
+            spot, away = self.place.on(complex(ends[k])), complex(ends[k]) - heart
+            side = cmath.phase(away) if away else math.pi / 4
+            letters.append(labels.beside(spot, str(k), hand.number, 1.2, side))
+        return (Group((*self.lines, Group(tuple(letters))), self.name),)
+
+
+def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> HodographFigure:
     """Draw the hodograph in its spot, with its title and its written scale above it."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
@@ -72,36 +99,7 @@ def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Let
         value = complex(shown.ends[k])
         dot = Circle(place.on(value), DOT * hand.symbol, INK)
         lines.append(point(subject._replace(position=k), str(k), value, place, dot) if k in numbers else dot)
-    return LetteredFigure(room.name, tuple(lines), partial(_letters, shown, place, numbers, hand))
-
-
-def _letters(shown: Hodograph, place: Place, numbers: Sequence[int], hand: Hand, labels: Labels) -> Iterator[Stroke]:
-    """Letter the pole and the shown vector, number the positions outward."""
-    yield letter_pole(place, hand, labels)
-    end = complex(shown.ends[shown.shown])
-    if not math.isnan(end.real):
-        yield letter_vector(shown.letter, end, place, hand, labels)
-    yield from number_ends(shown.ends, numbers, place, hand, labels)
-
-
-def letter_pole(place: Place, hand: Hand, labels: Labels) -> Stroke:
-    """Letter the pole."""
-    return labels.beside(place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)
-
-
-def letter_vector(letter: str, end: complex, place: Place, hand: Hand, labels: Labels) -> Stroke:
-    """Letter a vector from the pole beside its middle, on its left."""
-    return labels.beside(place.on(end / 2), letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j)))
-
-
-def number_ends(ends: Complexes, numbers: Iterable[int], place: Place, hand: Hand, labels: Labels) -> Iterator[Stroke]:
-    """Number the ends at positions, away from the middle of all; a gap has none."""
-    heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
-    for k in numbers:
-        end = complex(ends[k])
-        if not math.isnan(end.real):
-            side = cmath.phase(end - heart) if end != heart else math.pi / 4
-            yield labels.beside(place.on(end), str(k), hand.number, 1.2, side)
+    return HodographFigure(shown, room.name, place, tuple(lines), numbers, hand)
 
 
 def _told(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
