@@ -4,26 +4,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.forces.letters import letter_of
-from drawings.kinds.axes import BEYOND, Axes, Letter
+from drawings.kinds.axes import Axes, Letter, Part
 from drawings.kinds.curve_graph import TURN, GraphCurve, bounded, swing
-from drawings.layout.labels import Labels
+from drawings.kinds.graph import BESIDE, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Phrase, Slot, joined, telling
+from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.lettering.vector_letters import FORCE, MOMENT
-from drawings.page.scale import Drafting, Scale, fitting
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import LEAN, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import LEAN, Group, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK
 from plans.model.balance.linkage import Choice, Shares, State
 from plans.model.motion import Floats
@@ -79,9 +77,7 @@ def _seen(moments: Floats, least: float) -> Floats:
 NAME, SYMBOL, UNIT = "shares", "F", "N"
 SHARE, ONE = "k", "1"  # the letter and the unit of the share
 FORCES, REACTIONS, TAKEN, BARE = "force", "reaction", "taken", "bare"  # curves, the share taken, no counterweights
-RATIO = 1.5  # it is drawn so many times as long as high, where there is room up to as high as long
-MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
-LETTERS = 20.0  # it is drawn at least so many of its letters long
+FORM = GraphForm(1.5, 1.5, Margins(3.6, 2.6, 0.8), 20.0)
 DIVISIONS = 4  # of the whole share, with numbers
 LEVEL = 20.0  # mm from one numbered force to the next: a whole number of newtons at standard scales from 0.05 on
 DOT = 1.0  # mm, radius of the points of the least values
@@ -119,52 +115,28 @@ def value_of(one: Choice, name: str) -> float:
     return one.force if name == FORCES else one.reaction
 
 
-@dataclass(frozen=True)
-class ShareFigure:
-    """The graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    lines: tuple[Stroke, ...]
-    letters: tuple[Letter, ...]
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole graph, its curves and least places lettered."""
-        ranked = sorted(self.letters, key=lambda one: -one.size)
-        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
-        found = tuple(telling(NAME, letter) for letter in placed)
-        return (Group((*self.lines, Group(found)), NAME),)
-
-
 def measure(shown: ShareGraph, drafting: Drafting) -> Picture:
-    """Measure the room of the graph: its scale is that of the share, the forces' own follows from the height."""
-    hand, high = drafting.hand, 1 / RATIO
-    side, below, above = (size * hand.letter for size in MARGINS)
-    margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
-    title = text_width(Text(0j, drafting.word("share graph"), hand.title)) + 2 * LEAN * hand.title
-    return Picture(
-        NAME, 1.0, high, complex(1.0, high) / 2, SHARE, ONE, margins, title, LETTERS * hand.letter, taller=RATIO
-    )
+    """Measure the room of the graph: its scale is that of the share."""
+    room = FORM.room(NAME, 1.0, (SHARE, ONE), drafting.word("share graph"), drafting.hand)
+    return room._replace(heading=room.heading + 2 * LEAN * drafting.hand.title)
 
 
-def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> ShareFigure:
+def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw the graph in its spot: axes, both curves, their least places, the share that was taken dashed."""
-    room, hand = room.filling(spot), drafting.hand
-    up = fitting(shown.high, room.high / spot.scale.mu, SYMBOL, UNIT, drafting.standard)
-    spare = room.high / spot.scale.mu - shown.high / up.mu
-    axes = Axes(room.place(*spot).on(0j) + 1j * spare / 2, spot.scale, up)
-    scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
+    hand, high = drafting.hand, shown.high
+    axes = standing(room, spot, (0.0, high), (SYMBOL, UNIT), drafting)
+    graph = Graph(NAME, axes, hand)
     lines = (
-        heading(spot.box, drafting.word("share graph"), scales, hand),
-        *axes.lines((0.0, 1.0), (0.0, shown.high), hand, NAME),
-        *(
-            Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
-            for k in range(1, DIVISIONS + 1)
-        ),
-        *(Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other) for force in levels(shown.high, up)),
+        heading(spot.box, drafting.word("share graph"), drafting.scale(spot.scale, axes.up), hand),
+        *axes.lines((0.0, 1.0), (0.0, high), hand, NAME),
+        *(graph.tick(k / DIVISIONS, hand.other) for k in range(1, DIVISIONS + 1)),
+        *(Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other) for force in levels(high, axes.up)),
         _taken(shown, axes, hand),
         Group((Line(axes.on(0.0, shown.bare), axes.on(1.0, shown.bare), hand.other),), f"{NAME}-{BARE}"),
-        *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, axes, up, drafting)),
+        *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, graph, drafting)),
     )
-    return ShareFigure(lines, tuple(_letters(shown, axes, drafting)))
+    ends = graph.ends((1.0, SHARE), (high, drafting.word(UNIT)))
+    return Part(NAME, lines, (*ends, *_letters(shown, graph, drafting)))
 
 
 def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
@@ -172,35 +144,27 @@ def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
     return Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{NAME}-{TAKEN}")
 
 
-def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafting) -> Iterator[Stroke]:
+def _curve(shown: ShareGraph, name: str, graph: Graph, drafting: Drafting) -> Iterator[Stroke]:
     """Draw a curve and the ordinate of its least place, which can be measured."""
     hand, best = drafting.hand, shown.best[name]
-    spots = tuple(axes.on(*one) for one in shown.rows[name])
+    spots = tuple(graph.axes.on(*one) for one in shown.rows[name])
     course = Polyline(spots, False, hand.result if name == FORCES else hand.relative)
     yield Group((course,), f"{NAME}-{name}", states=Statement(Kind.CURVE, NAME, name))
-    least = value_of(best, name)
-    foot, tip = axes.on(best.share), axes.on(best.share, least)
-    data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
-    text = least_text(best, name, curve_letters(shown.reaction)[name], drafting)
-    if abs(tip - foot) > TICK:
-        yield Group((Line(foot, tip, hand.other),), "", data, text)
-    yield Circle(tip, DOT * hand.symbol, hand.body)
+    text, least = least_text(best, name, curve_letters(shown.reaction)[name], drafting), value_of(best, name)
+    yield from graph.ordinate(best.share, least, name, None, hand.other, text, TICK)
+    yield graph.dot(best.share, least, DOT, hand.body)
 
 
-def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Letter the axes, the curves at their right ends, the least places and the share that was taken."""
-    hand, number = drafting.hand, drafting.number
-    yield Letter(axes.on(0.0, shown.high) + 1j * BEYOND, drafting.word(UNIT), hand.letter, 0.0)
-    yield Letter(axes.on(1.0) + BEYOND, SHARE, hand.letter, math.pi / 2)
+def _letters(shown: ShareGraph, graph: Graph, drafting: Drafting) -> Iterator[Letter]:
+    """Letter the curves at their right ends, the least places and the share that was taken."""
+    axes, hand, number = graph.axes, drafting.hand, drafting.number
     for force in levels(shown.high, axes.up):
-        yield Letter(axes.on(0.0, force), number(force), hand.number, math.pi, TICK + 0.6)
-    for k in range(DIVISIONS + 1):
-        yield Letter(axes.on(k / DIVISIONS), number(k / DIVISIONS), hand.number, -math.pi / 2, TICK + 0.6)
+        yield Letter(axes.on(0.0, force), number(force), hand.number, math.pi, TICK + BESIDE)
+    yield from (graph.number(k / DIVISIONS, number(k / DIVISIONS)) for k in range(DIVISIONS + 1))
     level = drafting.word("bare level", letter=curve_letters(shown.reaction)[REACTIONS])
     yield Letter(axes.on(0.5, shown.bare), level, hand.number, math.pi / 2, 0.8)
     for name, letter in curve_letters(shown.reaction).items():
-        share, value = shown.rows[name][-1]
-        yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
+        yield Letter(axes.on(*shown.rows[name][-1]), letter, hand.letter, 0.0)
         best = shown.best[name]
         text = least_text(best, name, letter, drafting)
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)

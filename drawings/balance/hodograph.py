@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.balance.graphs import told
 from drawings.balance.scheme import AFTER, BEFORE
-from drawings.kinds.curve_graph import stretches
+from drawings.kinds.graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width

@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.kinds.curve_graph import stretches
+from drawings.kinds.graph import stretches
 from drawings.kinds.polygon import LaidVector, ShownVector, carriers, letters
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side

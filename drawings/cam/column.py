@@ -2,35 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from drawings.cam import law_diagrams, pressure_graph
-from drawings.cam.law_diagrams import LawFigure
 from drawings.cam.law_frame import LawPlate
-from drawings.cam.pressure_graph import PressureFigure, PressureView
-from drawings.layout.labels import Labels
+from drawings.cam.pressure_graph import PressureView
+from drawings.kinds.axes import Parts
 from drawings.layout.picture import Picture, Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting
-from drawings.paper.strokes import Group, Stroke
 from plans.cam.diagrams import LawDiagrams
-
-
-@dataclass(frozen=True)
-class TurnFigure:
-    """The diagrams and the graph under them, placed on paper."""
-
-    law: LawFigure
-    pressure: PressureFigure
-
-    @property
-    def lines(self) -> tuple[Stroke, ...]:
-        """All that is drawn before any letter is placed."""
-        return *self.law.lines, *self.pressure.lines
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give both figures, lettered."""
-        return *self.law.letter(labels), *self.pressure.letter(labels)
 
 
 def measure(shown: tuple[LawDiagrams, PressureView], drafting: Drafting) -> Picture:
@@ -44,7 +23,7 @@ def measure(shown: tuple[LawDiagrams, PressureView], drafting: Drafting) -> Pict
     return law._replace(high=high, middle=complex(law.wide, high) / 2, margins=around, least=least)
 
 
-def draw(shown: tuple[LawDiagrams, PressureView], room: Picture, spot: Spot, drafting: Drafting) -> TurnFigure:
+def draw(shown: tuple[LawDiagrams, PressureView], room: Picture, spot: Spot, drafting: Drafting) -> Parts:
     """Draw the diagrams above, the graph under them: its axis begins where theirs do."""
     (law, low), (box, scale) = _rooms(shown, drafting), spot
     level = box.top - law.size(scale)[1]
@@ -52,8 +31,8 @@ def draw(shown: tuple[LawDiagrams, PressureView], room: Picture, spot: Spot, dra
     half = low.size(scale)[0] / 2
     under = Spot(Field(middle - half, box.bottom, middle + half, level), scale)
     over = Spot(box._replace(bottom=level), scale)
-    return TurnFigure(
-        law_diagrams.draw(shown[0], law, over, drafting), pressure_graph.draw(shown[1], low, under, drafting)
+    return Parts(
+        (), (law_diagrams.draw(shown[0], law, over, drafting), pressure_graph.draw(shown[1], low, under, drafting))
     )
 
 

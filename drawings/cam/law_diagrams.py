@@ -200,7 +200,7 @@ class LawFigure:
             (labels.along(*one.lines[0], one.letter, size, ABOVE, 1.5) for one in self.phases),
         )
         phases = Group((*self._sizes, *(telling(name, one) for one in letters)), name)
-        return self.joining, phases, *(part.group(labels) for part in self.parts)
+        return self.joining, phases, *(group for part in self.parts for group in part.letter(labels))
 
 
 def measure(shown: LawDiagrams, drafting: Drafting) -> Picture:
@@ -287,7 +287,7 @@ def _wide(row: LawRow, plate: LawPlate) -> float:
     """Give the width that a row needs for its caption, mm, with scales as long as they may be."""
     drafting, (_, turn) = plate.drafting, letters(plate.cam)
     own = (Scale(0.0025, f"{{{row.letter}}}", row.unit), Scale(0.025, turn, "m" if plate.cam.translates else "rad"))
-    long = wide(_title(row, plate), ";  ".join(map(drafting.scale, own)), plate.hand)
+    long = wide(_title(row, plate), drafting.scale(*own), plate.hand)
     told = (text_width(Text(0j, text, plate.hand.text)) for text in _said(row, plate))
     return plate.proportions.left * plate.hand.letter + max(long, *told, 0.0)
 

@@ -9,31 +9,24 @@ from dataclasses import dataclass
 import numpy as np
 
 from drawings.cam.notes import phase_letter
-from drawings.kinds.axes import BEYOND, Axes, Letter
-from drawings.layout.labels import Labels
+from drawings.kinds.axes import Axes, Letter, Part
+from drawings.kinds.graph import DOT, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.lettering import text_width
-from drawings.lettering.phrase import Phrase, Slot, joined, telling
-from drawings.page.scale import Drafting, Scale, fitting
+from drawings.lettering.extent import spaced
+from drawings.lettering.phrase import Phrase, Slot, joined
+from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
-from drawings.paper.walk import stating, tied
+from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK
 from plans.model.cam import DWELL, RETURN, RISE, Cam, Limits
 from plans.model.cam_motion import CamFound, Contour, Extreme
 from plans.model.motion import Floats
 
 NAME, LETTER, UNIT = "pressure", "α", "°"
-RATIO = 3.4  # it is drawn so many times as long as high
-TALLER = 2.0  # times as high as that, where there is room
-MARGINS = Margins(3.2, 5.2, 0.8)  # paper around it for letters and the row of phases, in sizes of a letter
-LETTERS = 24.0  # it is drawn at least so many letters long
+FORM = GraphForm(3.4, 2.0, Margins(3.2, 5.2, 0.8), 24.0)  # below it is the row of phases
 UNDER = 3.2  # letters from the graph to the row of phases
-DOT = 0.7  # mm, radius of a point
-LEAST = 0.05  # mm: a shorter ordinate is a point
 APART = 2.0  # sizes of a number from one numbered position to the next
 
 
@@ -83,64 +76,29 @@ def pressure_view(limits: Limits, curve: Contour, found: CamFound) -> PressureVi
     return PressureView(found.cam, limits, curve.turned, angles, own.turned, np.degrees(own.pressure), found.pressure)
 
 
-@dataclass(frozen=True)
-class PressureFigure:
-    """The graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    lines: tuple[Stroke, ...]
-    letters: tuple[Letter, ...]
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole graph, its limits, extremes, phases and positions lettered."""
-        ranked = sorted(self.letters, key=lambda one: -one.size)
-        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
-        letters = tuple(telling(NAME, one) for one in placed)
-        return (Group((*self.lines, Group(letters)), NAME),)
-
-
 def measure(view: PressureView, drafting: Drafting) -> Picture:
-    """Measure the room of the graph: its scale is that of the cam's turn, the angle's own follows from the height."""
-    hand, high = drafting.hand, view.cam.turn / RATIO
-    side, below, above = (share * hand.letter for share in MARGINS)
-    margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
-    title = text_width(Text(0j, drafting.word("cam pressure graph"), hand.title))
-    letter, unit = ("x", "m") if view.cam.translates else ("φ", "rad")
-    middle = complex(view.cam.turn, high) / 2
-    return Picture(
-        NAME, view.cam.turn, high, middle, letter, unit, margins, title, LETTERS * hand.letter, taller=TALLER
-    )
+    """Measure the room of the graph: its scale is that of the cam's turn."""
+    axis = ("x", "m") if view.cam.translates else ("φ", "rad")
+    return FORM.room(NAME, view.cam.turn, axis, drafting.word("cam pressure graph"), drafting.hand)
 
 
-def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> PressureFigure:
+def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw the graph in its spot: axes, limits dashed, phases under it, the curve, extremes over it."""
-    room, hand, (low, high) = room.filling(spot), drafting.hand, view.span
-    up = fitting((high - low) or 1.0, room.high / spot.scale.mu, LETTER, UNIT, drafting.standard)
-    axes = Axes(room.place(*spot).on(0j) + 1j * _lift(room, spot, up, low, high), spot.scale, up)
-    scales = f"{drafting.scale(up)};  {drafting.scale(spot.scale)}"
+    hand, turn = drafting.hand, view.cam.turn
+    axes = standing(room, spot, view.span, (LETTER, UNIT), drafting)
+    graph = Graph(NAME, axes, hand)
     lines = (
-        heading(spot.box, drafting.word("cam pressure graph"), scales, hand),
-        *axes.lines((0.0, view.cam.turn), (low, high), hand, NAME),
+        heading(spot.box, drafting.word("cam pressure graph"), drafting.scale(axes.up, spot.scale), hand),
+        *axes.lines((0.0, turn), view.span, hand, NAME),
         *_phases(view, axes, hand),
         *_levels(view, axes, hand),
-        *_stations(view, axes, hand),
-        stating(
-            Statement(Kind.CURVE, NAME, LETTER),
-            Polyline(tuple(axes.on(*one) for one in _curve(view)), False, hand.result),
-        ),
-        *_marks(view, axes, drafting),
+        *_stations(view, graph),
+        graph.stated(LETTER, graph.curve(view.turned, view.angles, hand.result)),
+        *_marks(view, graph, drafting),
     )
-    letters = (*_letters(view, axes, drafting), *_named(view, axes, drafting), *_numbers(view, axes, hand))
-    return PressureFigure(lines, letters)
-
-
-def _lift(room: Picture, spot: Spot, up: Scale, low: float, high: float) -> float:
-    """Give how far over the bottom of its room the axis lies, mm."""
-    spare = room.high / spot.scale.mu - (high - low) / up.mu
-    return spare / 2 - low / up.mu
-
-
-def _curve(view: PressureView) -> Iterator[tuple[float, float]]:
-    yield from zip(view.turned.tolist(), view.angles.tolist(), strict=True)
+    ends = graph.ends((turn, room.letter), (view.span[1], f"{LETTER}, {UNIT}"))
+    letters = (*_letters(view, axes, drafting), *_named(view, axes, drafting), *_numbers(view, graph))
+    return Part(NAME, lines, (*ends, *letters))
 
 
 def _bottom(view: PressureView, axes: Axes, hand: Hand) -> float:
@@ -165,38 +123,31 @@ def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
                 yield Line(start, end, fit(hand.path, abs(end - start)))
 
 
-def _stations(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _stations(view: PressureView, graph: Graph) -> Iterator[Stroke]:
     """Draw the ordinates of the positions that bear numbers, which can be measured, and the points of all."""
-    numbered = _roomy(view, axes, hand)
+    numbered = _roomy(view, graph)
     for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
-        foot, tip = axes.on(turned), axes.on(turned, angle)
-        yield Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted)
-        if k in numbered and abs(tip - foot) > LEAST:
-            data = Subject(NAME, LETTER, k).data("vector", str(k), 1j * angle, axes.up)
-            yield Group((Line(foot, tip, hand.drafted),), "", data, str(k))
-        yield Circle(tip, DOT * hand.symbol, INK)
+        yield graph.tick(turned)
+        if k in numbered:
+            yield from graph.ordinate(turned, angle, str(k), k)
+        yield graph.dot(turned, angle)
 
 
 def _degrees(kind: str, one: Extreme, drafting: Drafting) -> Phrase:
     return joined("", (drafting.slot(Slot(kind, math.degrees(one.value))), "°"))
 
 
-def _marks(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Stroke]:
+def _marks(view: PressureView, graph: Graph, drafting: Drafting) -> Iterator[Stroke]:
     """Draw the extremes, which can be measured from the axis."""
-    hand = drafting.hand
     for kind, one in view.marked:
-        foot = axes.on(one.turned)
-        tip = axes.on(one.turned, math.degrees(one.value))
-        data = Subject(NAME, LETTER, None).data("vector", kind, 1j * math.degrees(one.value), axes.up)
-        yield Group((Line(foot, tip, hand.other),), "", data, _degrees(kind, one, drafting))
-        yield Circle(tip, 1.5 * DOT * hand.symbol, hand.body)
+        angle, hand = math.degrees(one.value), drafting.hand
+        yield from graph.ordinate(one.turned, angle, kind, None, hand.other, _degrees(kind, one, drafting), 0.0)
+        yield graph.dot(one.turned, angle, 1.5 * DOT, hand.body)
 
 
 def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Letter the axes, the limits and the extremes."""
+    """Letter the limits and the extremes."""
     hand = drafting.hand
-    yield Letter(axes.on(0.0, view.span[1]) + BEYOND * 1j, f"{LETTER}, {UNIT}", hand.letter, 0.0)
-    yield Letter(axes.on(view.cam.turn) + BEYOND, "x" if view.cam.translates else "φ", hand.letter, math.pi / 2)
     for kind, one in view.marked:
         at = axes.on(one.turned, math.degrees(one.value))
         side = math.copysign(math.pi / 2, one.value)
@@ -220,19 +171,12 @@ def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Lette
         )
 
 
-def _numbers(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Letter]:
+def _numbers(view: PressureView, graph: Graph) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate, those that have room."""
-    for k in _roomy(view, axes, hand):
-        side = math.pi / 2 if axes.below(float(view.ordinates[k])) else -math.pi / 2
-        yield Letter(axes.on(float(view.stations[k])), str(k), hand.number, side, TICK + 0.6)
+    for k in _roomy(view, graph):
+        yield graph.number(float(view.stations[k]), str(k), float(view.ordinates[k]))
 
 
-def _roomy(view: PressureView, axes: Axes, hand: Hand) -> tuple[int, ...]:
+def _roomy(view: PressureView, graph: Graph) -> tuple[int, ...]:
     """Choose the positions whose numbers have room."""
-    last, kept = -np.inf, list[int]()
-    for k, turned in enumerate(view.stations.tolist()):
-        foot = axes.on(turned)
-        if tied(foot.real - last - APART * hand.number) >= 0:
-            last = foot.real
-            kept.append(k)
-    return tuple(kept)
+    return spaced([graph.axes.on(turned) for turned in view.stations.tolist()], APART * graph.hand.number)

@@ -8,13 +8,11 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
 
 from drawings.diagrams.frame import NAME, VELOCITY, DiagramRow, DiagramsFrame, DiagramsPlate
-from drawings.kinds.axes import BEYOND, Axes, Curve, Letter, Part, Pole, caption, wide
-from drawings.kinds.curve_graph import stretches
+from drawings.kinds.axes import BEYOND, Axes, Curve, Letter, Part, Parts, Pole, caption, wide
+from drawings.kinds.graph import stretches
 from drawings.kinds.working import SCALES, Working, told
-from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import every
 from drawings.lettering.lettering import text_width
@@ -145,22 +143,6 @@ BETWEEN = 1.6  # sizes of a text from a row's caption to the line under it
 PER_CENT = 2  # digits of an error
 
 
-class DiagramsFigure(NamedTuple):
-    """The diagrams placed on paper: the figure's heading and its parts."""
-
-    head: Group
-    parts: tuple[Part, ...]
-
-    @property
-    def lines(self) -> tuple[Stroke, ...]:
-        """All that is drawn before any letter is placed."""
-        return self.head, *(line for part in self.parts for line in part.lines)
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give all the parts, lettered."""
-        return self.head, *(part.group(labels) for part in self.parts)
-
-
 def measure(own: DiagramsStudy, drafting: Drafting) -> Picture:
     """Measure the room of the diagrams."""
     plate = DiagramsPlate(own, drafting)
@@ -168,7 +150,7 @@ def measure(own: DiagramsStudy, drafting: Drafting) -> Picture:
     return plate.room(max(head, *(_wide(row, plate) for row in plate.rows)))
 
 
-def draw(own: DiagramsStudy, spot: Spot, drafting: Drafting) -> DiagramsFigure:
+def draw(own: DiagramsStudy, spot: Spot, drafting: Drafting) -> Parts:
     """Draw the diagrams in their spot."""
     return _Drawing(DiagramsFrame(DiagramsPlate(own, drafting), spot)).figure
 
@@ -191,14 +173,14 @@ class _Drawing:
         return self.frame.plate
 
     @property
-    def figure(self) -> DiagramsFigure:
+    def figure(self) -> Parts:
         graphs = tuple(self._graph(row) for row in self.plate.rows)
-        return DiagramsFigure(self._head(), (*graphs, *self._poles()))
+        return Parts((self._head(),), (*graphs, *self._poles()))
 
     def _head(self) -> Group:
         """Write the heading of the figure, and the scales along its axis."""
         drafting, spot = self.plate.drafting, self.frame.spot
-        scales = ";  ".join(map(drafting.scale, (spot.scale, self.frame.argument)))
+        scales = drafting.scale(spot.scale, self.frame.argument)
         return Group((heading(spot.box, title(self.plate.own, drafting), scales, self.plate.hand),), NAME)
 
     @cached_property

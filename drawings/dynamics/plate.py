@@ -210,5 +210,5 @@ def _heading(plate: Plate) -> float:
 def _captions(plate: Plate, titles: Iterable[str]) -> float:
     """Give the length of the longest caption, mm."""
     drafting = plate.drafting
-    scales = f"{drafting.scale(Scale(0.0025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
+    scales = drafting.scale(Scale(0.0025, "J", "kg*m2"), Scale(0.025, "φ", "rad"))
     return max(wide(drafting.word(title), scales, plate.hand) for title in titles)

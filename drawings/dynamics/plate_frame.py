@@ -13,8 +13,7 @@ from drawings.dynamics import loop as loop_figure
 from drawings.dynamics.graphs import StripGraph
 from drawings.dynamics.loop import NAME, TAIL, height, write
 from drawings.dynamics.plate import TITLE, WIDE, Content, Plate, plate_of, room_of_plate
-from drawings.kinds.axes import BEYOND, Axes, Part, caption
-from drawings.layout.labels import Labels
+from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.scale import Drafting, Scale, fitting
@@ -195,29 +194,12 @@ TOLD = "told"  # the name of what is told under the loop
 CLEAR = 1.5  # mm around a caption
 
 
-@dataclass(frozen=True)
-class PlateFigure:
-    """A plate placed on paper: its parts, and what joins them."""
-
-    parts: tuple[Part, ...]
-    joining: Group
-
-    @property
-    def lines(self) -> tuple[Stroke, ...]:
-        """All that is drawn before any letter is placed."""
-        return self.joining, *(line for part in self.parts for line in part.lines)
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give all its parts, lettered."""
-        return self.joining, *(part.group(labels) for part in self.parts)
-
-
 def measure(shown: Content, drafting: Drafting) -> Picture:
     """Measure the room of a plate."""
     return room_of_plate(plate_of(shown, drafting))
 
 
-def draw(shown: Content, spot: Spot, drafting: Drafting) -> PlateFigure:
+def draw(shown: Content, spot: Spot, drafting: Drafting) -> Parts:
     """Draw a plate in its spot."""
     plate = plate_of(shown, drafting)
     return _Drawing(plate, PlateFrame(plate, spot)).figure
@@ -231,11 +213,11 @@ class _Drawing:
     frame: PlateFrame
 
     @property
-    def figure(self) -> PlateFigure:
+    def figure(self) -> Parts:
         parts = [*self._graphs(), *self._energy()]
         masks = [around(part.lines[0], CLEAR) for part in parts if part.name != graphs.NAME]
         joining = fit_dashes(trim(self._joining(), masks))
-        return PlateFigure((*parts, *self._told()), Group(tuple(joining), f"{self.plate.name}-transfer"))
+        return Parts((Group(tuple(joining), f"{self.plate.name}-transfer"),), (*parts, *self._told()))
 
     def _told(self) -> Iterator[Part]:
         """Write under the loop what it gives, and the table under that."""
@@ -307,7 +289,7 @@ class _Drawing:
         drafting, over = self.plate.drafting, self._over(row)
         left = self.frame.loop_left + TITLE * self.plate.hand.letter
         field = over._replace(left=left, right=self.frame.spot.box.right)
-        head = caption(drafting.word(title), ";  ".join(map(drafting.scale, scales)), field, self.plate.hand)
+        head = caption(drafting.word(title), drafting.scale(*scales), field, self.plate.hand)
         return part._replace(lines=(head, *part.lines))
 
     def _over(self, row: str) -> Field:

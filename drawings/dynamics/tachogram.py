@@ -7,79 +7,50 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.kinds.axes import BEYOND, OVER, UNDER, Axes, Letter, Part
-from drawings.layout.labels import Labels
+from drawings.kinds.axes import OVER, UNDER, Axes, Letter, Part
+from drawings.kinds.graph import BESIDE, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.scale import Drafting, fitting
-from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
+from drawings.page.scale import Drafting
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
-from drawings.paper.walk import stating
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK
 from plans.model.run import Run
 from plans.words.words import word
 
 NAME = "tachogram"
-RATIO = 2.2  # it is drawn so many times as long as it is high
-TALLER = 1.8  # times as high as that, where there is room
-MARGINS = Margins(4.0, 2.0, 2.4)  # paper around it for letters, in their sizes
-LETTERS = 20.0  # it is drawn at least so many letters long
+FORM = GraphForm(2.2, 1.8, Margins(4.0, 2.0, 2.4), 20.0)
 CLOSE = 0.1  # mm: rows that lie nearer are one point of the curve
-LEAST = 0.05  # mm: a shorter ordinate is a point
 NUMBERS = f"{NAME}-numbers"  # the name of what is told under its heading
 STEADY = "ω_{st}"  # the mean speed of the steady motion that is reached: not the one that is asked for
 APART = 1.6  # sizes of a text from one line to the next
 
 
-class TachogramFigure:
-    """A tachogram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    def __init__(self, part: Part) -> None:
-        self.part = part
-
-    @property
-    def lines(self) -> tuple[Stroke, ...]:
-        """All that is drawn before any letter is placed."""
-        return self.part.lines
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure, lettered."""
-        return (self.part.group(labels),)
-
-
 def measure(run: Run, drafting: Drafting) -> Picture:
     """Measure the room of a tachogram: its scale is that of time."""
-    hand, long = drafting.hand, float(run.t[-1])
-    side, below, above = (size * hand.letter for size in MARGINS)
-    lines = told(run, drafting)
-    over = above + BEYOND + 2 * hand.title + (1 + APART * len(lines)) * hand.text
-    title = text_width(Text(0j, drafting.word("tachogram"), hand.title))
-    wide = max(title, *(text_width(Text(0j, line, hand.text)) for line in lines))
-    high, margins = long / RATIO, Margins(side + BEYOND / 2, below, over)
-    return Picture(
-        NAME, long, high, complex(long, high) / 2, "t", "s", margins, wide, LETTERS * hand.letter, taller=TALLER
-    )
+    hand, lines = drafting.hand, told(run, drafting)
+    room = FORM.room(NAME, float(run.t[-1]), ("t", "s"), drafting.word("tachogram"), hand)
+    margins = room.margins._replace(above=room.margins.above + APART * len(lines) * hand.text)
+    wide = max(room.heading, *(text_width(Text(0j, line, hand.text)) for line in lines))
+    return room._replace(margins=margins, heading=wide)
 
 
-def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFigure:
+def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw it in its spot: the speed over time, the ends of its stages measurable, the mean of the steady motion."""
-    room, hand, most = room.filling(spot), drafting.hand, float(run.omega.max())
-    up = fitting(most, room.high / spot.scale.mu, "ω", "rad/s", drafting.standard)
-    under = room.high / spot.scale.mu - most / up.mu  # what the scale leaves over lies below, not above
-    axes = Axes(room.place(*spot).on(0j) + 1j * under, spot.scale, up)
-    scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
+    hand, long, most = drafting.hand, float(run.t[-1]), float(run.omega.max())
+    axes = standing(room, spot, (0.0, most), ("ω", "rad/s"), drafting, under=1.0)
+    graph = Graph(NAME, axes, hand)
     lines = (
-        heading(spot.box, drafting.word("tachogram"), scales, hand),
+        heading(spot.box, drafting.word("tachogram"), drafting.scale(spot.scale, axes.up), hand),
         _written(run, spot, drafting),
-        *axes.lines((0.0, float(run.t[-1])), (0.0, most), hand, NAME),
-        stating(Statement(Kind.CURVE, NAME, "ω"), Polyline(tuple(_curve(run, axes)), False, hand.result)),
-        *(stroke for k, row in enumerate(ends(run)) for stroke in _end(run, k, row, axes, hand)),
-        *_mean(run, axes, hand),
+        *axes.lines((0.0, long), (0.0, most), hand, NAME),
+        graph.stated("ω", [Polyline(tuple(_curve(run, axes)), False, hand.result)]),
+        *(stroke for k, row in enumerate(ends(run), 1) for stroke in _end(run, k, row, graph)),
+        *_mean(run, graph),
     )
-    return TachogramFigure(Part(NAME, lines, tuple(_letters(run, axes, most, drafting))))
+    axis = graph.ends((long, f"t, {drafting.word('s')}"), (most, f"ω, {drafting.word('rad/s')}"))
+    return Part(NAME, lines, (*axis, *_letters(run, axes, most, drafting)))
 
 
 def ends(run: Run) -> tuple[int, ...]:
@@ -121,32 +92,26 @@ def _curve(run: Run, axes: Axes) -> Iterator[complex]:
             last = place
 
 
-def _end(run: Run, k: int, row: int, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _end(run: Run, k: int, row: int, graph: Graph) -> Iterator[Stroke]:
     """Draw the end of a stage: its tick and its ordinate, which can be measured."""
-    t, omega = float(run.t[row]), float(run.omega[row])
-    foot, tip = axes.on(t), axes.on(t, omega)
-    yield Line(foot - TICK * 1j, foot + TICK * 1j, hand.drafted)
-    if abs(tip - foot) > LEAST:
-        data = Subject(NAME, axes.up.letter, None).data("vector", f"t_{k + 1}", 1j * omega, axes.up)
-        yield Group((Line(foot, tip, hand.drafted),), "", data, f"t_{k + 1}")
+    yield graph.tick(float(run.t[row]))
+    yield from graph.ordinate(float(run.t[row]), float(run.omega[row]), f"t_{k}")
 
 
-def _mean(run: Run, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _mean(run: Run, graph: Graph) -> Iterator[Stroke]:
     """Draw the mean of the steady motion across the whole of it."""
     if run.steady is not None:
-        line = Line(axes.on(0.0, run.steady.mean), axes.on(float(run.t[-1]), run.steady.mean), hand.axis)
-        yield stating(Statement(Kind.CURVE, NAME, STEADY), line)
+        start, end = (graph.axes.on(float(t), run.steady.mean) for t in (0.0, run.t[-1]))
+        yield graph.stated(STEADY, [Line(start, end, graph.hand.axis)])
 
 
 def _letters(run: Run, axes: Axes, most: float, drafting: Drafting) -> Iterator[Letter]:
-    """Letter the axes, the stages at their middles, the instants at which they end, the mean speed."""
+    """Letter the stages at their middles, the instants at which they end, the mean speed."""
     size = drafting.hand.letter
-    yield Letter(axes.on(0.0, most) + BEYOND * 1j, f"ω, {drafting.word('rad/s')}", size, 0.0)
-    yield Letter(axes.on(float(run.t[-1])) + BEYOND, f"t, {drafting.word('s')}", size, OVER)
     if run.steady is not None:
         yield Letter(axes.on(float(run.t[-1]), run.steady.mean), drafting.letter(STEADY), size, 0.0)
     for k, stage in enumerate(run.stages):
-        yield Letter(axes.on(float(run.t[stage.last])), f"t_{k + 1}", size, UNDER, TICK + 0.6)
+        yield Letter(axes.on(float(run.t[stage.last])), f"t_{k + 1}", size, UNDER, TICK + BESIDE)
         middle = float(np.mean(run.t[[stage.first, stage.last]]))
         yield Letter(axes.on(middle, most / 4), _named(stage.name, drafting), drafting.hand.text, OVER)
 

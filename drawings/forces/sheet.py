@@ -17,6 +17,7 @@ from drawings.forces.lever_equation import Equations, LeverEquation
 from drawings.forces.load_diagram import courses
 from drawings.forces.notes import notes
 from drawings.kinds import curve_graph, hodograph, working
+from drawings.kinds.axes import Part
 from drawings.kinds.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
@@ -206,7 +207,7 @@ class _ForceSheet:
         room = curve_graph.measure(curve, "balancing", self.drafting)
         yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
 
-    def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> curve_graph.GraphFigure:
+    def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> Part:
         """Draw the graph of the balancing moment, at the scale of its ordinates that the scene states, if it does."""
         scene = self.study.scene
         stated = dict(scene.sheet.scale.stated).get("moment", 0.0)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
+from drawings.layout.picture import Figure
+from drawings.lettering.extent import spaced
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import telling
 from drawings.page.scale import Scale
@@ -40,12 +42,28 @@ class Part(NamedTuple):
     lines: tuple[Stroke, ...]
     letters: tuple[Letter, ...]
 
-    def group(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give it whole, its letters placed among the lines of all figures."""
         ranked = sorted(self.letters, key=lambda one: -one.size)
         placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
         letters = tuple(telling(self.name, one) for one in placed)
-        return Group((*self.lines, Group(letters)), self.name)
+        return (Group((*self.lines, Group(letters)), self.name),)
+
+
+class Parts(NamedTuple):
+    """A figure of several parts, those that bear no letters first."""
+
+    still: tuple[Group, ...]
+    parts: tuple[Figure, ...]
+
+    @property
+    def lines(self) -> tuple[Stroke, ...]:
+        """All that is drawn before any letter is placed."""
+        return *self.still, *(line for part in self.parts for line in part.lines)
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give all the parts, lettered."""
+        return *self.still, *(group for part in self.parts for group in part.letter(labels))
 
 
 def caption(title: str, scales: str, field: Field, hand: Hand) -> Group:
@@ -82,7 +100,7 @@ class Pole(NamedTuple):
 
     def _drawn(self, axes: Axes) -> tuple[int, ...]:
         """Choose the values whose rays are drawn: those whose ends lie apart."""
-        return chosen((self.values / axes.up.mu).tolist(), self.apart)
+        return spaced((self.values / axes.up.mu).tolist(), self.apart)
 
     def _ray(self, k: int, at: complex, axes: Axes, hand: Hand) -> Iterator[Stroke]:
         """Draw the ray of a value, and what it cuts off carried from the axis to where it belongs."""
@@ -140,16 +158,3 @@ def arrow(start: complex, end: complex, hand: Hand) -> Iterator[Stroke]:
     head = arrowhead(start, end, hand.symbol)
     if head is not None:
         yield head
-
-
-def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:
-    """Choose the places of values that lie apart from one another.
-
-    >>> chosen([1.0, 1.2, 3.0, 2.9], 0.5)
-    (0, 2)
-    """
-    kept: list[int] = []
-    for k, value in enumerate(values):
-        if all(tied(abs(value - values[other]) - apart) >= 0 for other in kept):
-            kept.append(k)
-    return tuple(kept)

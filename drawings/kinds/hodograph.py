@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.kinds.curve_graph import DOTTED, SPARE, stretches
+from drawings.kinds.curve_graph import DOTTED, SPARE
+from drawings.kinds.graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.extent import numbered

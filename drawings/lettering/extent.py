@@ -49,8 +49,20 @@ def numbered(places: Sequence[complex], length: float, apart: float, first: Iter
     step = every(apart * len(places) / length, len(places)) if length and places else 1
     if step == 1:
         return tuple(free)
-    for k in free:
-        if k % step == 0 and all(tied(abs(places[k] - places[other]) - apart) >= 0 for other in kept):
+    return spaced(places, apart, [k for k in free if k % step == 0], kept)
+
+
+def spaced(
+    places: Sequence[complex], apart: float, order: Iterable[int] | None = None, first: Iterable[int] = ()
+) -> tuple[int, ...]:
+    """Choose places that are no nearer than `apart` to one another: those named first always, then in an order.
+
+    >>> spaced([1.0, 1.2, 3.0, 2.9], 0.5), spaced([1.0, 1.2, 3.0, 2.9], 0.5, (3, 2, 1), (0,))
+    ((0, 2), (0, 3))
+    """
+    kept = [*first]
+    for k in range(len(places)) if order is None else order:
+        if all(tied(abs(places[k] - places[other]) - apart) >= 0 for other in kept):
             kept.append(k)
     return tuple(kept)
 

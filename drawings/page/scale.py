@@ -115,9 +115,9 @@ class Drafting(NamedTuple):
         own = letter(self.language, markup)
         return Phrase(own, letter(self.language, markup.template)) if isinstance(markup, Phrase) else own
 
-    def scale(self, scale: Scale) -> str:
-        """Write a scale as the sheet does."""
-        return scale.written(self.language, self.notation)
+    def scale(self, *scales: Scale) -> str:
+        """Write scales as the sheet does."""
+        return ";  ".join(one.written(self.language, self.notation) for one in scales)
 
     def true(self, segment: str, letter: str) -> str:
         """Write in letters how a true size is read off a segment at the scale of a letter."""

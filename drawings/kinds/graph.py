@@ -1,0 +1,135 @@
+"""A graph: its room, its axes in their spot, ticks, ordinates, curves, numbers; techniques give the values (график)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.kinds.axes import BEYOND, Axes, Letter
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.lettering import text_width
+from drawings.page.scale import Drafting, Scale, fitting
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.walk import stating
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject
+from drawings.symbols.symbols import TICK
+from plans.model.motion import Floats
+
+DOT = 0.7  # mm, radius of a point of a curve
+LEAST = 0.05  # mm: a shorter ordinate is a point
+BESIDE = 0.6  # mm from the end of a tick to its number
+
+
+class GraphForm(NamedTuple):
+    """How graphs of one kind stand on paper: what they measure."""
+
+    ratio: float  # one is drawn so many times as long as it is high
+    taller: float  # times as high as that, where there is room
+    margins: Margins  # paper around it for letters, in their sizes
+    letters: float  # it is drawn at least so many of its letters long
+
+    def room(self, name: str, long: float, axis: tuple[str, str], title: str, hand: Hand) -> Picture:
+        """Measure a graph: its scale is that of the abscissas, the one of the ordinates follows from its height."""
+        side, below, above = (size * hand.letter for size in self.margins)
+        margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
+        wide, high = text_width(Text(0j, title, hand.title)), long / self.ratio
+        middle, least = complex(long, high) / 2, self.letters * hand.letter
+        return Picture(name, long, high, middle, *axis, margins, wide, least, taller=self.taller)
+
+
+def standing(
+    room: Picture,
+    spot: Spot,
+    span: tuple[float, float],
+    up: tuple[str, str],
+    drafting: Drafting,
+    stated: float = 0.0,
+    under: float = 0.5,
+) -> Axes:
+    """Stand axes in a spot: ordinates at the largest standard scale for their span, or at a stated one.
+
+    `up` is the letter and the unit of the ordinates. Of the height that their scale leaves the share `under` lies below
+    the graph.
+    """
+    room, (low, high) = room.filling(spot), span
+    tall = room.high / spot.scale.mu
+    scale = Scale(stated, *up) if stated else fitting(high - low, tall, *up, drafting.standard)
+    spare = tall - (high - low) / scale.mu
+    return Axes(room.place(*spot).on(0j) + 1j * (under * spare - low / scale.mu), spot.scale, scale)
+
+
+class Graph(NamedTuple):
+    """A graph that is drawn: the name by which it states, its axes, the hand that draws it."""
+
+    name: str
+    axes: Axes
+    hand: Hand
+
+    def tick(self, x: float, style: LineStyle | None = None) -> Line:
+        """Draw the tick of an abscissa."""
+        foot, half = self.axes.on(x), TICK * self.axes.rise
+        return Line(foot - half, foot + half, style or self.hand.drafted)
+
+    def ordinate(
+        self,
+        x: float,
+        value: float,
+        name: str,
+        position: int | None = None,
+        style: LineStyle | None = None,
+        title: str = "",
+        least: float = LEAST,
+    ) -> Iterator[Stroke]:
+        """Draw an ordinate from the axis, which can be measured; one that is too short is none."""
+        foot, tip = self.axes.on(x), self.axes.on(x, value)
+        if abs(tip - foot) > least:
+            subject = Subject(self.name, self.axes.up.letter.strip("{}"), position)
+            data = subject.data("vector", name, self.axes.rise * value, self.axes.up)
+            yield Group((Line(foot, tip, style or self.hand.drafted),), "", data, title or name)
+
+    def dot(self, x: float, value: float, radius: float = DOT, style: LineStyle = INK) -> Circle:
+        """Draw the point of a value."""
+        return Circle(self.axes.on(x, value), radius * self.hand.symbol, style)
+
+    def places(self, x: Floats, y: Floats) -> tuple[complex, ...]:
+        """Give the places of values on paper."""
+        return tuple(self.axes.on(*spot) for spot in zip(x.tolist(), y.tolist(), strict=True))
+
+    def curve(self, x: Floats, y: Floats, style: LineStyle) -> Iterator[Stroke]:
+        """Draw a curve, broken at its gaps."""
+        for run in stretches(y):
+            own = slice(run[0], run[-1] + 1)
+            yield from fit_dashes([Polyline(self.places(x[own], y[own]), False, style)])
+
+    def stated(self, curve: str, strokes: Iterable[Stroke]) -> Group:
+        """Give strokes as a curve of the graph, by its name."""
+        return stating(Statement(Kind.CURVE, self.name, curve), *strokes)
+
+    def ends(self, across: tuple[float, str], up: tuple[float, str]) -> Iterator[Letter]:
+        """Letter both axes, each at the end of what it goes over."""
+        axes, size = self.axes, self.hand.letter
+        yield Letter(axes.on(0.0, up[0]) + BEYOND * axes.rise, up[1], size, cmath.phase(axes.along))
+        yield Letter(axes.on(across[0]) + BEYOND * axes.along, across[1], size, cmath.phase(axes.rise))
+
+    def number(self, x: float, text: str, value: float = 0.0) -> Letter:
+        """Number an abscissa at the axis, on the side away from its ordinate."""
+        away = self.axes.rise if self.axes.below(value) else -self.axes.rise
+        return Letter(self.axes.on(x), text, self.hand.number, cmath.phase(away), TICK + BESIDE)
+
+
+def stretches(values: Floats) -> Iterator[Sequence[int]]:
+    """Give the runs of places between the gaps of dense values, two places long at least.
+
+    >>> [list(run) for run in stretches(np.array([1.0, 2.0, math.nan, 3.0, 4.0, math.nan, 5.0]))]
+    [[0, 1], [3, 4]]
+    """
+    gaps = np.flatnonzero(np.isnan(values))
+    for run in np.split(np.arange(len(values)), sorted({*gaps.tolist(), *(gaps + 1).tolist()})):
+        if len(run) > 1:
+            yield [int(k) for k in run]
