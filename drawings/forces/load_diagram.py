@@ -11,21 +11,22 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from drawings.kinds.axes import BEYOND, Axes
+from drawings.kinds.axes import OVER, UNDER, Axes, Letter
+from drawings.kinds.graph import BESIDE, DOT, LEAST, Graph, GraphForm, standing
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.lettering.extent import numbered
+from drawings.lettering.extent import numbered, spaced
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.lettering.words import letter as lettered
-from drawings.page.scale import Drafting, Scale, fitting
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading
-from drawings.symbols.symbols import TICK, arrowhead
+from drawings.symbols.symbols import arrowhead
 from plans.forces.loading import size_of, working_of
 from plans.forces.stroke import Stroke as Way
 from plans.forces.stroke import asks
@@ -133,18 +134,15 @@ def _size(load: Force | Moment, share: float, idle: bool) -> float:
 
 
 NAME = "load_diagram"
-RATIO = 1.6  # it is drawn so many times as long as it is high, where there is room up to as high as long
-MARGINS = Margins(3.2, 1.6, 1.0)  # paper around it for letters, in their sizes
-LETTERS, MOST = 12.0, 20.0  # it is drawn at least so many letters long, and at most
+FORM = GraphForm(1.6, 1.6, Margins(3.2, 1.6, 1.0), 12.0)
+MOST = 20.0  # sizes of a letter, its length at most
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
-DOT = 0.7  # mm, radius of a corner
 FEW = 12  # corners that are lettered a, b, c; more are numbered
 APART = 2.6  # sizes of a number from one numbered corner to the next
 SPARE = 0.5  # sizes of a number that stay free between those of two positions
 ABOVE = 1.2  # mm from a dimension line to its letters
 DIGITS = 4
 SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "ψ")  # letters of the way and of the whole stroke, unit of the way
-LEAST = 0.05  # mm: a shorter line is a point
 
 
 class LoadMark(NamedTuple):
@@ -164,13 +162,9 @@ def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
     corners = course.corners
     if len(corners) <= FEW:
         return tuple(map(LoadMark, ascii_lowercase, corners))
-    kept = dict[complex, complex]()
-    for corner in (corners[0], corners[-1], *corners):
-        place = axes.on(corner.real, corner.imag)
-        if all(abs(place - other) >= APART * hand.number for other in kept):
-            kept[place] = corner
-    chosen = sorted(kept.values(), key=corners.index)
-    return tuple(LoadMark(str(k + 1), corner) for k, corner in enumerate(chosen))
+    places = [axes.on(corner.real, corner.imag) for corner in corners]
+    kept = spaced(places, APART * hand.number, (0, len(corners) - 1, *range(len(corners))))
+    return tuple(LoadMark(str(k), corners[one]) for k, one in enumerate(sorted(kept), 1))
 
 
 @dataclass(frozen=True)
@@ -179,8 +173,7 @@ class LoadFigure:
 
     name: str
     lines: tuple[Stroke, ...]
-    corners: tuple[tuple[str, complex, float], ...]  # letter, place, side of the letter; so of positions' numbers
-    axes: tuple[tuple[str, complex, float], ...]
+    letters: tuple[Letter, ...]
     sizes: tuple[Dimension, ...]
     hand: Hand
 
@@ -191,59 +184,38 @@ class LoadFigure:
             telling(self.name, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, math.pi / 2))
             for one in self.sizes
         ]
-        letters += [labels.beside(end, text, hand.letter, 1.2, side) for text, end, side in self.axes]
-        letters += [labels.beside(at, text, hand.number, DOT + 0.6, side) for text, at, side in self.corners]
+        letters += [labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in self.letters]
         return (Group((*self.lines, Group(tuple(letters))), self.name),)
 
 
 def measure(course: LoadCourse, drafting: Drafting) -> Picture:
-    """Measure the room of a load diagram: its scale is that of the way, the load's own follows from the height."""
-    hand, (symbol, unit, _) = drafting.hand, _way(course)
-    side, below, above = (size * hand.letter for size in MARGINS)
-    under = below + (LEVELS[-1] + 2) * hand.symbol
-    margins = Margins(side + BEYOND / 2, under, above + BEYOND + 2 * hand.title + hand.text)
-    high, title = course.length / RATIO, text_width(Text(0j, _title(course, drafting), hand.title))
-    middle = complex(course.length, high) / 2
-    return Picture(
-        name_of(course),
-        course.length,
-        high,
-        middle,
-        symbol,
-        unit,
-        margins,
-        title,
-        LETTERS * hand.letter,
-        MOST * hand.letter,
-        taller=RATIO,
-    )
+    """Measure the room of a load diagram: its scale is that of the way."""
+    hand, axis = drafting.hand, _way(course)[:2]
+    room = FORM.room(name_of(course), course.length, axis, _title(course, drafting), hand)
+    below = room.margins.below + (LEVELS[-1] + 2) * hand.symbol
+    return room._replace(margins=room.margins._replace(below=below), most=MOST * hand.letter)
 
 
 def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:
     """Draw the diagram in its spot: axes, both branches with their arrows, corners, the stroke and its overruns."""
-    room = room.filling(spot)
-    hand, scale = drafting.hand, scale_of(course, room, spot, drafting.standard)
-    axes, (low, high) = _axes(course, room, spot, scale), course.span
-    said = f"{drafting.scale(spot.scale)};  {drafting.scale(scale)}"
-    lines: list[Stroke] = [heading(spot.box, _title(course, drafting), said, hand)]
-    lines += axes.lines((0.0, course.length), (low, high), hand, room.name)
-    sizes = tuple(_sizes(course, axes, drafting))
-    lines += [_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)]
-    shown = marks(course, axes, hand)
-    lines += [stroke for one in shown for stroke in _ordinate(one, course, axes, hand)]
-    lines += _branches(course, axes, hand)
-    corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in shown)
+    hand, span = drafting.hand, course.span
+    axes = standing(room, spot, span, ("M", "N*m") if course.couple else ("F", "N"), drafting)
+    graph = Graph(room.name, axes, hand)
+    sizes, shown = tuple(_sizes(course, axes, drafting)), marks(course, axes, hand)
     numbers, dots = _positions(course, axes, hand)
-    corners += numbers
-    lines += dots
-    return LoadFigure(room.name, tuple(lines), corners, _ends(course, axes, scale, drafting), sizes, hand)
-
-
-def scale_of(course: LoadCourse, room: Picture, spot: Spot, standard: str) -> Scale:
-    """Choose the largest standard scale of the load for the height of the diagram."""
-    low, high = course.span
-    symbol, unit = ("M", "N*m") if course.couple else ("F", "N")
-    return fitting(high - low, room.high / spot.scale.mu, symbol, unit, standard)
+    lines = (
+        heading(spot.box, _title(course, drafting), drafting.scale(spot.scale, axes.up), hand),
+        *axes.lines((0.0, course.length), span, hand, room.name),
+        *(_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)),
+        *(stroke for one in shown for stroke in _ordinate(one, graph)),
+        *_branches(course, axes, hand),
+        *dots,
+    )
+    across, up = (f"{one}, {drafting.word(of)}" for one, of in (_way(course)[:2], axes.up[1:]))
+    corners = (_corner(one.letter, axes.on(one.at.real, one.at.imag), one.at.imag > 0, hand) for one in shown)
+    return LoadFigure(
+        room.name, lines, (*graph.ends((course.length, across), (span[1], up)), *corners, *numbers), sizes, hand
+    )
 
 
 def spans(course: LoadCourse) -> tuple[tuple[str, float], ...]:
@@ -266,46 +238,26 @@ def _marked_up(name: str) -> str:
     return f"{head}_{{{index}}}" if index else head
 
 
-def _axes(course: LoadCourse, room: Picture, spot: Spot, scale: Scale) -> Axes:
-    """Put the load's zero so that the diagram stands in the middle of its height."""
-    low, high = course.span
-    spare = room.high / spot.scale.mu - (high - low) / scale.mu
-    place = room.place(*spot)
-    return Axes(place.on(0j) + 1j * (spare / 2 - low / scale.mu), spot.scale, scale)
+def _corner(text: str, at: complex, above: bool, hand: Hand) -> Letter:
+    """Letter a point of the course above or below it."""
+    return Letter(at, text, hand.number, OVER if above else UNDER, DOT + BESIDE)
 
 
-def _ends(course: LoadCourse, axes: Axes, scale: Scale, drafting: Drafting) -> tuple[tuple[str, complex, float], ...]:
-    """Give the letters of both axes, with their units."""
-    symbol, unit, _ = _way(course)
-    across, up = (f"{one}, {drafting.word(of)}" for one, of in ((symbol, unit), (scale.letter, scale.unit)))
-    top = axes.on(0.0, course.span[1]) + 1j * BEYOND
-    return (up, top, 0.0), (across, axes.on(course.length) + BEYOND, math.pi / 2)
-
-
-def _side(at: complex) -> float:
-    return math.pi / 2 if at.imag > 0 else -math.pi / 2
-
-
-def _ordinate(one: LoadMark, course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _ordinate(one: LoadMark, graph: Graph) -> Iterator[Stroke]:
     """Draw the ordinate of a corner, which can be measured, and its point."""
-    foot, tip = axes.on(one.at.real), axes.on(one.at.real, one.at.imag)
-    yield Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted)
-    if abs(tip - foot) > LEAST:
-        data = Subject(name_of(course), axes.up.letter, None).data("vector", one.letter, 1j * one.at.imag, axes.up)
-        yield Group((Line(foot, tip, hand.drafted),), "", data, one.letter)
-    yield Circle(tip, DOT * hand.symbol, INK)
+    yield graph.tick(one.at.real)
+    yield from graph.ordinate(one.at.real, one.at.imag, one.letter)
+    yield graph.dot(one.at.real, one.at.imag)
 
 
-def _positions(
-    course: LoadCourse, axes: Axes, hand: Hand
-) -> tuple[tuple[tuple[str, complex, float], ...], list[Stroke]]:
+def _positions(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[Iterator[Letter], Iterator[Stroke]]:
     """Give the numbers of positions on the course of the load, and their points: as many as have room."""
     spots = [axes.on(place.real, place.imag) for place in course.places]
     length, wide = 2 * abs(axes.on(course.length) - axes.zero), text_width(Text(0j, str(len(spots)), hand.number))
     told = numbered(spots, length, wide + SPARE * hand.number, course.shown)
     dots = numbered(spots, length, 3 * DOT * hand.symbol, told)
-    sides = [-math.pi / 2 if k in course.returning else math.pi / 2 for k in range(len(spots))]
-    return tuple((str(k), spots[k], sides[k]) for k in told), [Circle(spots[k], DOT * hand.symbol, INK) for k in dots]
+    letters = (_corner(str(k), spots[k], k not in course.returning, hand) for k in told)
+    return letters, (Circle(spots[k], DOT * hand.symbol, INK) for k in dots)
 
 
 def _branches(course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
