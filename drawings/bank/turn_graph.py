@@ -75,7 +75,9 @@ def draw(shown: TurnGraph, room: Picture, spot: Spot, drafting: Drafting) -> Par
     lines: list[Stroke] = [heading(spot.box, shown.title, drafting.scale(spot.scale, axes.up), hand)]
     lines += axes.lines((0.0, TURN), shown.span, hand, shown.name)
     for one in shown.curves:
-        lines += _ordinates(one, graph._replace(name=one.plan))
+        for k in stations(one):
+            own = graph._replace(name=one.plan)
+            lines += own.station(float(one.angles[k]), [float(one.values[k])], number(one, k), k)
         lines.append(graph.stated(one.plan, graph.curve(one.angles, one.values, getattr(hand, one.style))))
     first, ends = shown.curves[0], graph.ends((TURN, ANGLE[0]), (shown.span[1], f"{shown.letter}, {unit}"))
     numbers = (graph.number(float(first.angles[k]), number(first, k), first.values[k]) for k in stations(first))
@@ -88,12 +90,3 @@ def _letters(shown: TurnGraph, graph: Graph) -> Iterator[Letter]:
         k = int(np.abs(one.values).argmax())
         spot = graph.axes.on(float(one.angles[k]), float(one.values[k]))
         yield Letter(spot, one.letter, graph.hand.letter, math.copysign(math.pi / 2, one.values[k]))
-
-
-def _ordinates(one: TurnCurve, graph: Graph) -> Iterator[Stroke]:
-    """Draw tick, ordinate and point of each station; each ordinate can be measured."""
-    for k in stations(one):
-        x, value = float(one.angles[k]), float(one.values[k])
-        yield graph.tick(x)
-        yield from graph.ordinate(x, value, number(one, k), k)
-        yield graph.dot(x, value)

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, letters, units
 from drawings.kinds.axes import Curve
-from drawings.kinds.row_frame import LONG, Proportions, RowFrame, RowPlate
-from drawings.layout.picture import Margins, Picture, Spot
-from drawings.page.scale import Drafting
-from plans.cam.diagrams import LawDiagrams
+from drawings.kinds.row_frame import Proportions, RowPlate
+from drawings.lettering.phrase import Slot
+from drawings.page.scale import Drafting, Scale
+from geometry.strips import middles
+from plans.cam.diagrams import LawDiagrams, Strips
 from plans.model.cam import TABLE, Cam
 from plans.model.motion import Floats
 
@@ -39,6 +39,7 @@ class LawRow(NamedTuple):
     result: Curve
     chords: tuple[Curve, ...] = ()
     exact: Curve | None = None
+    rays: Curve = Curve(np.zeros(0), np.zeros(0))  # the mean ordinates, in the middles of their strips
     impulses: tuple[tuple[int, int], ...] = ()
     error: float = 0.0  # the largest, in shares of the largest value
     given: tuple[tuple[float, float], ...] = ()  # points of tables
@@ -76,7 +77,8 @@ def _acceleration(shown: LawDiagrams) -> LawRow:
     hard = [k for k in strips.hard if k < len(begin) or strips.course.cam.translates]
     impulses = tuple((k, int(math.copysign(1, _jump(shown, k)))) for k in hard)
     sides = _sides(shown, begin, end, strips.jumps)
-    return _row(shown, ACCELERATION, *sides, _joined(x, y, sides))._replace(impulses=impulses)
+    rays = Curve(middles(strips.edges), shown.means)
+    return _row(shown, ACCELERATION, *sides, _joined(x, y, sides))._replace(rays=rays, impulses=impulses)
 
 
 def _jump(shown: LawDiagrams, k: int) -> float:
@@ -94,7 +96,8 @@ def _velocity(shown: LawDiagrams) -> LawRow:
     exact = strips.course.at(x.ravel()).slope.reshape(x.shape)
     exact[:, -1] = strips.before.slope[1:]
     row = _row(shown, VELOCITY, *sides, _joined(x, y, sides))
-    return row._replace(chords=chords, exact=Curve(x.ravel(), exact.ravel()), error=shown.slope_departure.share)
+    rays, course = Curve(middles(strips.edges), shown.travel.means), Curve(x.ravel(), exact.ravel())
+    return row._replace(chords=chords, rays=rays, exact=course, error=shown.slope_departure.share)
 
 
 def _travel(shown: LawDiagrams) -> LawRow:
@@ -149,7 +152,8 @@ def _joined(x: Floats, y: Floats, sides: tuple[Floats, Floats]) -> Curve:
 NAME = "law"
 # Four coarser scales differ by ten times.
 PROPORTIONS = Proportions(high=0.78, left=8.6, right=1.8, pole=(2.8, 6.2), coarser=4, rises=True)
-TALLER = 1.6  # times the height that the rows may have where there is room
+PER_CENT = 2  # digits of an error
+ROUNDED = 1e-9  # of the largest value: chords that are exact but for the roundings of their steps
 LEVEL = 3.4  # sizes of a number from the lowest row to the dimensions of the phases
 BELOW = 2.0  # and from these to the end
 
@@ -191,25 +195,34 @@ class LawPlate(RowPlate[LawRow]):
         """Paper under the last row, mm: the dimensions of the phases."""
         return (LEVEL + BELOW) * self.hand.number
 
-    def room(self, heading: float) -> Picture:
-        """Give the room of the figure; its scale is that of the cam's turn."""
-        high = self.length * self.proportions.high
-        margins = Margins(self.beside, self.below, self.top)
-        letter, unit = letters(self.cam)[1], "m" if self.cam.translates else "rad"
-        middle, least = complex(self.length, high) / 2, LONG * self.hand.letter
-        room = Picture(name_of(self.cam), self.length, high, middle, letter, unit, margins, heading, least)
-        return room._replace(open=False, taller=TALLER)
+    @property
+    def widest(self) -> str:
+        """The scale of the turn behind that of a row, as long as it may be."""
+        return self.drafting.scale(Scale(0.025, *self.axis))
+
+    @property
+    def axis(self) -> tuple[str, str]:
+        """The letter and the unit of the cam's turn."""
+        return letters(self.cam)[1], "m" if self.cam.translates else "rad"
+
+    def title(self, row: LawRow) -> str:
+        """Give the title of a row."""
+        return f"{self.drafting.word(f'law {row.key}')} {row.letter}"
+
+    def said(self, row: LawRow) -> Iterator[str]:
+        """Tell where there are shocks, or by how much the chords are off."""
+        if row.key != ACCELERATION:
+            off = row.error if row.error > ROUNDED else 0.0
+            yield self.drafting.phrase("chords off", off=Slot("off", 100 * off, PER_CENT))
+            return
+        strips = self.shown.strips
+        soft = [k for k in strips.jumps if k not in strips.hard]
+        kinds = (("hard shocks", strips.hard), ("soft shocks", soft))
+        told = [self.drafting.word(key, places=_places(strips, edges)) for key, edges in kinds if edges]
+        if told:
+            yield ";  ".join(told)
 
 
-@dataclass(frozen=True)
-class LawFrame(RowFrame[LawRow]):
-    """The diagrams at their scale: the fields of their rows, their axes."""
-
-    plate: LawPlate
-    spot: Spot
-
-    def pole(self, row: LawRow) -> float | None:
-        """Give the distance, mm, of the pole from which the row under this one is drawn; None: there is none."""
-        own = self.plate.rows
-        below = next((other for one, other in pairwise(own) if one.key == row.key), None)
-        return None if below is None else self.distance(below)
+def _places(strips: Strips, edges: Iterable[int]) -> str:
+    """Name edges; the end of a turn is its beginning."""
+    return ", ".join(dict.fromkeys(strips.names[k] for k in edges))

@@ -127,10 +127,7 @@ def _stations(view: PressureView, graph: Graph) -> Iterator[Stroke]:
     """Draw the ordinates of the positions that bear numbers, which can be measured, and the points of all."""
     numbered = _roomy(view, graph)
     for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
-        yield graph.tick(turned)
-        if k in numbered:
-            yield from graph.ordinate(turned, angle, str(k), k)
-        yield graph.dot(turned, angle)
+        yield from graph.station(turned, [angle], str(k), k, k in numbered)
 
 
 def _degrees(kind: str, one: Extreme, drafting: Drafting) -> Phrase:

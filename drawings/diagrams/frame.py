@@ -10,9 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.kinds.axes import Curve
-from drawings.kinds.row_frame import LONG, Proportions, RowFrame, RowPlate, smooth
-from drawings.layout.picture import Margins, Picture, Spot
-from drawings.page.scale import Drafting, Scale
+from drawings.kinds.row_frame import Proportions, RowPlate, smooth
+from drawings.page.scale import Drafting
 from drawings.paper.walk import PLACES
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
@@ -37,6 +36,11 @@ class DiagramRow(NamedTuple):
     chords: Curve  # where the values by chords belong, and these; nothing in the first row
     off: ChordError | None = None  # of the values by chords
     flat: bool = False  # whether it shows nothing that a scale could be told of
+
+    @property
+    def rays(self) -> Curve:
+        """The values to which the rays of its pole go: those by chords."""
+        return self.chords
 
     @property
     def span(self) -> tuple[float, float]:
@@ -125,7 +129,7 @@ PROPORTIONS = Proportions(high=0.9, left=10.4, right=1.8, pole=(2.8, 8.0), coars
 # Graphs of a part of a turn, all three as high as one another, want a pole half the axis away: what goes forth alone
 # has a course three times as long for its speed as what comes back too.
 FORTH = PROPORTIONS._replace(left=22.4, pole=(2.8, 20.0))
-TALLER = 2.2  # times the height that the rows may have where there is room
+PER_CENT = 2  # digits of an error
 
 
 @dataclass(frozen=True)
@@ -160,8 +164,7 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         """How far the axis goes, rad."""
         return float(self.axis.turned[-1])
 
-    @staticmethod
-    def named(key: str) -> str:
+    def named(self, key: str) -> str:
         """Name a part of the figure."""
         return f"{NAME}-{key}"
 
@@ -170,22 +173,18 @@ class DiagramsPlate(RowPlate[DiagramRow]):
         """Paper over the first row, mm: the heading of the figure."""
         return 3 * self.hand.title
 
-    def room(self, heading: float) -> Picture:
-        """Give the room of the figure; its scale is that of the crank angle."""
-        high = self.length * self.proportions.high
-        margins = Margins(self.beside, 0.0, self.top)
-        middle, least = complex(self.length, high) / 2, LONG * self.hand.letter
-        return Picture(NAME, self.length, high, middle, "φ", "rad", margins, heading, least, taller=TALLER)
-
-
-@dataclass(frozen=True)
-class DiagramsFrame(RowFrame[DiagramRow]):
-    """The diagrams at their scale: the fields of their rows, their axes, their pole distances."""
-
-    plate: DiagramsPlate
-    spot: Spot
-
     @property
-    def argument(self) -> Scale:
-        """The scale of time along the axis of the crank angle."""
-        return Scale(self.spot.scale.mu / self.plate.omega, "t", "s")
+    def widest(self) -> str:
+        """The pole distance behind the scale of a row, as long as it may be."""
+        return f"H_1 = 55.55 {self.drafting.word('mm')}"
+
+    def title(self, row: DiagramRow) -> str:
+        """Give the title of a row: its letter over the crank angle."""
+        return f"{row.letter}(φ)"
+
+    def said(self, row: DiagramRow) -> Iterator[str]:
+        """Tell by how much the chords are off, or that the row shows nothing."""
+        if row.flat:
+            yield self.drafting.word("diagram flat")
+        elif row.off is not None:
+            yield self.drafting.word("chords off", off=self.drafting.number(100 * row.off.share, PER_CENT))

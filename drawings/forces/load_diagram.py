@@ -207,7 +207,7 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
         heading(spot.box, _title(course, drafting), drafting.scale(spot.scale, axes.up), hand),
         *axes.lines((0.0, course.length), span, hand, room.name),
         *(_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)),
-        *(stroke for one in shown for stroke in _ordinate(one, graph)),
+        *(stroke for one in shown for stroke in graph.station(one.at.real, [one.at.imag], one.letter)),
         *_branches(course, axes, hand),
         *dots,
     )
@@ -241,13 +241,6 @@ def _marked_up(name: str) -> str:
 def _corner(text: str, at: complex, above: bool, hand: Hand) -> Letter:
     """Letter a point of the course above or below it."""
     return Letter(at, text, hand.number, OVER if above else UNDER, DOT + BESIDE)
-
-
-def _ordinate(one: LoadMark, graph: Graph) -> Iterator[Stroke]:
-    """Draw the ordinate of a corner, which can be measured, and its point."""
-    yield graph.tick(one.at.real)
-    yield from graph.ordinate(one.at.real, one.at.imag, one.letter)
-    yield graph.dot(one.at.real, one.at.imag)
 
 
 def _positions(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[Iterator[Letter], Iterator[Stroke]]:

@@ -15,7 +15,7 @@ from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import apart, stating
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
@@ -96,6 +96,22 @@ class Graph(NamedTuple):
     def dot(self, x: float, value: float, radius: float = DOT, style: LineStyle = INK) -> Circle:
         """Draw the point of a value."""
         return Circle(self.axes.on(x, value), radius * self.hand.symbol, style)
+
+    def station(
+        self,
+        x: float,
+        sides: Sequence[float],
+        name: str,
+        position: int | None = None,
+        numbered: bool = True,
+        radius: float = DOT,
+    ) -> Iterator[Stroke]:
+        """Draw a tick, its ordinate where it is numbered, the point of a value, or those of both sides of a jump."""
+        yield self.tick(x)
+        if numbered:
+            yield from self.ordinate(x, sides[0], name, position)
+        tips = apart(self.axes.on(x, value) for value in sides)
+        yield from (Circle(tip, radius * self.hand.symbol, INK) for tip in tips)
 
     def places(self, x: Floats, y: Floats) -> tuple[complex, ...]:
         """Give the places of values on paper."""

@@ -5,16 +5,19 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import product
+from itertools import pairwise, product
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
-from drawings.kinds.axes import BEYOND, Axes
-from drawings.layout.picture import Spot
+from drawings.kinds.axes import BEYOND, Axes, Curve, Part, Pole, caption, wide
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.lettering import text_width
+from drawings.lettering.phrase import joined, telling
 from drawings.page.scale import Drafting, Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Text
 from plans.model.motion import Floats
 
 
@@ -45,6 +48,9 @@ def _slopes(wide: Floats, steep: Floats) -> Floats:
 
 TALLEST = 0.42  # share of the height of all rows that one row takes at most
 LONG = 24.0  # sizes of a letter that the axis has at least: its positions are numbered
+UNDER = 1.6  # sizes of a text from a row's caption to the line under it
+POLE_APART = 0.7  # sizes of a letter between the ends of two rays that are drawn
+OFF = 1.2  # sizes of a letter from the highest ray to the dimension of the pole distance
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
 
 
@@ -70,6 +76,10 @@ class Row(Protocol):
     @property
     def flat(self) -> bool:
         """Whether it shows nothing that a scale could be told of."""
+
+    @property
+    def rays(self) -> Curve:
+        """The values to which the rays of its pole go, where they belong."""
 
 
 Shown = TypeVar("Shown", bound=Row)
@@ -107,6 +117,23 @@ class RowPlate(ABC, Generic[Shown]):
         """How far the axis goes, true units."""
 
     @property
+    @abstractmethod
+    def widest(self) -> str:
+        """What stands behind the scale of a row, as long as it may be."""
+
+    @abstractmethod
+    def named(self, key: str) -> str:
+        """Name a part of the figure."""
+
+    @abstractmethod
+    def title(self, row: Shown) -> str:
+        """Give the title of a row."""
+
+    @abstractmethod
+    def said(self, row: Shown) -> Iterator[str]:
+        """Tell what stands under the title of a row."""
+
+    @property
     def hand(self) -> Hand:
         """The hand that draws."""
         return self.drafting.hand
@@ -141,12 +168,83 @@ class RowPlate(ABC, Generic[Shown]):
         """Paper over the rows and between them, mm."""
         return self.above + len(self.rows) * (self.over + self.under)
 
+    @property
+    def heading(self) -> float:
+        """The width that the captions of the rows need, mm, with scales as long as they may be."""
+        return self.proportions.left * self.hand.letter + max(map(self._wide, self.rows))
 
-class RowFrame(Generic[Shown]):
+    def _wide(self, row: Shown) -> float:
+        scale = self.drafting.scale(Scale(0.0025, f"{{{row.letter}}}", row.unit))
+        told = (text_width(Text(0j, text, self.hand.text)) for text in self.said(row))
+        return max(wide(self.title(row), f"{scale};  {self.widest}", self.hand), *told, 0.0)
+
+    def pole_letters(self, row: Shown) -> tuple[str, str]:
+        """Give the letters of the pole by which a row is drawn from the one above it, and of its distance."""
+        k = self.place(row)
+        return f"P_{k}", f"H_{k}"
+
+    def place(self, row: Shown) -> int:
+        """Give the place of a row from the top."""
+        return [one.key for one in self.rows].index(row.key)
+
+    def room(self, name: str, axis: tuple[str, str], heading: float = 0.0) -> Picture:
+        """Give the room of the figure; its scale is that of its axis."""
+        high = self.length * self.proportions.high
+        margins, least = Margins(self.beside, self.below, self.top), LONG * self.hand.letter
+        wide = max(heading, self.heading)
+        return Picture(name, self.length, high, complex(self.length, high) / 2, *axis, margins, wide, least)
+
+
+class RowFrame(ABC, Generic[Shown]):
     """The graphs at their scale: the fields of their rows, their axes, their pole distances."""
 
     plate: RowPlate[Shown]
     spot: Spot
+
+    @abstractmethod
+    def drawn(self, row: Shown) -> Part:
+        """Draw a row on its axes."""
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """All rows with their titles, then their poles."""
+        return *map(self._headed, self.plate.rows), *self._poles()
+
+    def _headed(self, row: Shown) -> Part:
+        """Draw a row with its title and its scales over it, and what is told under these."""
+        part, field, hand = self.drawn(row), self.fields[row.key], self.plate.hand
+        over = field._replace(top=field.top + self.plate.over)
+        head = caption(self.plate.title(row), joined(";  ", self.scales_of(row)), over, hand)
+        low = complex(over.centre.real, over.top - hand.title - UNDER * hand.text)
+        told = (Text(low, text, hand.text, "middle", True) for text in self.plate.said(row))
+        above, below = (tuple(telling(part.name, one) for one in own) for own in (head.strokes, told))
+        return part._replace(lines=(Group((Group(above), *below)), *part.lines))
+
+    def scales_of(self, row: Shown) -> Iterator[str]:
+        """Write the scale of a row, with the pole distance that it comes from."""
+        if not row.flat:
+            yield self.plate.drafting.scale(self.scales[row.key])
+        distance = self.distance(row)
+        if distance is not None:
+            mm = self.plate.drafting.word("mm")
+            yield joined("", (f"{self.plate.pole_letters(row)[1]} = ", self.pole_size(distance), f" {mm}"))
+
+    def pole_size(self, distance: float) -> str:
+        """Write a pole distance, mm."""
+        return self.plate.drafting.number(distance)
+
+    def _poles(self) -> Iterator[Part]:
+        """Draw each pole beside the derivative of its two rows, and rays to the values that lie apart."""
+        hand = self.plate.hand
+        for above, row in pairwise(self.plate.rows):
+            distance, own = self.distance(row), above if self.plate.proportions.rises else row
+            if distance is not None:
+                axes, (x, y) = self.axes(own), own.rays
+                off = 1j * (
+                    OFF * hand.letter + own.span[1] / axes.up.mu
+                )  # above the highest ray, where the axis goes on
+                pole = Pole(self.plate.pole_letters(row), distance, x, y, POLE_APART * hand.letter, off)
+                yield pole.part(self.plate.named(f"{own.key}-pole"), axes, hand)
 
     @property
     def argument(self) -> Scale:
@@ -227,7 +325,7 @@ class RowFrame(Generic[Shown]):
 
     def distance(self, row: Shown) -> float | None:
         """Give the distance, mm, of the pole by which a row is drawn from the one above it; None: there is none."""
-        k = [one.key for one in self.plate.rows].index(row.key)
+        k = self.plate.place(row)
         return self._pole(k, tuple(self.scales.values())) if k else None
 
     def axes(self, row: Shown) -> Axes:

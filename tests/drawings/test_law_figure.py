@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from drawings.cam import law_diagrams
-from drawings.cam.law_diagrams import graph_part, pole_part
-from drawings.cam.law_frame import LawFrame, LawPlate, rows
+from drawings.cam.law_diagrams import LawFrame
+from drawings.cam.law_frame import LawPlate, rows
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, CamNotes
 from drawings.layout.picture import Spot
 from drawings.page.page import Field
@@ -62,8 +62,8 @@ def test_the_scale_of_an_integral_follows_from_its_pole(name: str) -> None:
     frame = framed(name)
     own = {row.key: row for row in frame.plate.rows}
     for key, below in ((ACCELERATION, VELOCITY), (VELOCITY, TRAVEL)):
-        distance = frame.pole(own[key])
-        assert distance is not None and distance == frame.distance(own[below])
+        distance = frame.distance(own[below])
+        assert distance is not None
         assert frame.scales[below].mu == pytest.approx(frame.scales[key].mu * frame.spot.scale.mu * distance)
         size, (least, most) = frame.plate.hand.letter, frame.plate.proportions.pole
         assert least * size <= distance <= most * size
@@ -73,10 +73,10 @@ def test_rays_and_chords_are_parallel_on_paper() -> None:
     """The ray of a strip from its pole on the left, and the chord of the curve under it."""
     frame = framed("smooth")
     first, second, _ = frame.plate.rows
-    distance, shown = frame.pole(first), frame.plate.shown
+    distance, shown = frame.distance(second), frame.plate.shown
     assert distance is not None
     axes, other = frame.axes(first), frame.axes(second)
-    drawn = pole_part(first, frame.plate, axes, distance).lines
+    drawn = next(part for part in frame.parts if part.name == frame.plate.named(f"{first.key}-pole")).lines
     lines = [one for one in drawn if isinstance(one, Line) and one.start == axes.zero - distance]
     rays = [one for one in lines if one.end.real == axes.zero.real and one.end.imag != axes.zero.imag]
     x, y = shown.strips.edges, second.chords[0].y
@@ -94,7 +94,7 @@ def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
     assert (slope.before[0], slope.after[8], slope.before[9]) == (0.0, 0.0, 0.0)
     assert slope.after[0] == slope.before[8] > 0 > slope.after[9] == slope.before[17]
     frame = framed("hard")
-    lines = graph_part(top, frame.plate, frame.axes(top), ()).lines
+    lines = frame.drawn(top).lines
     arrows = [one for one in flat(lines) if isinstance(one, Line) and one.style == frame.plate.hand.result]
     assert [math.copysign(1, (one.end - one.start).imag) for one in arrows] == [1, -1, -1, 1]
     told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
@@ -127,5 +127,5 @@ def test_smoothing_is_never_silent(language: str, said: str) -> None:
 
 def test_a_follower_that_never_moves_has_level_diagrams() -> None:
     frame = framed("level")
-    assert [frame.pole(row) for row in frame.plate.rows] == [None] * 3
+    assert [frame.distance(row) for row in frame.plate.rows] == [None] * 3
     assert all(row.flat and row.span == (0.0, 0.0) for row in frame.plate.rows)
