@@ -13,6 +13,7 @@ import numpy as np
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, letters, units
 from drawings.kinds.axes import Curve
 from drawings.kinds.row_frame import Proportions, RowPlate
+from drawings.kinds.smooth import cubics
 from drawings.lettering.phrase import Slot
 from drawings.page.scale import Drafting, Scale
 from geometry.strips import middles
@@ -90,7 +91,7 @@ def _jump(shown: LawDiagrams, k: int) -> float:
 def _velocity(shown: LawDiagrams) -> LawRow:
     strips, (begin, end) = shown.strips, shown.slope
     x = _dense(shown)
-    y = _cubics(x, (begin, end), (strips.after.bend[:-1], strips.before.bend[1:]))
+    y = cubics(x, (begin, end), (strips.after.bend[:-1], strips.before.bend[1:]))
     sides = _sides(shown, begin, end, strips.hard)
     chords = tuple(Curve(one.edges, one.values) for one in shown.slopes)
     exact = strips.course.at(x.ravel()).slope.reshape(x.shape)
@@ -103,7 +104,7 @@ def _velocity(shown: LawDiagrams) -> LawRow:
 def _travel(shown: LawDiagrams) -> LawRow:
     strips, values = shown.strips, shown.travel.values
     x = _dense(shown)
-    y = _cubics(x, (values[:-1], values[1:]), shown.slope)
+    y = cubics(x, (values[:-1], values[1:]), shown.slope)
     row = _row(shown, TRAVEL, values, values, Curve(x.ravel(), y.ravel()))
     exact = Curve(x.ravel(), strips.course.at(x.ravel()).s)
     chords, given = (Curve(strips.edges, values),), tuple(_given(strips.course.cam))
@@ -122,14 +123,6 @@ def _dense(shown: LawDiagrams) -> Floats:
     edges = shown.strips.edges
     shares = np.linspace(0.0, 1.0, 1 + math.ceil(STEPS / (len(edges) - 1)))
     return np.asarray(edges[:-1, None] + shares * np.diff(edges)[:, None])
-
-
-def _cubics(x: Floats, ends: tuple[Floats, Floats], slopes: tuple[Floats, Floats]) -> Floats:
-    """Follow each strip through its ends with the slopes that it has there."""
-    wide = (x[:, -1] - x[:, 0])[:, None]
-    s, first, rise = (x - x[:, :1]) / wide, ends[0][:, None], (ends[1] - ends[0])[:, None]
-    left, right = slopes[0][:, None] * wide - rise, rise - slopes[1][:, None] * wide
-    return np.asarray(first + rise * s + s * (1 - s) * (left * (1 - s) + right * s))
 
 
 def _sides(shown: LawDiagrams, begin: Floats, end: Floats, jumps: tuple[int, ...]) -> tuple[Floats, Floats]:

@@ -10,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.kinds.axes import Curve
-from drawings.kinds.row_frame import Proportions, RowPlate, smooth
+from drawings.kinds.row_frame import Proportions, RowPlate
+from drawings.kinds.smooth import smooth
 from drawings.page.scale import Drafting
 from drawings.paper.walk import PLACES
 from plans.diagrams.study import DiagramsStudy

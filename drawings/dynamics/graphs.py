@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.kinds.axes import BEYOND, OVER, RIGHT, UNDER, Axes, Letter, Part, Pole
-from drawings.lettering.extent import every
+from drawings.kinds.axes import OVER, RIGHT, UNDER, Axes, Letter, Part, Pole
+from drawings.kinds.graph import Graph
+from drawings.kinds.smooth import cubics, inner_slopes
+from drawings.lettering.extent import every, spaced
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.paper.walk import apart, stating
-from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.figure import Subject
-from drawings.symbols.symbols import TICK
+from drawings.paper.strokes import Stroke
+from geometry.strips import middles
 from plans.model.dynamics import TURN, Cycle, Speeds, edge_names
 from plans.model.motion import Floats
 
@@ -37,14 +34,13 @@ class Dense(NamedTuple):
 def dense(cycle: Cycle) -> Dense:
     """Join the points of a cycle smoothly, each strip on its own: loads may jump or bend at its edges."""
     shares = np.linspace(0.0, 1.0, 1 + math.ceil(STEPS / len(cycle.means)))
-    slopes = _slopes(cycle.turned, cycle.varying)
-    ends = np.column_stack([slopes[:-1], slopes[1:]])
     turned = cycle.turned[:-1, None] + shares * np.diff(cycle.turned)[:, None]
+    slopes = _slopes(cycle.turned, cycle.varying)
     rows = (
         turned,
         _parabolas(cycle.moments, cycle.means, shares),
-        _cubics(cycle.turned, cycle.work, cycle.moments, shares),
-        _cubics(cycle.turned, cycle.varying, ends, shares),
+        cubics(turned, (cycle.work[:-1], cycle.work[1:]), (cycle.moments[:, 0], cycle.moments[:, 1])),
+        cubics(turned, (cycle.varying[:-1], cycle.varying[1:]), (slopes[:-1], slopes[1:])),
     )
     return Dense(*(row.ravel() for row in rows))
 
@@ -56,20 +52,10 @@ def _parabolas(ends: Floats, means: Floats, shares: Floats) -> Floats:
     return np.asarray(first + (last - first) * s + bend * s * (1 - s))
 
 
-def _cubics(x: Floats, y: Floats, slopes: Floats, shares: Floats) -> Floats:
-    """Follow each strip through its ends with the slopes (n, 2) that it has there, (n, shares)."""
-    wide, s = np.diff(x)[:, None], shares
-    first, rise = y[:-1, None], np.diff(y)[:, None]
-    left, right = slopes[:, :1] * wide - rise, rise - slopes[:, 1:] * wide
-    return np.asarray(first + rise * s + s * (1 - s) * (left * (1 - s) + right * s))
-
-
 def _slopes(x: Floats, y: Floats) -> Floats:
-    """Give the slopes of a smooth periodic curve at its points, each from the two strips beside it."""
-    wide, rise = np.diff(x), np.diff(y)
-    chords = rise / wide
-    before, after = np.roll(wide, 1), wide
-    own = (np.roll(chords, 1) * after + chords * before) / (before + after)
+    """Give the slopes of a smooth periodic curve at its points."""
+    wide, steep = np.diff(x), np.diff(y) / np.diff(x)
+    own = inner_slopes(*(np.append(row[-1], row) for row in (wide, steep)))
     return np.append(own, own[0])
 
 
@@ -117,11 +103,7 @@ class Strips(NamedTuple):
         """Choose the edges that can be numbered along an axis of some length mm, both ends and jumps first."""
         places = self.turned * (length / TURN)
         every = self.every(apart / length * float(np.nanmax(self.steps)))
-        kept: list[int] = []
-        for k in (0, len(places) - 1, *self.jumps, *self.told(every)):
-            if all(abs(places[k] - places[other]) >= apart for other in kept):
-                kept.append(k)
-        return tuple(sorted(kept))
+        return tuple(sorted(spaced(places.tolist(), apart, (0, len(places) - 1, *self.jumps, *self.told(every)))))
 
 
 def strips(cycle: Cycle, divisions: int) -> Strips:
@@ -133,11 +115,6 @@ def _jumps(cycle: Cycle) -> tuple[int, ...]:
     """Find the inner edges at which the two sides of the moment differ to the eye."""
     apart = np.abs(cycle.moments[1:, 0] - cycle.moments[:-1, 1])
     return tuple(int(k) + 1 for k in np.flatnonzero(apart > SEEN * np.abs(cycle.moments).max()))
-
-
-def middles(turned: Floats) -> Floats:
-    """Give the middles of the strips, rad."""
-    return (turned[1:] + turned[:-1]) / 2
 
 
 NAME = "pole"
@@ -159,7 +136,6 @@ def _off(cycle: Cycle) -> complex:
 
 
 DOT = 0.6  # mm, radius of a point of a curve
-LEAST = 0.05  # mm: a shorter ordinate is a point
 APART = 2.4  # sizes of a number from one numbered edge to the next
 
 
@@ -201,65 +177,40 @@ class StripGraph(NamedTuple):
         return min(float(ys.min()), 0.0), max(float(ys.max()), 0.0)
 
 
-def graph_part(graph: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> Part:
+def graph_part(shown: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> Part:
     """Draw a graph on its axes, each ordinate that is numbered measurable."""
-    hand = drafting.hand
-    length = abs(axes.on(TURN) - axes.on(0.0))
-    numbered = strips.spaced(length, APART * hand.number)
+    hand, values = drafting.hand, (shown.values - shown.base).tolist()
+    graph = Graph(shown.name, axes, hand)
+    numbered = strips.spaced(abs(axes.on(TURN) - axes.on(0.0)), APART * hand.number)
+    sides = [*zip(values, (shown.before - shown.base).tolist(), strict=True)]
+    turned, names = strips.turned.tolist(), strips.names
     lines = (
-        *axes.lines((0.0, TURN), graph.span, hand, graph.name),
-        *_edges(graph, strips, numbered, axes, hand),
-        *(stroke for trace in graph.traces for stroke in _curve(graph, trace, axes, hand)),
+        *axes.lines((0.0, TURN), shown.span, hand, shown.name),
+        *(
+            stroke
+            for k in strips.marked(numbered)
+            for stroke in graph.station(turned[k], sides[k], names[k], k, k in numbered, DOT)
+        ),
+        *(_curve(one, shown, graph) for one in shown.traces),
     )
-    return Part(graph.name, lines, (*_letters(graph, axes, drafting), *_numbers(graph, strips, numbered, axes, hand)))
+    up = f"{drafting.letter(shown.axis or shown.letter)}, {drafting.word(shown.unit)}"
+    ends = graph.ends((TURN, "φ"), (shown.span[1], up))
+    numbers = (graph.number(turned[k], names[k], values[k]) for k in numbered)
+    return Part(shown.name, lines, (*ends, *_letters(shown, axes, drafting), *numbers))
 
 
-def _edges(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw tick, ordinate and points of each edge."""
-    tick = TICK * axes.rise
-    for k in strips.marked(numbered):
-        angle = float(strips.turned[k])
-        foot, value, other = axes.on(angle), graph.values[k] - graph.base, graph.before[k] - graph.base
-        yield Line(foot - tick, foot + tick, hand.drafted)
-        if k in numbered:
-            yield from _ordinate(graph, strips.names[k], k, (foot, axes.on(angle, value)), value, axes, hand)
-        for tip in apart((axes.on(angle, value), axes.on(angle, other))):
-            yield Circle(tip, DOT * hand.symbol, INK)
+def _curve(trace: Trace, shown: StripGraph, graph: Graph) -> Stroke:
+    lines = graph.curve(trace.x, trace.y - shown.base, getattr(graph.hand, trace.style))
+    return graph.stated(trace.letter or shown.letter, lines)
 
 
-def _ordinate(
-    graph: StripGraph, name: str, k: int, ends: tuple[complex, complex], value: float, axes: Axes, hand: Hand
-) -> Iterator[Stroke]:
-    if abs(ends[1] - ends[0]) > LEAST:
-        data = Subject(graph.name, graph.symbol, k).data("vector", name, axes.rise * float(value), axes.up)
-        yield Group((Line(*ends, hand.drafted),), "", data, name)
-
-
-def _curve(graph: StripGraph, trace: Trace, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    points = tuple(axes.on(x, y) for x, y in zip(trace.x.tolist(), (trace.y - graph.base).tolist(), strict=True))
-    style: LineStyle = getattr(hand, trace.style)
-    lines = fit_dashes([Polyline(points, False, style)])
-    yield stating(Statement(Kind.CURVE, graph.name, trace.letter or graph.letter), *lines)
-
-
-def _letters(graph: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    """Letter both axes at their ends, and the curves that have letters."""
-    size, letter = drafting.hand.letter, drafting.letter(graph.axis or graph.letter)
-    high, last = axes.on(0.0, graph.span[1]) + BEYOND * axes.rise, axes.on(TURN) + BEYOND * axes.along
-    yield Letter(high, f"{letter}, {drafting.word(graph.unit)}", size, cmath.phase(axes.along))
-    yield Letter(last, "φ", size, cmath.phase(axes.rise))
-    for trace in graph.traces:
+def _letters(shown: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
+    """Letter the curves that have letters."""
+    for trace in shown.traces:
         if trace.letter:
             k = round(trace.at * (len(trace.x) - 1))
-            spot = axes.on(float(trace.x[k]), float(trace.y[k]) - graph.base)
-            yield Letter(spot, drafting.letter(trace.letter), size, trace.side)
-
-
-def _numbers(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Letter]:
-    """Number the edges at the axis, each on the side away from its ordinate."""
-    for k in numbered:
-        away = axes.rise if axes.below(float(graph.values[k]) - graph.base) else -axes.rise
-        yield Letter(axes.on(strips.turned[k]), strips.names[k], hand.number, cmath.phase(away), TICK + 0.6)
+            spot = axes.on(float(trace.x[k]), float(trace.y[k]) - shown.base)
+            yield Letter(spot, drafting.letter(trace.letter), drafting.hand.letter, trace.side)
 
 
 MOST = 4.0  # times as far as with the flywheel: what swings more has a graph of its own
@@ -271,29 +222,19 @@ def moments(cycle: Cycle, dense: Dense) -> StripGraph:
     after = np.append(-cycle.moments[:, 0], -cycle.moments[-1, 1])
     before = np.append(-cycle.moments[0, 0], -cycle.moments[:, 1])
     most = int(np.argmax(np.abs(dense.moment)))
-    traces = (
-        Trace(
-            dense.turned, -dense.moment, "result", "M_{us}", most / (len(dense.moment) - 1), _away(-dense.moment[most])
-        ),
-        _level(cycle.driving, "relative", "M_{dr}", RIGHT, 1.0),
-    )
+    at, side = most / (len(dense.moment) - 1), _away(-dense.moment[most])
+    resisting = Trace(dense.turned, -dense.moment, "result", "M_{us}", at, side)
+    traces = (resisting, _level(cycle.driving, "relative", "M_{dr}", RIGHT, 1.0))
     return StripGraph(MOMENTS, "M_{red}", "N*m", after, before, traces)
 
 
 def works(cycle: Cycle) -> StripGraph:
     """The work of resistance by the chords of its construction, and that of the drive, a straight line."""
     own = -cycle.work
-    traces = (
-        Trace(cycle.turned, own, "result", "A_{us}", 0.6, _away(-cycle.driving)),
-        Trace(np.array([0.0, TURN]), np.array([0.0, own[-1]]), "relative", "A_{dr}", 0.0, OVER),
-    )
-    return StripGraph(WORKS, "A", "J", own, own, (traces[0], _halved(traces[1])))
-
-
-def _halved(trace: Trace) -> Trace:
-    """Give a straight line a point at which its letter stands."""
-    x, y = (np.array([row[0], row[0] + 0.25 * (row[1] - row[0]), row[1]]) for row in (trace.x, trace.y))
-    return trace._replace(x=x, y=y, at=0.5)
+    resisting = Trace(cycle.turned, own, "result", "A_{us}", 0.6, _away(-cycle.driving))
+    line = np.array([0.0, 0.25, 1.0])  # its letter stands at a point of its own
+    driving = Trace(TURN * line, own[-1] * line, "relative", "A_{dr}", 0.5, OVER)
+    return StripGraph(WORKS, "A", "J", own, own, (resisting, driving))
 
 
 def surplus(cycle: Cycle, dense: Dense) -> StripGraph:
