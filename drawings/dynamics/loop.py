@@ -11,6 +11,8 @@ import numpy as np
 
 from drawings.dynamics.graphs import Dense, Strips
 from drawings.kinds.axes import BEYOND, LEFT, OVER, UNDER, Axes, Letter, Part
+from drawings.kinds.graph import Graph
+from drawings.lettering.extent import spaced
 from drawings.lettering.phrase import Phrase, Slot, joined, telling
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
@@ -35,23 +37,10 @@ def height(drafting: Drafting) -> float:
 
 def write(wheel: Flywheel, axes: Axes, corner: complex, drafting: Drafting) -> Group:
     """Write the equations from their upper left corner on."""
-    size = drafting.hand.text
-    lines = (
-        telling(NAME, Text(corner - 1j * size * (1 + STEP * k), line, size, "start", True))
-        for k, line in _rows(wheel, axes, drafting)
-    )
-    return Group(tuple(lines))
-
-
-def _rows(wheel: Flywheel, axes: Axes, drafting: Drafting) -> Iterator[tuple[int, str]]:
-    yield from enumerate(
-        (
-            _angles(wheel, axes, drafting),
-            _segments(wheel, axes, drafting),
-            *_origin(wheel, axes, drafting),
-            _wheel(wheel, drafting),
-        )
-    )
+    size, angles = drafting.hand.text, _angles(wheel, axes, drafting)
+    rows = angles, _segments(wheel, axes, drafting), *_origin(wheel, axes, drafting), _wheel(wheel, drafting)
+    lines = (Text(corner - 1j * size * (1 + STEP * k), line, size, "start", True) for k, line in enumerate(rows))
+    return Group(tuple(telling(NAME, line) for line in lines))
 
 
 def _angles(wheel: Flywheel, axes: Axes, drafting: Drafting) -> str:
@@ -282,7 +271,10 @@ def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
     numbered = _numbered(loop, axes, hand)
     lines = [*axes.lines(loop.across, loop.up, hand, LOOP), *_curve(loop, axes, hand)]
     lines += _points(loop, numbered, axes, hand)
-    letters = [*_axis_letters(loop, axes, drafting), *_numbers(loop, numbered, axes, hand)]
+    ends = (loop.across[1], f"ΔJ, {drafting.word('kg*m2')}"), (loop.up[1], f"ΔT, {drafting.word('J')}")
+    energy, inertia = Graph(LOOP, axes, hand).ends(*ends)
+    letters = [inertia, energy, Letter(axes.zero, "o_{1}", hand.letter, -3 * math.pi / 4)]
+    letters += _numbers(loop, numbered, axes, hand)
     if loop.flywheel is not None:
         for k in (0, 1):
             tangent = Tangent(loop.across, loop.up[1], loop.flywheel, axes, hand, k)
@@ -304,11 +296,8 @@ def _places(loop: Loop, axes: Axes) -> list[complex]:
 
 def _numbered(loop: Loop, axes: Axes, hand: Hand) -> tuple[int, ...]:
     """Choose the points whose numbers have room: those that tangents touch first, then jumps."""
-    places, kept = _places(loop, axes), list[int]()
-    for k in (*loop.touches, *loop.strips.jumps, *loop.strips.candidates[:-1]):
-        if all(abs(places[k] - places[other]) >= APART * hand.number for other in kept):
-            kept.append(k)
-    return tuple(sorted(kept))
+    order = (*loop.touches, *loop.strips.jumps, *loop.strips.candidates[:-1])
+    return tuple(sorted(spaced(_places(loop, axes), APART * hand.number, order)))
 
 
 def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Stroke]:
@@ -317,12 +306,9 @@ def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iter
     yield Group((pole(axes.zero),), "", subject.data("pole", "o1", 0j, PAPER), "o_{1}")
     places = _places(loop, axes)
     for k in (k for k in loop.strips.marked(numbered) if k < len(places)):
-        place = places[k]
+        name, place = loop.strips.names[k], places[k]
         dot = Circle(place, (TOUCH if k in loop.touches else DOT) * hand.symbol, INK)
-        name, value = (
-            loop.strips.names[k],
-            complex(loop.cycle.varying[k] / axes.across.mu, loop.cycle.surplus[k] / axes.up.mu),
-        )
+        value = complex(loop.cycle.varying[k] / axes.across.mu, loop.cycle.surplus[k] / axes.up.mu)
         data = subject._replace(position=k).data("point", name, value, PAPER)
         yield _touching(loop, k, Group((dot,), "", data, name) if k in numbered else dot)
 
@@ -332,14 +318,6 @@ def _touching(loop: Loop, k: int, mark: Stroke) -> Stroke:
     for touched, angle in zip(loop.touched, ANGLES, strict=False):
         mark = stating(Statement(Kind.POINT, LOOP, angle), mark) if k in touched else mark
     return mark
-
-
-def _axis_letters(loop: Loop, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
-    size = drafting.hand.letter
-    right, top = axes.on(loop.across[1]) + BEYOND, axes.on(0.0, loop.up[1]) + BEYOND * 1j
-    yield Letter(right, f"ΔJ, {drafting.word('kg*m2')}", size, OVER)
-    yield Letter(top, f"ΔT, {drafting.word('J')}", size, 0.0)
-    yield Letter(axes.zero, "o_{1}", size, -3 * math.pi / 4)
 
 
 def _numbers(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Letter]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise, product
 from typing import Generic, NamedTuple, Protocol, TypeVar
@@ -236,13 +236,8 @@ class RowFrame(ABC, Generic[Shown]):
     def fields(self) -> dict[str, Field]:
         """The fields of the rows' lines, as wide as the axis."""
         box, plate = self.spot.box, self.plate
-        left, top, fields = box.left + plate.proportions.left * plate.hand.letter, box.top - plate.above, {}
-        for row in plate.rows:
-            top -= plate.over
-            high = self.heights[row.key]
-            fields[row.key] = Field(left, top - high, left + self.length, top)
-            top -= high + plate.under
-        return fields
+        left = box.left + plate.proportions.left * plate.hand.letter
+        return stacked(self.heights, left, box.top - plate.above, self.length, plate.over, plate.under)
 
     @cached_property
     def heights(self) -> dict[str, float]:
@@ -285,14 +280,9 @@ class RowFrame(ABC, Generic[Shown]):
     def _steps(self, row: Shown) -> Iterator[Scale]:
         """Give the largest scale of a row, and some smaller ones."""
         low, high = row.span
-        scale = self._fitting(row, high - low, TALLEST * self._high)
-        yield scale
-        for _ in range(0 if row.flat else self.plate.proportions.coarser):
-            scale = self._fitting(row, scale.mu * LARGER, 1.0)
-            yield scale
-
-    def _fitting(self, row: Shown, extent: float, room: float) -> Scale:
-        return fitting(extent, room, f"{{{row.letter}}}", row.unit, self.plate.drafting.standard)
+        letter, standard = f"{{{row.letter}}}", self.plate.drafting.standard
+        first = fitting(high - low, TALLEST * self._high, letter, row.unit, standard)
+        return coarser(first, 0 if row.flat else self.plate.proportions.coarser, standard)
 
     def distance(self, row: Shown) -> float | None:
         """Give the distance, mm, of the pole by which a row is drawn from the one above it; None: there is none."""
@@ -301,6 +291,31 @@ class RowFrame(ABC, Generic[Shown]):
 
     def axes(self, row: Shown) -> Axes:
         """Stand a row in the middle of its field."""
-        field, up, (low, high) = self.fields[row.key], self.scales[row.key], row.span
-        spare = field.height - (high - low) / up.mu
-        return Axes(complex(field.left, field.bottom + spare / 2 - low / up.mu), self.spot.scale, up)
+        return level(self.fields[row.key], row.span, self.spot.scale, self.scales[row.key])
+
+
+def stacked(
+    heights: Mapping[str, float], left: float, top: float, wide: float, over: float, under: float
+) -> dict[str, Field]:
+    """Give the fields of rows one under another by their names, mm, with paper over and under each."""
+    fields = {}
+    for name, high in heights.items():
+        top -= over
+        fields[name] = Field(left, top - high, left + wide, top)
+        top -= high + under
+    return fields
+
+
+def level(field: Field, span: tuple[float, float], across: Scale, up: Scale) -> Axes:
+    """Stand axes at the left of a field, what they go over in the middle of its height."""
+    low, high = span
+    spare = field.height - (high - low) / up.mu
+    return Axes(complex(field.left, field.bottom + spare / 2 - low / up.mu), across, up)
+
+
+def coarser(scale: Scale, count: int, standard: str) -> Iterator[Scale]:
+    """Give a standard scale, and so many smaller ones after it."""
+    yield scale
+    for _ in range(count):
+        scale = fitting(scale.mu * LARGER, 1.0, scale.letter, scale.unit, standard)
+        yield scale
