@@ -2,34 +2,28 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.balance.graphs import told
 from drawings.balance.scheme import AFTER, BEFORE
-from drawings.kinds.graph import stretches
-from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
-from drawings.lettering.lettering import text_width
+from drawings.kinds.axes import Letter, Part
+from drawings.kinds.graph import DOT, LEAST, stretches
+from drawings.kinds.hodograph import arrow, letter_beside, outward, pole_letter, pole_of, room_of
+from drawings.layout.picture import Picture, Place, Spot
 from drawings.lettering.vector_letters import FORCE
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, LEAN, Circle, Group, LineStyle, Polyline, Stroke, Text
-from drawings.symbols.figure import Subject, heading, point, vector
-from drawings.symbols.symbols import pole
+from drawings.paper.strokes import INK, LEAN, Circle, Group, LineStyle, Polyline, Stroke
+from drawings.symbols.figure import Subject, heading
 from plans.model.balance.linkage import State
 from plans.model.motion import Complexes
 
-NAME, SYMBOL, UNIT, POLE = "shaking", "F", "N", "o"
-MARGINS = Margins(2.6, 2.0, 2.0)  # paper around it for its letters, in their sizes
+NAME, SYMBOL, UNIT = "shaking", "F", "N"
 LETTERS = 18.0  # it is drawn at least so many of its letters large: its positions are numbered
-DOT = 0.7  # mm, radius of a position's point
-LEAST = 0.05  # mm: a shorter vector is a point
 NUMBERED = 4.0  # mm: the ends of a smaller curve fall together, and bear no numbers
 
 
@@ -45,6 +39,10 @@ class MainVector(NamedTuple):
         """How far its curve reaches, N: the larger side of the box about it."""
         known = self.values[~np.isnan(self.values.real)]
         return max((float(np.ptp(row)) for row in (known.real, known.imag)), default=0.0) if known.size else 0.0
+
+    def told(self, place: Place) -> bool:
+        """Whether its positions bear numbers: their ends lie apart."""
+        return place.length(self.spread) >= NUMBERED
 
 
 class ShakingHodograph(NamedTuple):
@@ -76,41 +74,6 @@ def _ends_of(state: State, shown: int) -> Complexes:
     return np.where(kept, force, np.nan + 0j)
 
 
-@dataclass(frozen=True)
-class ShakingFigure:
-    """The hodographs placed on paper: their lines, and the letters still to be placed."""
-
-    shown: ShakingHodograph
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure: the pole, the shown vectors lettered, the positions numbered outward."""
-        hand = self.drafting.hand
-        found = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
-        for one in self.shown.vectors:
-            found += self._vector(one, labels)
-        for one in self.shown.vectors:
-            found += self._numbers(one, labels)
-        return (Group((*self.lines, Group(tuple(found))), NAME),)
-
-    def _vector(self, one: MainVector, labels: Labels) -> Iterator[Stroke]:
-        end = complex(one.ends[self.shown.shown])
-        if self.place.length(abs(end)) > LEAST:  # not of a gap either
-            middle, letter = self.place.on(end / 2), letter_of(one.state)
-            yield labels.beside(middle, letter, self.drafting.hand.letter, 1.2, cmath.phase(1j * end))
-
-    def _numbers(self, one: MainVector, labels: Labels) -> Iterator[Stroke]:
-        if self.place.length(one.spread) < NUMBERED:
-            return
-        heart = complex(np.nanmean(one.ends))
-        for k, value in enumerate(one.ends.tolist()):
-            if not math.isnan(value.real):
-                side = cmath.phase(value - heart) if value != heart else math.pi / 4
-                yield labels.beside(self.place.on(value), str(k), self.drafting.hand.number, 1.2, side)
-
-
 def letter_of(state: str) -> str:
     """Letter the main vector of a state: after balancing it bears a prime."""
     return f"{FORCE}'" if state == AFTER else FORCE
@@ -118,30 +81,30 @@ def letter_of(state: str) -> str:
 
 def measure(shown: ShakingHodograph, drafting: Drafting) -> Picture:
     """Measure the room of the hodographs."""
-    hand = drafting.hand
-    side, below, above = (size * hand.letter for size in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    title = text_width(Text(0j, drafting.word("shaking hodograph"), hand.title)) + 2 * LEAN * hand.title
-    return picture(NAME, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    hand, title = drafting.hand, drafting.word("shaking hodograph")
+    room = room_of(NAME, shown.points, (SYMBOL, UNIT), title, LETTERS, hand)
+    return room._replace(heading=room.heading + 2 * LEAN * hand.title)
 
 
-def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting) -> ShakingFigure:
+def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw the hodographs in their spot: thin before, in main lines after; title and scale above."""
     place, hand = room.place(*spot), drafting.hand
-    scale = drafting.scale(spot.scale)
-    both = len(shown.vectors) > 1
-    under = ";  ".join([scale, *([drafting.word("thin before")] if both else [])])
+    both, subject = len(shown.vectors) > 1, Subject(NAME, SYMBOL, shown.shown)
+    under = ";  ".join([drafting.scale(spot.scale), *([drafting.word("thin before")] if both else [])])
     lines: list[Stroke] = [heading(spot.box, drafting.word("shaking hodograph"), under, hand)]
+    named, numbers = list[Letter](), list[Letter]()
     for one in shown.vectors:
+        end = complex(one.ends[shown.shown])
         style = hand.other if both and one.state == BEFORE else hand.result
-        curve = Group(tuple(_curve(one.values, place, style) if shown.whole else ()), f"{NAME}-{one.state}")
-        lines += [curve, *_ends(one, shown.shown, place, hand)]
-    lines.append(point(_subject(None), POLE, 0j, place, pole(place.on(0j)), "pole"))
-    return ShakingFigure(shown, place, tuple(lines), drafting)
-
-
-def _subject(position: int | None) -> Subject:
-    return Subject(NAME, SYMBOL, position)
+        lines.append(Group(tuple(_curve(one.values, place, style) if shown.whole else ()), f"{NAME}-{one.state}"))
+        lines += arrow(subject, letter_of(one.state), end, place, hand)
+        lines += _ends(one, subject, place, hand)
+        if place.length(abs(end)) > LEAST:  # not of a gap either
+            named.append(letter_beside(letter_of(one.state), end, place, hand))
+        if one.told(place):
+            numbers += outward(one.ends, np.flatnonzero(~np.isnan(one.ends.real)).tolist(), place, hand)
+    lines.append(pole_of(subject, place))
+    return Part(NAME, tuple(lines), (pole_letter(place, hand), *named, *numbers))
 
 
 def _curve(values: Complexes, place: Place, style: LineStyle) -> Iterator[Stroke]:
@@ -150,13 +113,10 @@ def _curve(values: Complexes, place: Place, style: LineStyle) -> Iterator[Stroke
         yield Polyline(tuple(place.on(complex(values[k])) for k in run), False, style)
 
 
-def _ends(one: MainVector, shown: int, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the shown vector, and mark the ends at the positions by state and number; all can be measured."""
-    end = complex(one.ends[shown])
-    if place.length(abs(end)) > LEAST:
-        yield vector(_subject(shown), letter_of(one.state), (0j, end), place, hand.relative, hand.symbol)
+def _ends(one: MainVector, subject: Subject, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Mark the ends at the positions by state and number; where these are told they can be measured."""
     for k, value in enumerate(one.ends.tolist()):
         if not math.isnan(value.real):
             dot = Circle(place.on(value), DOT * hand.symbol, INK)
-            data = _subject(k).data("point", f"{one.state} {k}", value, place.scale)
-            yield Group((dot,), "", data, str(k)) if place.length(one.spread) >= NUMBERED else dot
+            data = subject._replace(position=k).data("point", f"{one.state} {k}", value, place.scale)
+            yield Group((dot,), "", data, str(k)) if one.told(place) else dot

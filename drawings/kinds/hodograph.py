@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from drawings.kinds.axes import Letter, Part
 from drawings.kinds.curve_graph import DOTTED, SPARE
-from drawings.kinds.graph import stretches
-from drawings.layout.labels import Labels
+from drawings.kinds.graph import DOT, LEAST, stretches
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.extent import numbered
 from drawings.lettering.lettering import text_width
@@ -25,9 +25,7 @@ from plans.model.motion import Complexes
 
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around it for its letters, in their sizes
 LETTERS = 14.0  # it is drawn at least so many of its letters large: its positions are numbered
-DOT = 0.7  # mm, radius of a position's point
 POLE = "o"
-LEAST = 0.05  # mm: a shorter vector is a point
 
 
 class Hodograph(NamedTuple):
@@ -50,57 +48,69 @@ class Hodograph(NamedTuple):
 
 def measure(shown: Hodograph, name: str, drafting: Drafting) -> Picture:
     """Measure the room of a hodograph."""
-    hand = drafting.hand
+    return room_of(name, shown.points, (shown.symbol, shown.unit), _title(shown, drafting), LETTERS, drafting.hand)
+
+
+def room_of(
+    name: str, points: Sequence[complex], scale: tuple[str, str], title: str, letters: float, hand: Hand
+) -> Picture:
+    """Measure the room of hodographs about one pole that are drawn at least so many of their letters large."""
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    heading = text_width(Text(0j, _title(shown, drafting), hand.title))
-    return picture(name, shown.points, (shown.symbol, shown.unit), margins, heading, LETTERS * hand.letter)
+    return picture(name, points, scale, margins, text_width(Text(0j, title, hand.title)), letters * hand.letter)
 
 
-@dataclass(frozen=True)
-class HodographFigure:
-    """A hodograph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: Hodograph
-    name: str
-    place: Place
-    lines: tuple[Stroke, ...]
-    numbers: tuple[int, ...]  # the positions that bear one
-    hand: Hand
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure: the pole and the shown vector lettered, the positions numbered outward."""
-        hand, ends = self.hand, self.shown.ends
-        letters = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
-        end = complex(ends[self.shown.shown])
-        if not math.isnan(end.real):
-            middle = self.place.on(end / 2)
-            letters.append(labels.beside(middle, self.shown.letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j))))
-        heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
-        for k in self.numbers:
-            spot, away = self.place.on(complex(ends[k])), complex(ends[k]) - heart
-            side = cmath.phase(away) if away else math.pi / 4
-            letters.append(labels.beside(spot, str(k), hand.number, 1.2, side))
-        return (Group((*self.lines, Group(tuple(letters))), self.name),)
-
-
-def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> HodographFigure:
+def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Part:
     """Draw the hodograph in its spot, with its title and its written scale above it."""
     place, hand = room.place(*spot), drafting.hand
-    title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
-    lines: list[Stroke] = [title, *_curve(shown, place, hand)]
-    end = complex(shown.ends[shown.shown])
     subject = Subject(room.name, shown.symbol, shown.shown)
-    if not math.isnan(end.real) and place.length(abs(end)) > LEAST:
-        lines.append(vector(subject, plain_name(shown.letter), (0j, end), place, hand.relative, hand.symbol))
-    every = subject._replace(position=None)
-    lines.append(point(every, POLE, 0j, place, pole(place.on(0j)), "pole"))
+    end = complex(shown.ends[shown.shown])
     numbers, points = _told(shown, place, hand)
-    for k in points:
-        value = complex(shown.ends[k])
-        dot = Circle(place.on(value), DOT * hand.symbol, INK)
-        lines.append(point(subject._replace(position=k), str(k), value, place, dot) if k in numbers else dot)
-    return HodographFigure(shown, room.name, place, tuple(lines), numbers, hand)
+    lines = (
+        heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),
+        *_curve(shown, place, hand),
+        *arrow(subject, plain_name(shown.letter), end, place, hand),
+        pole_of(subject, place),
+        *(_point(shown, k, k in numbers, subject, place, hand) for k in points),
+    )
+    named = () if math.isnan(end.real) else (letter_beside(shown.letter, end, place, hand),)
+    return Part(room.name, lines, (pole_letter(place, hand), *named, *outward(shown.ends, numbers, place, hand)))
+
+
+def arrow(subject: Subject, name: str, end: complex, place: Place, hand: Hand) -> Iterator[Group]:
+    """Draw the vector that is shown, unless it is a gap or a point on paper."""
+    if place.length(abs(end)) > LEAST:
+        yield vector(subject, name, (0j, end), place, hand.relative, hand.symbol)
+
+
+def pole_of(subject: Subject, place: Place) -> Group:
+    """Draw the pole."""
+    return point(subject._replace(position=None), POLE, 0j, place, pole(place.on(0j)), "pole")
+
+
+def pole_letter(place: Place, hand: Hand) -> Letter:
+    """Letter the pole."""
+    return Letter(place.on(0j), POLE, hand.letter, -math.pi / 4, 1.6)
+
+
+def letter_beside(letter: str, end: complex, place: Place, hand: Hand) -> Letter:
+    """Letter the vector that is shown beside its middle."""
+    return Letter(place.on(end / 2), letter, hand.letter, cmath.phase(1j * (end or 1j)))
+
+
+def outward(ends: Complexes, numbers: Iterable[int], place: Place, hand: Hand) -> Iterator[Letter]:
+    """Number positions outward from the middle of all."""
+    heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
+    for k in numbers:
+        away = complex(ends[k]) - heart
+        yield Letter(place.on(complex(ends[k])), str(k), hand.number, cmath.phase(away) if away else math.pi / 4)
+
+
+def _point(shown: Hodograph, k: int, told: bool, subject: Subject, place: Place, hand: Hand) -> Stroke:
+    """Mark the end at a position; one that is numbered can be measured."""
+    value = complex(shown.ends[k])
+    dot = Circle(place.on(value), DOT * hand.symbol, INK)
+    return point(subject._replace(position=k), str(k), value, place, dot) if told else dot
 
 
 def _told(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
