@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from random import Random
 from typing import Any, NamedTuple
@@ -111,33 +111,3 @@ def _read(road: Motion, key: tuple[str, str], position: int) -> complex:
     owner: Any = road.points[name] if kind in POINT_ORDERS else road.links[int(name)]
     value = complex(getattr(owner, kind)[position])
     return complex(MP.expj(MP.mpf(value.real))) if kind == "angle" else value
-
-
-def judgement_table(judged: Sequence[Judgement]) -> str:
-    """Tell the worst of every kind by either road, how many are more than may be, and which scenes these are."""
-    roads = ("construction", "analysis")
-    places = {(one.kind, one.number, one.position) for one in judged if one.key != EXTREME}
-    scenes = {place[:2] for place in places}
-    lines = [
-        f"{len(scenes)} scenes judged at {len(places)} positions, in roundings of the data; at most {BORNE:g} are borne"
-    ]
-    lines += [f"{'':<10}" + "".join(f"{road + ': median, worst':>32}{'too many':>10}" for road in roads)]
-    for key in (*KEYS, EXTREME, "nothing"):
-        own = [[one.roundings for one in judged if one.key == key and one.road == road] for road in roads]
-        if any(own):
-            lines.append(f"{key:<10}" + "".join(_cells(values) for values in own))
-    wrong = sorted((one for one in judged if not one.roundings <= BORNE), key=lambda one: -one.roundings)
-    return "\n".join([*lines, *(_named(one) for one in wrong)])
-
-
-def _cells(values: Sequence[float]) -> str:
-    if not values:
-        return f"{'-':>32}{'-':>10}"
-    return f"{np.median(values):>20.2f}{max(values):>12.4g}{sum(not value <= BORNE for value in values):>10}"
-
-
-def _named(one: Judgement) -> str:
-    what = f"{one.key}_{one.name} {one.roundings:.4g} roundings"
-    return (
-        f"  --kind {one.kind} --only {one.number}: position {one.position}: {one.road}: {what}, kappa {one.kappa:.3g}"
-    )
