@@ -23,7 +23,7 @@ from geometry.calculus import (
 )
 from geometry.meet import EPS
 from geometry.precision import errors
-from geometry.replay import exact, redraw
+from geometry.replay import exact
 from geometry.steps import behind
 from geometry.strips import Floats, middles, strips
 from geometry.tracing import Tracing
@@ -129,15 +129,6 @@ def test_the_tangent_of_the_sine_law_on_paper_returns_its_slope() -> None:
 def largest(edges: Floats, function: Function, whole: Function) -> float:
     curve = drawn(edges, function(middles(edges)))
     return float(np.max(np.abs(curve.values - (whole(edges) - whole(edges[0])))))
-
-
-@pytest.mark.rest
-@over("function, whole", [(np.exp, np.exp), (np.cos, np.sin), (lambda x: 3 * x**2, lambda x: x**3)])
-def test_on_a_smooth_curve_chords_are_of_the_second_order(function: Function, whole: Function) -> None:
-    off = [largest(strips(0.2, 2.5, count), function, whole) for count in COUNTS]
-    assert order(off) == pytest.approx(2.0, abs=0.1)
-    steps = [order(off[k : k + 2], COUNTS[k : k + 2]) for k in range(len(off) - 1)]
-    assert steps == pytest.approx([2.0] * len(steps), abs=0.1)
 
 
 def planed(x: Any) -> Any:
@@ -257,20 +248,6 @@ def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Fl
 
 
 @examples(6)
-@given(diagrams, st.floats(-1e3, 1e3))
-def test_another_start_lifts_the_whole_curve(diagram: tuple[Floats, Floats], start: float) -> None:
-    one, other = drawn(*diagram), drawn(*diagram, start=start)
-    assert np.all(np.abs(other.values - one.values - start) <= one.slacks + other.slacks)
-
-
-@examples(6)
-@given(diagrams)
-def test_a_diagram_turned_over_gives_the_curve_turned_over(diagram: tuple[Floats, Floats]) -> None:
-    edges, means = diagram
-    assert drawn(edges, -means).values.tolist() == (-drawn(edges, means).values).tolist()
-
-
-@examples(6)
 @given(diagrams, st.integers(0, 7), st.floats(0.1, 0.9))
 def test_a_strip_divided_anywhere_changes_nothing_where_the_means_are_true(
     diagram: tuple[Floats, Floats], at: int, share: float
@@ -326,18 +303,6 @@ def test_a_ray_of_a_derivative_is_parallel_to_its_chord_and_its_point_stands_ove
         assert complex(point.point).real == pytest.approx(curve.middles[k], rel=8 * EPS, abs=0)
 
 
-def test_the_record_drawn_again_from_its_givens_is_itself() -> None:
-    for points in records():
-        again = redraw(list(points), {})
-        assert [complex(again[one].point) for one in points] == [complex(one.point) for one in points]
-
-
-def test_the_record_drawn_again_from_another_mean_is_the_new_curve() -> None:
-    curve = drawn([0, 1, 3], [2, -1])
-    again = redraw(list(curve.points), {curve.ordinates[0]: 5j})
-    assert [complex(again[one].point) for one in curve.points] == [0, 1 + 5j, 3 + 3j]
-
-
 def test_the_record_is_traced_from_another_mean() -> None:
     curve = drawn([0, 1, 3], [2, -1])
     tracing = Tracing(curve.board, curve.ordinates[0])
@@ -374,11 +339,6 @@ def test_a_corner_has_the_tangents_of_both_its_sides() -> None:
     curve = derivative_by_tangents(Board("slopes"), "v", [0, 1, 1, 2], [0, 1, 1, 0], [1, 3, -2, -1])
     assert [curve.values[piece].tolist() for piece in curve.pieces] == [[1, 3], [-2, -1]]
     assert curve.middles.tolist() == [complex(one.point).real for one in curve.points] == [0, 1, 1, 2]
-
-
-def test_many_strips_cost_eight_marks_each() -> None:
-    edges = strips(0, 1, 4096)
-    assert len(drawn(edges, np.ones(4096)).board) == 8 * 4096 + 5
 
 
 # What cannot be drawn

@@ -103,13 +103,6 @@ def test_a_long_vector_is_out_along_itself_and_one_of_nothing_by_its_place() -> 
     )
 
 
-def test_a_set_square_carries_as_truly_as_it_is_long() -> None:
-    """Of 100 mm: a vector of 250 mm is out two and a half times as far."""
-    base, above = Board("positions"), Board("velocities")
-    carried = above.transfer("v", base.given("AB", 250 + 0j))
-    assert deviation(carried) == pytest.approx(np.sqrt(2) * 2.5 * SLIP)
-
-
 PLACE, OTHER, WAY = 3 + 4j, 8 + 4j, 30 + 0j  # mm: two given points, and a vector from nowhere
 
 
