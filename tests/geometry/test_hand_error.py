@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from geometry import draughtsman, hand_error, precision
+from geometry import hand_error, precision
 from geometry.board import Board, Mark
 from geometry.hand_error import EDGE, EVEN, POINT, SlippingHand, number_error, size_error, slopes
 
@@ -30,15 +30,6 @@ def test_a_square_meeting_adds_both_lines_and_its_prick() -> None:
     assert deviation(board.meet("M", *lines)) == pytest.approx(SLIP * np.sqrt(2 + 2))
 
 
-def test_a_sharp_meeting_magnifies_along_its_lines() -> None:
-    """At 30 degrees each line's push is twice as long along the other."""
-    board = Board("positions")
-    start = board.given("P", 0j)
-    ways = board.given("x", 40 + 0j), board.given("y", 40 * np.exp(1j * np.pi / 6))
-    lines = [board.parallel(way.name, start, way) for way in ways]
-    assert deviation(board.meet("M", *lines)) == pytest.approx(SLIP * np.sqrt(4 + 4 + 2))
-
-
 def test_arcs_that_barely_meet_tell_nothing() -> None:
     board = Board("positions")
     a, c = board.given("A", 0j), board.given("C", 100 + 0j)
@@ -54,21 +45,6 @@ def test_one_slip_that_comes_by_two_ways_is_added_as_it_is() -> None:
     c = board.lay_off("C", b, vector)
     assert deviation(board.join("BC", b, c)) == pytest.approx(SLIP * np.sqrt(2))
     assert deviation(board.join("AC", board["A"], c)) == pytest.approx(SLIP * 2)
-
-
-def test_of_nothing_laid_off_each_slip_tried_says_the_same() -> None:
-    """Two points pricked at one place differ by their pricks; what joins them is nothing, and is not laid off."""
-    board = Board("positions")
-    nothing = board.join("AB", board.given("A", 30 + 0j), board.given("B", 30 + 0j))
-    end = board.lay_off("D", board.lay_off("C", board["A"], nothing), board.given("v", 40j))
-    tried, ruled = (road(HAND, end)[end] for road in (draughtsman.slopes, slopes))
-    assert np.abs(tried).sum() == pytest.approx(np.abs(ruled).sum(), rel=1e-6)
-
-
-def test_a_plan_without_a_scale_is_known() -> None:
-    other = Board("forces")
-    end = other.lay_off("B", other.given("A", 0j), other.given("v", 30 + 0j))
-    assert deviation(end) == 0.0
 
 
 @pytest.mark.parametrize(("length", "times"), [(0.3 * EDGE, 1.0), (3 * EDGE, 3.0)])
@@ -159,12 +135,6 @@ def test_a_force_that_balances_moments_is_out_by_its_arm() -> None:
     assert deviation(force) == pytest.approx(SLIP * np.sqrt(4) * 12 / 5)
 
 
-def test_a_vector_of_nothing_is_out_by_all_slips_along_one_line() -> None:
-    """Those that go together in x and in y: 95 per cent lie within 1.960 deviations along the slant."""
-    slips = np.full((40, 1), 0.1 + 0.1j)
-    assert size_error(np.array([0j]), slips)[0] == pytest.approx(POINT * 0.1 * np.sqrt(2 * 40), rel=0.03)
-
-
 def test_sums_slip_against_what_they_close() -> None:
     """What closes a sum is out against it: the sum of both is not out at all."""
     board = Board("positions")
@@ -176,16 +146,6 @@ def test_sums_slip_against_what_they_close() -> None:
     closing = board.close("C", *moments)
     found = slopes(HAND, closing, *moments)
     assert np.abs(found[closing] + found[moments[0]] + found[moments[1]]).max() == pytest.approx(0.0, abs=1e-12)
-
-
-def test_a_force_that_balances_moments_turns_with_a_line_that_is_carried() -> None:
-    """Its direction is joined by two pricked points 30 mm apart, 7 mm along it from the arm's foot."""
-    board = Board("positions")
-    about, through = board.given("O", PLACE), board.given("C", OTHER + 7j)
-    way = board.join("PQ", board.given("P", 1 + 1j), board.given("Q", 1 + 31j))
-    force = board.balance("P", about, board.parallel("l", through, way), board.given("T", 60.0))
-    turned = 2 / 30**2
-    assert deviation(force) == pytest.approx(SLIP * 12 * np.sqrt((4 + 49 * turned) / 25 + turned))
 
 
 def test_a_couple_is_out_by_its_arm_and_by_what_turns_it() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 
 import numpy as np
@@ -56,38 +55,6 @@ def test_a_dead_centre_has_no_bound() -> None:
     b = notch(0.0)
     assert float(condition(b)) == math.inf
     assert float(errors(b)[b].place.item()) == math.inf
-
-
-def test_an_error_a_thousand_roundings_large_is_beyond_the_bound() -> None:
-    b = notch(0.1)
-    wrong = complex(b.point) + 1000 * EPS
-    assert abs(wrong - exact([b])[b]) > float(errors(b)[b].place.item())
-
-
-def test_each_position_has_a_bound_of_its_own() -> None:
-    board = Board("positions")
-    a, c = board.given("A", 0j), board.given("C", np.array([5, 6.9999, 70]) + 0j)
-    b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1)
-    square, shallow, gap = errors(b)[b].place
-    assert 0 < 50 * square < shallow
-    assert not gap < math.inf
-
-
-def test_what_is_given_is_exact_and_what_is_carried_keeps_its_error() -> None:
-    b = notch(0.1)
-    here, there = Board("positions"), Board("velocities")
-    far = there.transfer("b", b)
-    bounds = errors(far, here.arc("BD", b, 2.0), *(mark for locus in b.step.inputs for mark in locus.step.inputs))
-    assert [float(bounds[source.step.inputs[0]].place.item()) for source in b.step.inputs] == [0, 0]
-    assert bounds[far].place == bounds[b].place
-
-
-def test_a_turned_vector_has_its_error_stretched() -> None:
-    board = Board("positions")
-    vector = board.join("AB", board.given("A", 0j), notch(0.1))
-    before = float(errors(vector)[vector].place.item())
-    turned = board.turn("t", vector, cmath.rect(100, 1))
-    assert float(errors(turned)[turned].place.item()) == pytest.approx(100 * before, rel=0.2, abs=0)
 
 
 def test_a_line_square_to_a_short_vector_is_turned_by_its_error_over_its_length() -> None:

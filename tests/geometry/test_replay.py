@@ -7,15 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 import mpmath
-import numpy as np
-import pytest
 from hypothesis import given
-from hypothesis import strategies as st
 
 from geometry.board import Arc, Board, Line, Mark
 from geometry.meet import EPS
 from geometry.replay import exact, redraw
-from tests.geometry.constructions import Construction, constructions, places
+from tests.geometry.constructions import Construction, constructions
 from tests.parts import examples
 from tests.rows import over
 
@@ -88,30 +85,6 @@ def test_any_record_drawn_again_from_its_own_givens_is_itself(drawn: Constructio
         assert repr(numbers(again[mark].value)) == repr(numbers(mark.value))
 
 
-@given(places, st.floats(0.5, 2))
-def test_a_record_drawn_again_elsewhere_is_moved_as_a_whole(by: complex, length: float) -> None:
-    board = Board("positions")
-    a, c = board.given("A", 0j), board.given("C", 2 + 0j)
-    b = board.meet("B", board.arc("AB", a, 1 + length), board.arc("CB", c, length), +1)
-    again = redraw([b], {a: by, c: 2 + by})
-    assert complex(again[b].point) == pytest.approx(complex(b.point) + by, abs=1e-12)
-
-
-def test_one_given_may_be_an_array_where_it_was_one_number() -> None:
-    _, old = draw(ACTS["lay_off"], GIVENS)
-    start = old.step.inputs[0]
-    assert list(np.asarray(redraw([old], {start: np.array([0j, 1j])})[old].point)) == [2 - 1j, 2 + 0j]
-
-
-def test_fifty_digits_of_one_position_of_many() -> None:
-    board = Board("positions")
-    a = board.given("A", np.array([0j, 1 + 1j, 2j]))
-    c = board.given("C", 4 + 0j)
-    b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), np.array([1.0, -1.0, 1.0]))
-    for k in range(3):
-        assert complex(exact([b], k)[b]) == pytest.approx(complex(np.asarray(b.point)[k]), rel=1e-14)
-
-
 def test_fifty_digits_are_fifty() -> None:
     board = Board("positions")
     a, c = board.given("A", 0j), board.given("C", 1 + 0j)
@@ -126,13 +99,6 @@ def test_a_given_may_be_exact_where_no_double_is() -> None:
     tenth = MP.expj(MP.mpf(1) / 10)
     assert abs(exact([a], givens={turn: tenth})[a] - tenth) < MP.mpf(10) ** -48
     assert abs(exact([a])[a] - tenth) > MP.mpf(10) ** -20
-
-
-def test_a_gap_is_a_gap_in_fifty_digits_too() -> None:
-    board = Board("positions")
-    a, c = board.given("A", 0j), board.given("C", 10 + 0j)
-    b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), +1)
-    assert cmath.isnan(complex(exact([b])[b]))
 
 
 def test_given_lines_and_arcs_are_read_in_fifty_digits() -> None:

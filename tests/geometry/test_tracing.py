@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from geometry.board import Board, Line, Mark
+from geometry.board import Board, Mark
 from geometry.precision import errors
 from geometry.replay import redraw
 from geometry.tracing import Tracing
@@ -50,22 +50,6 @@ def test_what_does_not_hang_on_the_free_mark_is_worked_out_once() -> None:
     assert list(numbers[tracing.place(end)]) == pytest.approx([1.8 + 2.4j, 2.8 + 3.4j])
 
 
-def test_one_crossing_of_two_directions_serves_all_plans() -> None:
-    board, other = Board("velocities"), Board("accelerations")
-    e, f = board.given("e", 1 + 1j), board.given("f", 1 - 2j)
-    p, q = board.given("p", 0j), board.given("q", 3 + 1j)
-    first = board.meet("b", board.square("⊥e", p, e), board.square("⊥f", q, f))
-    carried = [other.transfer(mark.name, mark) for mark in (e, f)]
-    n = other.given("n", 2j)
-    second = other.meet("b", other.square("⊥e", n, carried[0]), other.square("⊥f", n, carried[1]))
-    tracing = Tracing([*board, *other], e)
-    numbers = tracing.follow(1 + 1j)
-    _, made = tracing.boards(numbers)
-    assert made[first].meeting is not None
-    assert made[second].meeting is not None
-    assert made[first].meeting.across is made[second].meeting.across
-
-
 def test_a_known_ratio_is_not_divided_out_again() -> None:
     board = Board("velocities")
     arm = board.given("AB", 3 + 4j)
@@ -104,14 +88,6 @@ def test_what_is_drawn_over_a_record_is_followed_on_from_its_numbers() -> None:
     assert list(below.follow(turn)[below.place(a)]) == list(turn)
     _, made = above.boards(followed)
     assert list(made[moment].point) == [-3.0, 3.0]
-
-
-def test_given_lines_are_followed_too() -> None:
-    board = Board("positions")
-    guide = board.given("guide", Line(0j, 1 + 0j))
-    tracing = Tracing(board, board.given("φ", 1j))
-    _, made = tracing.boards(tracing.follow(1j))
-    assert made[guide].value == Line(0j, 1 + 0j)
 
 
 def test_a_vector_turned_by_a_row_is_turned_by_another_row_each_time() -> None:

@@ -15,9 +15,9 @@ from plans.analytic.power import balancing_moment, borne
 from plans.model.dyad import Pair
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
-from plans.model.mechanism import FRAME, Mechanism, Slide, Way
+from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Complexes, Floats, Motion
-from tests.parts import examples, some
+from tests.parts import examples
 from tests.plans import linkages
 from tests.plans.chains import Chain, chains, numbers
 from tests.plans.machines import SHAPER, Run, machine, pointed, steady
@@ -190,41 +190,3 @@ def test_a_three_lead_group_is_no_obstacle():
     assert balancing_moment(*run.case) == pytest.approx(moment, rel=1e-11)
     energy = energy_balance(*run.case)
     assert abs(energy.moment - moment) <= energy.allowed < 1e-4 * abs(moment)
-
-
-def test_a_pin_of_three_links_is_told_as_any_tree():
-    """Toggle press: links 2, 3 and 4 meet in one pin; whichever pairs are told, each link is in equilibrium."""
-    links = {
-        FRAME: {"O": 0j, "C": 0.3 - 0.1j},
-        1: {"O": 0j, "A": 0.05},
-        2: {"A": 0j, "B": 0.25},
-        3: {"C": 0j, "B": 0.2},
-        4: {"B": 0j, "D": 0.2},
-        5: {"D": 0j},
-    }
-    guide = Slide(5, FRAME, Way(0j, 1j), Way(0.3 + 0j, 1j), "D", "")
-    sketch = {"B": 0.22 + 0.08j, "D": 0.3 + 0.26j}
-    drive = linkages.shaper().drive
-    mechanism = linkages.mechanism("press", links, (guide,), drive, sketch, None)
-    bodies = {n: Body(n, 1.0 + n, 0.01, 0.02 + 0.01j) for n in (2, 3, 4, 5)}
-    loads = steady(12, {(5, 0j): -800j, (4, 0.1 + 0j): 20 + 0j})
-    rest = [(0, 1, "O"), (1, 2, "A"), (0, 3, "C"), (4, 5, "D"), (0, 5, guide)]
-    trees = ([(2, 3, "B"), (3, 4, "B")], [(2, 3, "B"), (2, 4, "B")], [(2, 4, "B"), (3, 4, "B")])
-    runs = [Run(mechanism, machine(bodies), TURN, loads, tuple(Pair(*p) for p in (*rest, *tree))) for tree in trees]
-    for run in runs:
-        in_balance(run)
-    alone, whole_pin = runs[0].forces.reactions, runs[1].forces.reactions
-    # Link 4 has but one pair in the pin in both: what it takes from it is the same.
-    assert alone["3-4"].force == pytest.approx(whole_pin["2-4"].force, rel=1e-12)
-    assert abs(alone["2-3"].force - whole_pin["2-3"].force).min() > 1.0
-
-
-@pytest.mark.parametrize("miss", some([1e-2, 1e-4, 1e-6, 1e-10], 2))
-def test_beside_a_near_change_point_the_energy_balance_stays_on_its_assembly(miss):
-    mechanism = linkages.four_bar(0.1, 0.3 + 0.1 * miss, 0.2, 0.4, sketch={"B": 0.35 + 0.15j})
-    beside = np.concatenate((-np.logspace(-6, -0.3, 60), np.logspace(-6, -0.3, 60)))
-    bodies = {2: Body(2, 1, 0.01, 0.1), 3: Body(3, 1, 0.01, 0.1)}
-    run = Run(mechanism, machine(bodies), np.array([1.0, *(pi + beside)]))
-    energy, moment = energy_balance(*run.case), run.forces.balancing.moment
-    judged = np.isfinite(energy.allowed)
-    assert (np.abs(energy.moment - moment) <= energy.allowed)[judged].all() and judged.sum() > 40

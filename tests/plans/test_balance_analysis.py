@@ -12,15 +12,12 @@ from plans.analytic.balance.mass_centre import bodies as solids
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis
 from plans.model.balance.linkage import (
-    ANALYSIS,
     EPS,
     FULL,
     PARTIAL,
     ROUNDING,
     SECTOR,
     SHARE,
-    STEPS,
-    MassCentre,
     Place,
     Task,
 )
@@ -28,27 +25,12 @@ from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
 from tests import parts
 from tests.plans import linkages
-from tests.plans.balance_cases import bodies, engine, four_bar
+from tests.plans.balance_cases import bodies, engine
 
 
 def printed(value: float, text: str) -> bool:
     """Tell whether a value, rounded to the digits of a text, is that text."""
     return f"{value:z.{len(text.partition('.')[2])}f}" == text
-
-
-def both(value: complex, x: str, y: str) -> bool:
-    return printed(value.real, x) and printed(value.imag, y)
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize("count", [1, 10])
-def test_the_extent_of_a_path_is_the_same_however_the_frame_is_turned(count: int) -> None:
-    """Of a crank's end it is the diameter, of a piston's centre the stroke; positions may be very many."""
-    phi = 2 * np.pi * np.arange(count * STEPS + 1) / (count * STEPS)
-    for path, extent in ((0.1 * np.exp(1j * phi), 0.2), (0.3 * np.sin(phi) + 0j, 0.6)):
-        for turn in (0.0, 0.7, 2.1):
-            centre = MassCentre(ANALYSIS, phi, 1.0, path * np.exp(1j * turn) + 5, path, phi)
-            assert centre.path == pytest.approx(extent, rel=1e-12)
 
 
 def test_an_offset_guide_is_balanced_as_one_through_the_shaft() -> None:
@@ -59,40 +41,6 @@ def test_an_offset_guide_is_balanced_as_one_through_the_shaft() -> None:
         moments.append([one.moment for one in found.counterweights])
         assert found.after.around.path <= 1e-14 * 0.4
     assert np.allclose(*moments, rtol=1e-15)
-
-
-def test_already_balanced_needs_nothing_and_points_nowhere() -> None:
-    """Catalogue J1: what is balanced gets no counterweight, though its links may carry them."""
-    machine = bodies((1, 2, 0.02), (2, 4, -0.3), (3, 5, -0.24))
-    task = Task(FULL, (Place(1, mass=9), Place(2, mass=6), Place(3, mass=1)))
-    balanced = four_bar()._replace(machine=machine).balance(task)
-    weights = balanced.counterweights
-    whole = bodies(*_with(machine, weights))
-    again = four_bar()._replace(machine=whole).balance(task)
-    assert [(one.moment, one.mass) for one in again.counterweights] == [(0j, 0.0)] * 3
-    assert again.still and again.added == 0.0 and not balanced.still
-
-
-def _with(machine, weights):
-    for body in machine.bodies.values():
-        added = [one for one in weights if one.link == body.link and one.needed]
-        mass = body.mass + sum(one.mass for one in added)
-        yield body.link, mass, (body.mass * body.centre + sum(one.mass * one.centre for one in added)) / mass
-
-
-@pytest.mark.rest
-def test_a_parallelogram_is_balanced_as_any_four_bar() -> None:
-    """Where links stay parallel the directions depend on each other; the counterweights are those of any lengths."""
-    case = four_bar()
-    moments = []
-    for sides in ((0.1, 0.4, 0.1, 0.4), (0.1, 0.4, 0.1, 0.399)):
-        links = linkages.four_bar(*sides, sketch={"B": 0.4 + 0.1j}, epsilon=0.0)
-        machine = bodies((1, 2, 0.04), (2, 4, 0.18 + 0.1j), (3, 5, 0.06))
-        found = case._replace(mechanism=links, machine=machine).balance(
-            Task(FULL, (Place(1, mass=5), Place(3, mass=8))), 1.0
-        )
-        moments.append([one.moment for one in found.counterweights])
-    assert np.allclose(*moments, rtol=1e-14)
 
 
 @pytest.mark.parametrize("place", [Place(1, radius=0.15), Place(1, at=-0.15), Place(1, shape=SECTOR)])
@@ -163,8 +111,3 @@ def test_harmonics_of_the_engine() -> None:
     assert np.allclose(
         sum(one.at(angles) for one in found.values()), -9.5 * road.around(angles).points["B"].a, rtol=1e-4
     )
-
-
-def test_a_constant_vector_has_no_harmonics() -> None:
-    found = harmonics(lambda phi: np.full(len(phi), 3 - 4j), (1, 5))
-    assert [one.size for one in found.values()] == [0.0, 0.0]

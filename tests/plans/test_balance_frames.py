@@ -23,7 +23,6 @@ from plans.model.balance.linkage import (
     REACTION,
     SECTOR,
     SHARE,
-    Choice,
     Counterweight,
     Place,
     Task,
@@ -134,23 +133,6 @@ def test_a_place_on_the_line_of_a_link_is_told_along_it() -> None:
     except Refused as refused:
         pytest.fail(f"{refused.kind}: {refused.details}")
     assert [one.centre for one in found] == pytest.approx([own(-0.15, 1), own(-0.25, 2)])
-
-
-def test_a_share_costs_the_shaft_what_plans_of_that_machine_say() -> None:
-    """Weight, acceleration and gear among the forces: what is superposed is what is drawn with the counterweight on."""
-    for its in studies("share"):
-        shares = its.shares
-        assert shares is not None
-        for one in (shares.curve[0], shares.curve[15], shares.least_reaction):
-            drawn = study_at(its, one)
-            assert drawn == pytest.approx((one.force, one.reaction), rel=1e-11)
-
-
-def study_at(its: BalanceStudy, one: Choice) -> tuple[float, float]:
-    """Give the largest shaking force and reaction of the shaft of a machine balanced with a share that is given."""
-    after = BalanceStudy(its.linkage, its.statics, its.task._replace(share=one.share)).after
-    assert after is not None
-    return after.shaking, after.reactions["0-1"]
 
 
 def test_the_best_share_on_either_side_of_the_lightest_counterweight() -> None:

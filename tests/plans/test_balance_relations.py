@@ -64,20 +64,6 @@ def shaking(its: BalanceStudy, after: bool = False) -> tuple[complex, float]:
 
 
 @push
-@given(loaded())
-def test_the_shaking_force_is_one_by_main_points_by_links_and_by_the_frame(one):
-    one = bare(one)
-    its = balance(one)
-    by_main_points = complex(its.before.centre.force[0])
-    by_links, _ = shaking(its)
-    forces = one.statics.forces
-    by_frame = -sum(complex(r.force[0]) for r in forces.reactions.values() if r.giver == FRAME)
-    slack = one.margin * one.largest(forces)
-    assert abs(by_main_points - by_links) <= slack
-    assert abs(by_main_points - by_frame) <= slack
-
-
-@push
 @given(loaded(), st.sampled_from((FULL, PARTIAL)))
 def test_what_is_left_at_sliders_is_all_that_shakes_a_balanced_machine(one, aim):
     one = bearable(one, aim)

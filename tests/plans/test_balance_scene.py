@@ -9,10 +9,9 @@ import pytest
 
 from plans.balance.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
-from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import FORCE, FULL, NONE, REACTION, SECTOR, SHARE, Place, Task
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import parse_scene
-from tests.gallery import GALLERY
 from tests.plans.banks import ENGINE, FOUR_BAR, counterweight
 
 ONE = counterweight("on = 1", "mass = 9")
@@ -73,7 +72,6 @@ def test_a_share_is_given_or_sought(written: str, share: float | None, least: st
     assert (found.aim, found.share, found.least) == (SHARE, share, least)
 
 
-BOTH = counterweight("on = 1", "mass = 9", "radius = 0.1", "at = 0.2")
 # Others are rows of the catalogue (tests/catalogue/faults/balancing.toml).
 WRONG = {
     "a link that is not there": (
@@ -108,53 +106,11 @@ def test_each_thing_that_is_wrong_is_one_fault_at_its_key(name: str) -> None:
     assert said(f"[balance]\n{text}", ENGINE) == [(f"balance.{path}", kind)]
 
 
-def test_all_that_is_wrong_is_told_at_once() -> None:
-    text = f"share = 2\n{BOTH}{counterweight('on = 8', 'at = 0')}[drive.gear]\nradius = 0"
-    assert [path for path, _ in said(f'[balance]\naim = "ful"\n{text}')] == [
-        "balance.aim",
-        "balance.share",
-        "balance.counterweights.0.radius",
-        "balance.counterweights.0.at",
-        "balance.counterweights.1.at",
-        "drive.gear.at",
-        "drive.gear.radius",
-    ]
-
-
-def test_a_misspelt_key_is_not_missed_besides() -> None:
-    found = said(f'[balance]\naim = "full"\n{counterweight("link = 1", "mas = 1")}')
-    assert found == [(f"balance.counterweights.0.{name}", "unknown_key") for name in ("link", "mas")]
-
-
-@pytest.mark.parametrize(
-    ("linkage", "aim", "links"),
-    [(FOUR_BAR, FULL, "on = 1 and on = 3"), (ENGINE, FULL, "on = 1 and on = 2"), (ENGINE, PARTIAL, "on = 1")],
-)
-def test_what_would_do_is_said(linkage: str, aim: str, links: str) -> None:
-    (fault,) = refused(f'[balance]\naim = "{aim}"', linkage)
-    assert fault.advice.endswith(f"; {links} would do")
-
-
-def test_a_stone_has_no_line_to_tell_a_place_on() -> None:
-    shaper = (GALLERY / "shaper-loaded.toml").read_text("utf-8")
-    text = f'[balance]\naim = "full"\n{counterweight("on = 2", "at = 0.1")}'
-    assert said(text, shaper) == [("balance.counterweights.0.at", "carrier_line")]
-
-
-def test_a_share_needs_a_slider_whoever_carries_the_counterweight() -> None:
-    assert said('[balance]\naim = "share"') == [("balance.aim", "no_reciprocating")]
-
-
 def test_something_must_have_a_mass_and_turn() -> None:
     weightless = re.sub(r"mass = \d", "mass = 0", FOUR_BAR)
     assert said(f"[balance]\n{ALL}{ONE}", weightless) == [("masses", "massless")]
     resting = FOUR_BAR.replace("speed = 10", "speed = 0")
     assert said(f"[balance]\n{ALL}{ONE}", resting) == [("drive.speed", "crank_at_rest")]
-
-
-def test_no_point_has_the_letter_of_the_common_mass_centre() -> None:
-    lettered = re.sub(r"\bB\b|B(?=C)|(?<=A)B", "S", FOUR_BAR)
-    assert said(f"[balance]\n{ALL}{ONE}", lettered) == [("mechanism.links.2", "common_centre")]
 
 
 def noted(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:

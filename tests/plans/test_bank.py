@@ -10,16 +10,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from geometry.replay import exact
-from plans.analytic.balance.bank import slider_harmonic
 from plans.bank.engines import ENGINES
-from plans.bank.harmonics import NotSettled, SliderCrank, roman
+from plans.bank.harmonics import NotSettled, roman
 from plans.bank.quantities import compare_bank
-from plans.model.balance.bank import EPS, ORDERS, Asked, BankTask, Harmonic, Member, Unit
+from plans.model.balance.bank import ORDERS, Asked, BankTask, Harmonic, Member, Unit
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import examples
-from tests.plans.drawn_banks import BOOK, ENGINE, angles, banks, drawn, places, series, study, summed, task
+from tests.plans.drawn_banks import BOOK, angles, banks, drawn, places, series, study, summed, task
 from tests.rows import over
 
 ROADS = pytest.mark.parametrize("road", [drawn, summed])
@@ -75,13 +73,6 @@ def test_usual_engines(road) -> None:
             assert all(one.size == 0.0 for n, one in harmonics.items() if n not in free)
 
 
-def test_a_first_moment_of_a_right_angle_turns_with_the_crank() -> None:
-    for key in ("vee_four", "vee_six_90", "vee_six_60", "vee_eight"):
-        engine = next(one for one in ENGINES if one.key == key)
-        first = drawn(BankTask(ENGINE, engine.members, 100.0, (1,))).moments[1]
-        assert abs(first.back) <= first.slack < abs(first.ahead)
-
-
 def test_both_roads_agree_over_all_ratios() -> None:
     """Harmonics of the drawn plans against the closed series, in shares of the first."""
     for ratio in RATIOS:
@@ -91,44 +82,6 @@ def test_both_roads_agree_over_all_ratios() -> None:
             off = max(abs(one.ahead - theirs[order].ahead), abs(one.back - theirs[order].back))
             assert off <= EXACT / 10 * abs(theirs[1].ahead), (ratio, order)
             assert one.vanishes == theirs[order].vanishes
-
-
-@pytest.mark.rest
-def test_the_closed_series_to_fifty_digits() -> None:
-    """Against the mean of the slider's place times a cosine over even angles, taken until it has 50 digits."""
-    import mpmath
-
-    mp = mpmath.mp.clone()
-    mp.dps = 80  # the eighth harmonic of a crank of a thousandth has 25 zeros
-    for ratio in RATIOS:
-        unit = Unit(ratio, 1.0, 0.0, 1.0)
-        for order in (2, 4, 6, 8):
-            true = _by_means(mp, mp.mpf(ratio), order)
-            off = abs(slider_harmonic(unit, order) - true)
-            assert order**2 * off <= EXACT * ratio, (ratio, order)
-            assert off <= 64 * EPS * abs(true), (ratio, order)
-
-
-def _by_means(mp, ratio, order):
-    before, count = mp.zero, 64
-    while True:
-        angles = [mp.mpf(2 * k) / count for k in range(count)]
-        rows = (mp.sqrt(1 - (ratio * mp.sinpi(angle)) ** 2) * mp.cospi(order * angle) for angle in angles)
-        found = 2 * mp.fsum(rows) / count
-        if abs(found - before) <= mp.mpf(10) ** -50 * abs(found):
-            return found
-        before, count = found, 2 * count
-
-
-@pytest.mark.rest
-def test_the_drawn_force_to_fifty_digits() -> None:
-    """The record of the plans carried out in 50 digits: each force is as near as is told."""
-    for ratio in (0.25, 0.99):
-        shaking = SliderCrank(Unit(ratio, 1.0, 0.3, 0.5), 10.0).shaking(Fraction(1), 24)
-        assert shaking.mark is not None
-        for position in (0, 5, 6, 17):
-            true = exact([shaking.mark], position)[shaking.mark]
-            assert abs(shaking.force[position] - true) <= shaking.slack[position]
 
 
 @over("ratio", (0.001, 0.25, 0.99))
@@ -161,18 +114,6 @@ def rotor(angle: Fraction, times: int = 1) -> complex:
 @ROADS
 @examples(3)
 @given(banks(), angles)
-def test_cranks_turned(road, bank: BankTask, angle: Fraction) -> None:
-    """The same bank a moment later: each order has turned by its own multiple."""
-    ahead = tuple(one._replace(crank=one.crank + angle) for one in bank.members)
-    was, now = road(bank), road(bank._replace(members=ahead))
-    for name in ("forces", "moments"):
-        old = getattr(was, name)
-        alike(getattr(now, name), {n: turned(one, rotor(angle, n), rotor(angle, -n)) for n, one in old.items()})
-
-
-@ROADS
-@examples(3)
-@given(banks(), angles)
 def test_the_whole_bank_turned(road, bank: BankTask, angle: Fraction) -> None:
     """Guides and cranks turned together turn every force."""
     turn = tuple(one._replace(crank=one.crank + angle, axis=one.axis + angle) for one in bank.members)
@@ -193,19 +134,6 @@ def test_a_bank_in_the_mirror(road, bank: BankTask) -> None:
     }
     alike(now.forces, conjugate)
     assert np.allclose(now.force, was.force[::-1].conj(), atol=4 * (was.force_slack + now.force_slack), rtol=0)
-
-
-@ROADS
-@examples(3)
-@given(banks(), banks())
-def test_banks_joined(road, one: BankTask, other: BankTask) -> None:
-    """Two banks of like mechanisms on a shaft: their forces and moments add up."""
-    other = other._replace(unit=one.unit)
-    whole = one._replace(members=(*one.members, *other.members))
-    first, second, both = road(one), road(other), road(whole)
-    for name in ("forces", "moments"):
-        pairs = ((n, getattr(first, name)[n], getattr(second, name)[n]) for n in one.orders)
-        alike(getattr(both, name), {n: Harmonic(n, a.ahead + b.ahead, a.back + b.back, 0.0) for n, a, b in pairs})
 
 
 @ROADS
@@ -252,11 +180,6 @@ def test_a_star_of_three_closes_to_nothing() -> None:
     (one,) = found.compensators
     assert (one.with_crank, one.with_angle, one.against, one.residual, one.couple) == (0.0, None, 0.0, 0.0, 0.0)
     assert np.array_equal(found.left, found.force)
-
-
-def test_orders_of_compensators_are_told() -> None:
-    found = drawn(BOOK._replace(orders=(4,)))
-    assert list(found.forces) == [4, 1]
 
 
 def test_letters_of_orders() -> None:

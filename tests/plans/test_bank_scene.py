@@ -97,16 +97,6 @@ def test_each_thing_that_is_wrong_is_one_fault_at_its_key(name: str) -> None:
     assert said(text) == [(f"bank.{path}".strip("."), kind)]
 
 
-def test_all_that_is_wrong_is_told_at_once() -> None:
-    text = BANK.replace("3000 rpm", "fast").replace("40 mm", "-40 mm", 1).replace("crank = 0\n", "place = '1 kg'\n")
-    assert [path for path, _ in said(text)] == [
-        "bank.speed",
-        "bank.unit.crank",
-        "bank.members.0.crank",
-        "bank.members.0.place",
-    ]
-
-
 @pytest.mark.parametrize("speed", ["", "speed = 0\n", 'speed = "3000 mm"\n'])
 def test_a_bank_with_a_wrong_speed_has_its_mechanism_still(speed: str) -> None:
     assert [path for path, _ in said(f"sheets = ['bank']\n{BANK.replace(SPEED, speed)}")] == ["bank.speed"]
@@ -125,17 +115,6 @@ def test_a_bank_of_the_linkage_needs_masses_and_a_crank_that_turns_evenly() -> N
     with pytest.raises(SceneError, match="a link with a mass") as told:
         mechanism_of(parse_scene(f"{massless}[balance]\n{bank}"))
     assert len(told.value.faults) == 1
-
-
-def test_a_sheet_without_a_bank_lacks_it_and_nothing_else() -> None:
-    assert said("sheets = ['bank']") == [("sheets", "needs")]
-
-
-def test_a_misspelt_key_is_not_missed_besides() -> None:
-    assert said(BANK.replace("crank = 0", "phase = 0").replace("rod =", "l =")) == [
-        ("bank.unit.l", "unknown_key"),
-        ("bank.members.0.phase", "unknown_key"),
-    ]
 
 
 def noted(scene: Scene) -> list[tuple[str, str]]:

@@ -5,32 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from geometry.meet import EPS
 from geometry.strips import middles
-from plans.bench.chords import CONSTANT, DEFINED, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, STRIPS, integration
-from plans.bench.trial import order
+from plans.bench.chords import CONSTANT, DEFINED, DIAGRAMS, INSIDE, NOT_SO, SMOOTH, integration
 
 BY_NAME = {one.name: one for one in DIAGRAMS}
-
-
-def error(name: str, count: int) -> float:
-    return BY_NAME[name].errors(count, BY_NAME[name].values(count)).kinds["A"]
-
-
-LEFT = [pytest.param(name, 2.0, marks=pytest.mark.rest) for name in (SMOOTH, ON_EDGES)]
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize(("name", "known"), [(INSIDE, 1.0), *LEFT])
-def test_chords_are_of_the_order_that_is_known_of_them(name: str, known: float) -> None:
-    assert order([error(name, count) for count in STRIPS], STRIPS) == pytest.approx(known, abs=0.1)
-
-
-@pytest.mark.rest
-def test_a_constant_load_with_its_jumps_on_edges_is_exact() -> None:
-    """Beside the sum's roundings those of the edges, of a whole turn, in shares of the stroke's angle."""
-    for count in STRIPS:
-        assert error(CONSTANT, count) <= (count + 16) * EPS
 
 
 @pytest.mark.parametrize("name", list(BY_NAME))

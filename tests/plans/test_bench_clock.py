@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from plans.bench import trial as clock
-from plans.bench.trial import LEAST_ROUNDS, Times, interleaved
+from plans.bench.trial import interleaved
 
 
 @pytest.fixture
@@ -33,22 +33,6 @@ def test_a_run_that_has_spent_its_budget_leaves_and_the_others_go_on(ticking: Ca
     slow, quick = interleaved([lambda: ticking(3.0), lambda: ticking(0.5)], 8, 7.0)
     assert slow.seconds == (3.0, 3.0, 3.0)
     assert quick.seconds == (0.5,) * 8
-
-
-def test_a_run_longer_than_its_budget_still_shows_a_spread(ticking: Callable[[float], None]) -> None:
-    (times,) = interleaved([lambda: ticking(100.0)], 15, 1.0)
-    assert len(times.seconds) == LEAST_ROUNDS
-
-
-def test_one_round_is_one_round(ticking: Callable[[float], None]) -> None:
-    assert [len(times.seconds) for times in interleaved([lambda: ticking(1.0)] * 2, 1, 9.0)] == [1, 1]
-
-
-def test_ratios_are_of_the_same_round() -> None:
-    """A disturbance that doubles one round of both runs leaves the ratio as it is."""
-    ratio = Times((3.0, 6.0, 3.0)).over(Times((1.0, 2.0, 1.0)))
-    assert ratio.seconds == (3.0, 3.0, 3.0)
-    assert ratio.quartiles == (3.0, 3.0)
 
 
 def test_the_collector_of_garbage_rests_during_a_run_and_is_woken_after_it() -> None:

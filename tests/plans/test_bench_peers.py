@@ -11,11 +11,9 @@ import pytest
 
 from plans.bench import peers as module
 from plans.bench.error import sizes
-from plans.bench.peers import GAPPED, MECHANISM, NOT_FOUR_BAR, NOT_INSTALLED, PYLINKAGE, four_bar, peers
+from plans.bench.peers import MECHANISM, NOT_FOUR_BAR, NOT_INSTALLED, PYLINKAGE, four_bar, peers
 from plans.bench.roads import compared, ground, prepared
 from plans.scene.scene import read_scene
-from tests.plans import linkages
-from tests.plans.studies import study_of
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
 EXACT = {PYLINKAGE: 1e-10, MECHANISM: 1e-8}  # pylinkage adds steps of the crank up, fsolve stops at 1.5e-8
@@ -35,18 +33,6 @@ def test_other_mechanisms_are_left_out_and_it_is_said_why(name: str) -> None:
     ready, out = peers(prepared(read_scene(GALLERY / f"{name}.toml"), 12))
     assert ready == []
     assert out == {PYLINKAGE: NOT_FOUR_BAR, MECHANISM: NOT_FOUR_BAR}
-
-
-def test_a_crank_with_a_third_point_is_no_plain_four_bar() -> None:
-    plain = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
-    assert four_bar(study_of(plain)) is not None
-    assert four_bar(study_of(linkages.shaper())) is None
-
-
-def test_a_four_bar_with_gaps_is_left_out() -> None:
-    gapped = study_of(linkages.four_bar(0.2, 0.15, 0.15, 0.3, sketch={"B": 0.25 + 0.14j}), 60)
-    assert four_bar(gapped) is not None
-    assert peers(gapped) == ([], {PYLINKAGE: GAPPED, MECHANISM: GAPPED})
 
 
 def test_peers_that_are_not_installed_are_told_with_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:

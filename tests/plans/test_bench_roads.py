@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -22,13 +21,10 @@ from plans.bench.roads import (
     newton,
     prepared,
     roads,
-    with_positions,
 )
 from plans.bench.trial import Road, timed
-from plans.linkage import study as studies
 from plans.linkage.plan_template import PlanTemplate
-from plans.linkage.reading.form import LinkageForm
-from plans.scene.scene import parse_scene, read_scene
+from plans.scene.scene import read_scene
 from tests.parts import first, some
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
@@ -83,29 +79,6 @@ def test_every_run_draws_its_plans_anew(monkeypatch: pytest.MonkeyPatch) -> None
     second = run()
     assert len(drawn) == 2
     assert np.array_equal(first.points["D"].a, second.points["D"].a)
-
-
-def test_the_set_up_is_not_in_the_rows_of_the_construction(monkeypatch: pytest.MonkeyPatch) -> None:
-    found = stood("shaper", 12)
-
-    def never(*_: Any) -> None:
-        raise AssertionError("assembled again")
-
-    monkeypatch.setattr(studies, "assembly", never)
-    monkeypatch.setattr(studies, "decompose", never)
-    monkeypatch.setattr(studies, "extremes", never)
-    for road in roads(found):
-        if set(road.judged) & set(CONSTRUCTION):
-            road.run()
-
-
-def test_more_positions_begin_where_the_scene_begins() -> None:
-    scene = read_scene(GALLERY / "crank-rocker.toml")
-    assert len(prepared(scene, 11).turn) == 11
-    listed = (GALLERY / "crank-rocker.toml").read_text("utf-8").replace('start = "extreme"\n', "")
-    listed = listed.replace("positions = 12", "positions = [15, 40, 70]").replace("plans = [4, 10]", "")
-    drive = with_positions(parse_scene(listed), 5).of(LinkageForm).drive
-    assert (drive.positions, drive.first) == (5, 15)
 
 
 def test_a_road_that_refuses_says_why_and_the_others_are_timed() -> None:

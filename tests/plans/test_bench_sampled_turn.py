@@ -4,19 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from plans.bench.machine import MEAN, POINTS, by_points, by_positions, mean_error
+from plans.bench.machine import MEAN, POINTS, by_points, by_positions
 from plans.study import Study
-from tests.plans.dynamics_scenes import PLANING, PUSHED, study
+from tests.plans.dynamics_scenes import study
 
 
 def exact(made: Study):
     return made.comparison("dynamics").turn
-
-
-@pytest.mark.rest
-def test_of_a_smooth_load_36_positions_give_the_driving_moment_to_rounding() -> None:
-    assert mean_error(exact(study(PUSHED)), 36) <= 1e-14
-    assert mean_error(exact(study(PLANING)), 36) > 1e-3
 
 
 def test_extremes_at_edges_come_to_the_book_s_flywheel_from_below() -> None:

@@ -54,26 +54,3 @@ def test_a_block_is_as_sharp_as_the_notch_of_its_group(make: Callable[[], Mechan
         assert sharpness(block, poses) == pytest.approx(notch, rel=1e-9)
     jacobian = road.constraints.jacobian(road.constraints.place(poses))
     assert (least(road.shape.blocks, jacobian, poses) > 0.01).all()
-
-
-@pytest.mark.parametrize("beside", [1e-3, 1e-6, 1e-9])
-def test_towards_a_dead_centre_the_sharpness_falls_as_the_root_of_the_angle(beside: float) -> None:
-    mechanism = linkages.four_bar(0.3, 0.2, 0.25, 0.4, sketch={"B": 0.45 + 0.25j})
-    limit = float(np.arccos((0.3**2 + 0.4**2 - 0.45**2) / (2 * 0.3 * 0.4)))
-    road = Analysis(mechanism)
-    poses = road.poses(road.motion(np.array([0.7, limit - beside]), 0))
-    sharp = sharpness(road.shape.blocks[1], poses)[1]
-    # Heron: sin(B) between 0.2 and 0.25 where the third side is short of 0.45 by its rate times the angle.
-    rate = 0.3 * 0.4 * np.sin(limit) / 0.45
-    assert sharp == pytest.approx(np.sqrt(2 * rate * beside * 0.45 / (0.2 * 0.25)), rel=2e-2 if beside > 1e-4 else 1e-3)
-
-
-def test_a_dead_centre_is_found_to_rounding() -> None:
-    """3, 4 and 5 make a right angle: the crank of 0.3 on a frame of 0.4 is stretched at exactly 90 degrees."""
-    mechanism = linkages.four_bar(0.3, 0.2, 0.3, 0.4, sketch={"B": 0.15 + 0.2j})
-    road = Analysis(mechanism)
-    road.motion(np.array([1.4, 1.6]), 0)
-    turn = road._turn
-    assert turn is not None and turn.upper is not None
-    assert turn.upper.reason == "dead centre"
-    assert turn.upper.singular == pytest.approx(np.pi / 2, abs=8 * np.finfo(float).eps)

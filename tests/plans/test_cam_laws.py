@@ -11,7 +11,7 @@ from plans.analytic.cam import laws as seams
 from plans.analytic.cam.laws import departure, limits, travel
 from plans.cam.course import Course, law_of
 from plans.cam.tables import smoothing
-from plans.model.cam import CUBICS, DWELL, LAWS, RETURN, RISE, TABLE, TURN, Cam, Law
+from plans.model.cam import CUBICS, DWELL, LAWS, RETURN, RISE, TABLE, Cam, Law
 from plans.model.cam_motion import Shock
 from tests.parts import some
 from tests.plans.digits import printed
@@ -20,7 +20,6 @@ from tests.plans.law_cams import (
     EVERY,
     LIFT,
     LINES,
-    NAMED,
     NOISY,
     READINGS,
     RISING,
@@ -31,7 +30,6 @@ from tests.plans.law_cams import (
     usual,
 )
 
-AT = np.array([0.3])
 ROADS = ("construction", "analysis")
 WORKED = {
     "constant velocity": (0.3, 1.0, 0.0),
@@ -150,16 +148,6 @@ def test_a_return_is_a_rise_turned_over(law: Law, road: str) -> None:
 
 
 @pytest.mark.parametrize("road", ROADS)
-def test_half_the_angle_takes_four_times_the_acceleration(road: str) -> None:
-    slow = law_cam((RISE, 120, Law("sine")), (DWELL, 240, None))
-    fast = law_cam((RISE, 60, Law("sine")), (DWELL, 300, None), lift=2 * LIFT)
-    phi = np.linspace(0.0, math.radians(60), 25)
-    own, other = moved(slow, 2 * phi, road), moved(fast, phi, road)
-    assert other[0] == pytest.approx(2 * own[0]) and other[1] == pytest.approx(4 * own[1], abs=1e-15)
-    assert other[2] == pytest.approx(8 * own[2], abs=1e-15)
-
-
-@pytest.mark.parametrize("road", ROADS)
 def test_before_the_beginning_of_a_turn_is_the_end_of_the_last_one(road: str) -> None:
     cam = law_cam((DWELL, 100, None), (RISE, 130, Law("cosine")), (RETURN, 130, Law("cosine")))
     end = -LIFT / math.radians(130) ** 2 * math.pi**2 / 2 * math.cos(math.pi)
@@ -215,19 +203,6 @@ def test_both_roads_find_the_same_shocks(law: Law, slides: bool) -> None:
     assert [one.jump for one in own] == pytest.approx([one.jump for one in other], rel=1e-9)
 
 
-@pytest.mark.parametrize("road", ROADS)
-def test_where_the_velocity_jumps_the_shock_is_hard_and_no_soft_one_besides(road: str) -> None:
-    cam = law_cam((RISE, 120, Law("constant velocity")), (RETURN, 120, Law("cosine")), (DWELL, 120, None))
-    assert [(round(math.degrees(one.turned)), one.order) for one in shocks(cam, road)] == [(0, 1), (120, 1), (240, 2)]
-
-
-def test_a_phase_of_no_angle_hides_no_shock() -> None:
-    cam = law_cam((RISE, 120, Law("cosine")), (DWELL, 0, None), (RETURN, 90, Law("cosine")), (DWELL, 150, None))
-    own, other = (shocks(cam, road) for road in ROADS)
-    assert [one.turned for one in own] == pytest.approx([0.0, RISING, math.radians(210)])
-    assert [one.jump for one in own] == pytest.approx([one.jump for one in other])
-
-
 @pytest.mark.parametrize("first", [0.3, 0.41, 0.7])
 def test_unequal_accelerations_meet_where_they_should(first: float) -> None:
     """Sizes 2/first and 2/(1 - first): the follower stops at the end; the jump stands at the share."""
@@ -236,14 +211,6 @@ def test_unequal_accelerations_meet_where_they_should(first: float) -> None:
         middle = shocks(cam, road)[1]
         assert middle.turned == pytest.approx(first * RISING)
         assert middle.jump * RISING**2 / LIFT == pytest.approx(-2 / first - 2 / (1 - first))
-
-
-@pytest.mark.parametrize("road", ROADS)
-def test_a_table_goes_through_its_points(road: str) -> None:
-    for law in (LINES, RULER):
-        assert [share(law, k, 0, road) for k, _ in READINGS] == pytest.approx([s for _, s in READINGS], abs=1e-14)
-    assert share(RULER, 0.0, 1, road) == pytest.approx(0, abs=1e-13)
-    assert share(RULER, 1.0, 1, road, before=True) == pytest.approx(0, abs=1e-13)
 
 
 @pytest.mark.parametrize("road", ROADS)
@@ -257,14 +224,6 @@ def test_a_ruler_through_the_points_of_a_cubic_is_that_cubic(road: str) -> None:
     ):
         found = [share(law, 0.37, order, road) for order in range(3)]
         assert found == pytest.approx([3 * 0.37**2 - 2 * 0.37**3, 6 * 0.37 - 6 * 0.37**2, 6 - 12 * 0.37], abs=1e-9)
-
-
-@pytest.mark.parametrize("road", ROADS)
-def test_lines_knock_hard_at_their_points(road: str) -> None:
-    found = shocks(usual(LINES, Law("sine")), road)
-    assert {one.order for one in found} == {1}
-    assert [one.turned / RISING for one in found] == pytest.approx([k for k, _ in READINGS])
-    assert sum(one.jump for one in found) == pytest.approx(0, abs=1e-15)
 
 
 def test_smoothing_is_told_and_keeps_to_its_tolerance() -> None:
@@ -299,12 +258,3 @@ def test_a_shape_is_scaled_to_the_lift_and_stops(road: str) -> None:
     at = [(0.05, False), (0.4, True), (0.3, False), (0.4, False), (0.95, False), (1.0, True)]
     assert [share(BLOCKS, k, 2, road, before) / scale for k, before in at] == pytest.approx(expected)
     assert scale == pytest.approx(1 / 0.36)  # two integrations by hand
-
-
-def test_positions_and_dwells_of_all_laws_join_without_a_step() -> None:
-    for law in NAMED:
-        cam = usual(law)
-        joints = np.array(Course(cam).joints[1:])
-        after, before = (moved(cam, joints, "construction", side)[0] for side in (False, True))
-        assert after == pytest.approx(before, abs=1e-16)
-        assert Course(cam).at(np.array([TURN])).s == pytest.approx([0.0], abs=1e-17)

@@ -76,13 +76,6 @@ def test_what_a_limit_permits():
     assert (alone.interval(RISE, GROOVE), alone.interval(RETURN, GROOVE)) == ((-0.3, 0.3), None)
 
 
-def test_limits_of_the_book_stand_beside_one_that_is_given():
-    """The return of a groove is sized by the book's 30 degrees, which the rise is held to below as well."""
-    one = cam(closure=GROOVE, limits=Limits(0.2))
-    assert interval_of(one, RISE) == pytest.approx((-math.radians(30), 0.2))
-    assert interval_of(cam(closure=GROOVE), RISE) is None
-
-
 @BOTH
 @pytest.mark.parametrize("closure", some([GROOVE, FORCE], 2))
 def test_flaws_are_where_a_scan_leaves_the_interval(road, closure):

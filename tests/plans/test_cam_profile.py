@@ -58,11 +58,6 @@ def test_textbook_flat_face():
     assert printed(extremes.sharpest.value, math.degrees(extremes.sharpest.turned) - 150) == (0.005, 19.99470798)
 
 
-def test_where_the_axis_of_a_flat_face_stands_plays_no_part():
-    one, other = (at(cam(end="flat"), Sizes(FLAT_BASE, offset), 50, 200).contour for offset in (0.0, 0.012))
-    assert (one.profile == other.profile).all() and (one.radius == other.radius).all()
-
-
 def test_textbook_pitch_profile_of_a_translating_follower():
     """M2.11, figure 5.53."""
     found = at(cam(), offset_sizes(), 0, 50, 190).contour
@@ -108,26 +103,3 @@ def test_textbook_roller():
     assert printed(found.contour.profile[0]) == (0.02963865228 + 0.01348094808j,)
     assert printed(extremes.sharpest.value - taken.radius) == (0.01654388373,)
     assert printed(1 - 0.035 / extremes.sharpest.value) == (-0.1820386268,)
-
-
-def test_neighbouring_circles_of_the_roller_meet_near_the_profile():
-    """M2.14: the family of circles has the working profile for its envelope."""
-    from geometry.meet import arc_arc
-
-    found = at(cam(end="roller"), offset_sizes(), 50, 49, 51, roller=offset_sizes().base * 0.4).contour
-    first, second = found.pitch[1:]
-    radius = offset_sizes().base * 0.4
-    near = min((first + arc_arc(second - first, radius, radius, side).first for side in (1, -1)), key=abs)
-    assert printed(complex(near)) == (0.02964872079 + 0.01350025896j,)
-    assert printed(abs(near - found.profile[0])) == (2.177808921e-05,)
-
-
-@pytest.mark.parametrize("sense", [1, -1])
-@pytest.mark.parametrize("end", ["pointed", "roller"])
-def test_a_groove_has_two_sides_a_roller_apart(sense, end):
-    own = rocker(end, sense, sense)
-    radius = 0.01 if end == "roller" else 0.0
-    found = profile(Course(own), pivot(own), radius, np.linspace(0, 6, 50)).contour
-    assert found.outer is not None
-    assert np.abs(found.outer - found.profile - 2 * (found.pitch - found.profile)).max() <= 1e-16
-    assert np.abs(np.abs(found.outer - found.pitch) - radius).max() <= 1e-17

@@ -126,10 +126,6 @@ def test_a_cam_may_begin_at_its_top() -> None:
     assert [one.level for one in cam.phases] == [0.03, 0.03, 0, 0.03]
 
 
-def test_a_rise_may_be_followed_by_a_return_at_once() -> None:
-    assert [one.kind for one in cam_of(FOLLOWER, RISING, BACK, REST).phases] == [RISE, RETURN, DWELL]
-
-
 def test_a_dwell_of_no_angle_is_none() -> None:
     cam = cam_of(FOLLOWER, RISING, TOP.replace("30", "0"), BACK.replace("90", "240"), REST)
     assert ([one.kind for one in cam.phases], cam.angles) == ([RISE, RETURN], (120, 240))
@@ -149,11 +145,6 @@ def test_a_sum_near_a_whole_turn_is_taken_for_one_and_that_is_said(off: str) -> 
     (note,) = [one for one in notes(FOLLOWER, LIMITS, phases) if one.kind == "turn_snapped"]
     assert note.path == ("cam", 0, "phases", 3, "angle")
     assert str(note.details["found"]).startswith(("360.0", "359.9"))
-
-
-def test_a_sum_farther_from_a_whole_turn_is_not() -> None:
-    last = REST.replace('"rest"', "120.0000011")
-    assert kinds(refused(FOLLOWER, RISING, TOP, BACK, last)) == ["phases_long"]
 
 
 def test_thirds_of_a_turn_in_radians_make_a_whole_one() -> None:
@@ -198,11 +189,6 @@ def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pie
         assert found.above == found.below
 
 
-def test_a_straight_piece_through_zero_has_an_area_on_either_side() -> None:
-    shape = Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-3))))
-    assert (shape.above, shape.below) == (Fraction(1, 8), Fraction(9, 8))
-
-
 def test_a_shape_lifts_by_what_two_integrations_give() -> None:
     """Of 1 - 2k that is k - k2, then k2/2 - k3/3."""
     assert Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).lift == Fraction(1, 6)
@@ -229,12 +215,6 @@ def test_a_phase_and_a_setting_by_the_cyclogram() -> None:
     assert asked_of(scene) == ("cyclogram",)
     survey = scene.meaning["cam"]
     assert (survey.waiting, survey.cams) == (True, ())
-
-
-def test_by_the_cyclogram_the_phase_of_the_window_begins_with_it() -> None:
-    phases = RISING + TOP + BACK.replace("90", '"cyclogram"') + REST
-    (cam,) = cams_of(_unchecked(phases, ""), Window(math.radians(200), math.radians(260)))
-    assert (cam.setting, cam.phases[2].angle) == pytest.approx((math.radians(50), math.radians(60)), rel=1e-14)
 
 
 def test_a_window_beyond_what_is_left_of_the_turn() -> None:
@@ -300,19 +280,10 @@ def test_all_that_is_wrong_with_all_cams_is_told_at_once() -> None:
     ]
 
 
-def test_what_the_form_refuses_is_told_beside_what_the_cams_mean() -> None:
-    limits = "[cam.limits]\nrise = 100\n"
-    assert kinds(refused(FOLLOWER, limits, PHASES.replace('"rest"', "90"))) == ["pressure_limit", "phases_short"]
-
-
 def test_a_roller_is_smaller_than_the_least_radius() -> None:
     sizes = '[cam.sizes]\nbase = "16 mm"\nroller = "15.9 mm"\n'
     assert cam_of(FOLLOWER, sizes, PHASES).roller == 0.0159
     assert kinds(refused(FOLLOWER, sizes.replace("15.9", "16"), PHASES)) == ["roller_beyond"]
-
-
-def test_of_doubtful_phases_no_sum_is_told() -> None:
-    assert kinds(refused(FOLLOWER, PHASES.replace("angle = 120", 'angle = "120 mm"'))) == ["wrong_unit"]
 
 
 SIZED = '[cam.sizes]\nbase = "15 mm"\noffset = 0\n'
@@ -370,32 +341,6 @@ def test_cams_of_one_shaft_have_one_speed(speed: str, expected: list[str]) -> No
     assert kinds(notes_of(parse_scene(first + second))) == expected
 
 
-@pytest.mark.parametrize(
-    ("follower", "roller", "expected"),
-    [
-        (FOLLOWER, "10", ["huge_roller"]),
-        (ROCKER, "10", ["huge_roller"]),
-        (FOLLOWER.replace('"30 mm"', "0.05"), "4.9", []),
-        (FOLLOWER.replace('"30 mm"', '"0.1 mm"'), '"20 mm"', []),
-    ],
-)
-def test_a_roller_in_metres_is_a_slip(follower: str, roller: str, expected: list[str]) -> None:
-    scene = (follower, LIMITS, f"[cam.sizes]\nroller = {roller}\n", PHASES)
-    if not expected:
-        assert cam_of(*scene).roller is not None
-        return
-    (fault,) = refused(*scene)
-    assert [fault.kind] == expected
-    assert '"10 mm"' in fault.advice
-
-
-def test_a_limit_below_a_degree_is_one_in_radians() -> None:
-    (fault,) = refused(FOLLOWER, LIMITS.replace("30", "0.52"), PHASES)
-    assert (fault.kind, '"0.52 rad"' in fault.advice) == ("pressure_limit_tiny", True)
-    assert cam_of(FOLLOWER, LIMITS.replace("30", '"0.52 rad"'), PHASES).limits.rise == pytest.approx(0.52)
-    assert cam_of(FOLLOWER, LIMITS.replace("30", "1"), PHASES).limits.rise == pytest.approx(math.radians(1))
-
-
 def test_shocks_are_for_the_laws_to_tell_not_for_the_reader() -> None:
     assert lawful('"constant velocity"').phases[0].law == Law("constant velocity")
     assert notes(FOLLOWER, LIMITS, PHASES.replace('"sine"', '"constant velocity"')) == []
@@ -426,13 +371,6 @@ def test_what_was_taken_in_silence_is_noted() -> None:
     flat = FOLLOWER.replace("roller", "flat")
     assert "flat_groove" in kinds(notes(flat, PHASES, head='closure = "groove"'))
     assert not {"flat_groove", "table_falls"} & {*kinds(notes(FOLLOWER, PHASES, head='closure = "groove"'))}
-
-
-def test_a_wrong_kind_of_phase_and_a_closure_by_another_name_are_told_once() -> None:
-    (one,) = refused(FOLLOWER, PHASES.replace('"return"', '"возвращение"'))
-    assert 'write "return"' in str(one)
-    (one,) = refused(FOLLOWER, PHASES, head='closing = "groove"')
-    assert "did you mean closure" in str(one)
 
 
 def test_numbers_of_a_message_have_the_mark_of_its_language() -> None:

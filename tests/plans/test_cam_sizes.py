@@ -12,12 +12,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.cam.laws import travel
-from plans.analytic.cam.pressure import extreme, greatest, pressure
+from plans.analytic.cam.pressure import extreme, pressure
 from plans.analytic.cam.sizes import sizes
 from plans.cam.course import Course
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
-from plans.model.cam import DWELL, FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSizes, Law, Limits
+from plans.model.cam import FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSizes, Law, Limits
 from plans.model.cam_motion import CamError, Sizes
 from tests.parts import examples
 from tests.plans.sized_cams import ARM, LIFT, degrees, flat, flat_rocker, phases, rocking, translating
@@ -182,36 +182,7 @@ def test_both_roads_find_the_same_sizes(cam: Cam) -> None:
     assert same(construction(cam).sizes, sizes(cam))
 
 
-@pytest.mark.rest
-@over("cam", CASES)
-def test_both_roads_find_the_same_sizes_whatever_is_given(cam: Cam) -> None:
-    assert same(construction(cam).sizes, sizes(cam))
-
-
 LAWS = ("constant velocity", "constant acceleration", "cosine", "trapezoid", "modified trapezoid", "modified sine")
-
-
-@pytest.mark.rest
-@over("name", LAWS)
-def test_both_roads_by_every_law(name: str) -> None:
-    law = Law(name, 0.3 if name == "constant acceleration" else 0.5)
-    for cam in (
-        translating(phases=phases(LIFT, law, law)),
-        rocking(phases=phases(math.radians(25), law, law)),
-        rocking(phases=phases(math.radians(25), law, law), closure=FORCE),
-    ):
-        assert same(construction(cam).sizes, sizes(cam))
-
-
-@pytest.mark.rest
-@over("name", LAWS[1:])
-def test_both_roads_under_a_flat_face_by_every_law(name: str) -> None:
-    law = Law(name)
-    for cam in (
-        flat(phases=phases(LIFT, law, law)),
-        flat_rocker(phases=phases(0.2, law, law), given=GivenSizes(centre=0.12)),
-    ):
-        assert same(construction(cam).sizes, sizes(cam), 1e-12)
 
 
 # What sizes must do, whoever found them.
@@ -221,49 +192,6 @@ def held(cam: Cam, own: Sizes) -> bool:
     return bool(
         angles.max() <= cam.limits.rise + 1e-12 and angles.min() >= -(cam.limits.back or cam.limits.rise) - 1e-12
     )
-
-
-EVERY_SENSE = [translating(), translating(-1), *(rocking(s, t) for s, t in product(BOTH, BOTH))]
-
-
-@pytest.mark.rest
-@over("cam", EVERY_SENSE[1::2])
-def test_the_pressure_angle_goes_to_its_limits_and_no_farther(cam: Cam) -> None:
-    reaches_its_limits(cam)
-
-
-@pytest.mark.rest
-@over("cam", EVERY_SENSE)
-def test_the_pressure_angle_goes_to_its_limits_and_no_farther_in_every_sense(cam: Cam) -> None:
-    reaches_its_limits(cam)
-
-
-def reaches_its_limits(cam: Cam) -> None:
-    own = construction(cam).sizes
-    assert held(cam, own)
-    most = greatest(cam, own)
-    assert abs(most[RISE].value - cam.limits.rise) < 1e-12
-    assert abs(most[RETURN].value + cam.limits.back) < 1e-12
-    assert set(most) == {RISE, DWELL, RETURN}
-
-
-@pytest.mark.rest
-@over("cam", [translating(), rocking(1, 1), rocking(1, -1)])
-def test_no_smaller_cam_keeps_to_the_limits(cam: Cam) -> None:
-    own, found = construction(cam).sizes, construction(cam)
-    assert found.centre is not None and found.start is not None
-    centre, start = complex(found.centre.point), complex(found.start.point)
-    for turned in np.radians(np.arange(0, 360, 15)):
-        moved = centre + 1e-5 * np.exp(1j * turned)
-        if abs(moved - start) < own.base - 1e-9:
-            assert not held(cam, _sizes_at(cam, moved, start))
-
-
-def _sizes_at(cam: Cam, centre: complex, start: complex) -> Sizes:
-    if not cam.rocks:
-        return Sizes(abs(centre), -cam.sense * centre.real)
-    initial = cam.rising * float(np.angle(start / centre))
-    return Sizes(abs(start - centre), 0.0, abs(centre), -centre, initial)
 
 
 def test_the_least_radius_is_least_curvature_under_a_rocking_face() -> None:
@@ -284,20 +212,6 @@ def _least_radius(cam: Cam, own: Sizes) -> float:
     angle = lean - cam.sense * turned
     slope = np.gradient(distance, angle)
     return float((distance + np.gradient(slope, angle))[4:-4].min())
-
-
-@pytest.mark.rest
-@over("cam", [translating(closure=FORCE), rocking(1, -1), flat()])
-def test_a_cam_scales(cam: Cam) -> None:
-    follower = cam.follower._replace(length=None if cam.follower.length is None else 2 * cam.follower.length)
-    lift = cam.lift * (1 if cam.rocks else 2)
-    limits = cam.limits._replace(curvature=2 * cam.limits.curvature)
-    own, twice = (
-        construction(cam).sizes,
-        construction(replace(cam, follower=follower, phases=phases(lift), limits=limits)).sizes,
-    )
-    assert abs(twice.base - 2 * own.base) < EXACT and abs(twice.offset - 2 * own.offset) < EXACT
-    assert abs(twice.pivot - 2 * own.pivot) < EXACT
 
 
 @given(

@@ -11,7 +11,7 @@ from plans.bench import machine as bench
 from plans.cyclogram import rows as r
 from plans.cyclogram.marks import marks
 from plans.cyclogram.quantities import compare_cyclogram
-from plans.cyclogram.rows import row_of_feed, rows_of_cams, rows_of_machine
+from plans.cyclogram.rows import rows_of_cams, rows_of_machine
 from plans.cyclogram.study import NoCyclogram
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model import cyclogram as c
@@ -61,23 +61,6 @@ def test_positions_are_numbered_as_in_the_book(shaper) -> None:
     assert all(one.notched for one in ours.positions)
 
 
-def test_the_rod_leans_most_where_the_slotted_link_stands_upright(shaper) -> None:
-    """B highest: 0.35 m over O, 0.35 - 0.3287856445 over the guide, on a rod of 0.2 m."""
-    lean = math.asin((0.35 - 0.3287856445) / 0.2)
-    for found in shaper:
-        told = found.of(c.PRESSURE)
-        assert np.allclose([one.turned for one in told], [math.pi / 2, 3 * math.pi / 2], atol=1e-12)
-        assert np.allclose([abs(one.angle or 0.0) for one in told], lean, atol=1e-12)
-
-
-def test_the_tool_is_as_far_as_the_overrun_says(shaper) -> None:
-    for found in shaper:
-        places = {one.role: one.place for one in found.positions if one.role != c.BREAK}
-        assert math.isclose(abs(places[c.ENTRY] - places[c.BEGIN]), 0.048)
-        assert math.isclose(abs(places[c.EXIT] - places[c.END]), 0.048)
-        assert math.isclose(places[c.LEAVE], places[c.ENTRY])
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_both_roads_agree_on_every_linkage(name: str) -> None:
     comparison = compare_cyclogram(cyclogram_of(name))
@@ -124,21 +107,6 @@ def test_a_main_shaft_that_turns_clockwise_counts_its_angles_so() -> None:
     assert there.sense == -1 and there.stroke == pytest.approx(0.48)
     begin, end = there.of(c.BEGIN)[0].turned, there.of(c.END)[0].turned
     assert math.isclose((end - begin) % TURN, math.pi + there.overlap)  # the slower stroke works
-
-
-@pytest.mark.parametrize("name", ["walking-leg", "oscillating-cylinder"])
-def test_where_no_notches_lead_back_the_travel_is_tried(name: str) -> None:
-    study = cyclogram_of(name)
-    assert study.stations.plan is None
-    assert {one.notched for one in study.cyclogram.positions if one.role == c.ENTRY} == {False}
-
-
-def test_rows_cover_the_turn_once() -> None:
-    found = cyclogram_of("shaper").cyclogram
-    for row in (*rows_of_machine(found), row_of_feed(found)):
-        assert math.isclose(sum(one.end - one.start for one in row.spans), TURN)
-        for one, other in zip(row.spans, (*row.spans[1:], row.spans[0]), strict=True):
-            assert math.isclose(math.remainder(one.end - other.start, TURN), 0.0, abs_tol=1e-12)
 
 
 def test_a_span_is_cut_where_the_turn_begins() -> None:
@@ -232,13 +200,6 @@ def test_the_bench_judges_all_roads_by_the_notches_in_many_digits() -> None:
         assert bench.errors(run(), true).largest < 1e-15, name
     assert bench.errors([one + 1e-9 for one in true], true).largest > 1e-10
     assert bench.truth(cyclogram_of("walking-leg")) == []
-
-
-def test_the_bench_knows_the_places_of_an_overrun_that_is_a_length() -> None:
-    """Either road divides the length by the stroke that it has found itself: the shares differ by a rounding."""
-    study = cyclogram_of("shaper", 'overrun = ["48 mm", 0.05]')
-    moved = [one._replace(share=math.nextafter(one.share, 1)) for one in study.stations.cyclogram.positions]
-    assert bench.in_order(study, moved) == bench.in_order(study, study.stations.cyclogram.positions)
 
 
 def test_explain_gives_the_notches_from_the_tool_to_the_crank() -> None:

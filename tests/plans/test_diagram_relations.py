@@ -5,7 +5,6 @@ The axis and the count of the output's way are common to both roads: these hold 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from math import degrees, radians
 
@@ -14,8 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from geometry.calculus import Derivative
-from plans.diagrams.study import Chords, DiagramsStudy
+from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import Axis, Diagrams, axis_of, chord_error
 from plans.model.motion import Floats, Rates
@@ -177,17 +175,6 @@ def test_both_roads_are_compared_as_sharply_as_their_roundings(name: str) -> Non
     assert [one.name for one in comparison.findings] == [*letters, *told]
     for one in comparison.findings:
         assert np.nanmax(one.allowed) <= TRUE * one.largest
-
-
-def test_chords_that_are_out_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    true = Chords._growth
-
-    def off(self: Chords, k: int, run: slice) -> Derivative | None:
-        return true(replace(self, omega=self.omega * (1 + 1e-6)), k, run)
-
-    monkeypatch.setattr(Chords, "_growth", off)
-    comparison = study_of("slider").comparison("diagrams")
-    assert [one.name for one in comparison.findings if np.nanmax(one.excess) > 1] == ["a chords"]
 
 
 @pytest.mark.parametrize("name", FREE)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plans.bench.chords import kinematic
 from plans.diagrams.marks import marks
 from plans.explanation import Explanation, UnknownMark
 from plans.model.diagrams import Diagrams
@@ -104,15 +103,6 @@ def test_no_chord_spans_a_gap() -> None:
         assert np.isnan(found.growths[[0, -1]]).all()
 
 
-def test_a_barrier_between_two_positions_parts_them() -> None:
-    """The crank swings within less than a turn: no position of two on either side of where it cannot pass is joined."""
-    study = study_of(f"{SWING}positions = 36")
-    linkage, axis = study["linkage"], study["diagrams"].axis
-    first, last = axis.start, axis.start + axis.turned[-1]
-    assert linkage.reached(np.linspace(first, last, 500)).all()
-    assert not linkage.reached(np.linspace(last, first + 2 * np.pi, 500)).all()
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -143,16 +133,6 @@ def test_the_error_of_chords_is_of_second_order() -> None:
         return float(np.abs(found.speeds - found.true_speeds).max())
 
     assert off(24) / off(48) == pytest.approx(4, rel=0.05)
-
-
-def test_the_bench_tells_the_second_order_of_chords() -> None:
-    made, told, *_ = kinematic(study_of(f"{ROCKER}positions = 12").scene, 1, (24, 48, 96))
-    errors = [row.errors.kinds for row in made]
-    assert errors[0]["v"] / errors[1]["v"] == pytest.approx(4, rel=0.1)
-    orders = [float(line.partition("order ")[2].split()[0]) for line in told[1:]]
-    assert orders == pytest.approx([2, 2], abs=0.1)
-    still = study_of(f"{YOKE}speed = 0\npositions = 12").scene
-    assert kinematic(still, 1, (12,)).rows[0].note == "left out: the crank is at rest"
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,6 @@ from plans.analytic.dynamics.flywheel import (
     Exact,
     book_slopes,
     exact,
-    exact_cycle,
     flywheel,
     methods,
     speed_slopes,
@@ -87,17 +86,6 @@ def test_a_load_and_a_weight_reduced() -> None:
     """M4.4: by their power; the weight is that of the rod alone."""
     found = at(machine(PUSHED, bodies={2: BODIES[2]}, gravity=-9.81j))
     assert found.moment[0] == ten(-118.4552813)
-
-
-def test_a_crank_that_turns_the_other_way_is_resisted_as_much() -> None:
-    """The mirrored machine has the same moment, positive in its own sense, and the same slope by the angle turned."""
-    mirrored = Steady(
-        linkages.slider_crank(0.1, 0.4, omega=-1.0), machine(PUSHED, bodies={2: BODIES[2]}, gravity=9.81j), -SIXTY
-    )
-    found = reduced(mirrored.reduction, np.array([-SIXTY]))
-    straight = at(machine(PUSHED, bodies={2: BODIES[2]}, gravity=-9.81j))
-    assert found.moment[0] == ten(-118.4552813)
-    assert found.slope[0] == pytest.approx(straight.slope[0], rel=1e-13)
 
 
 def test_task_of_theme_7_slider_crank() -> None:
@@ -243,13 +231,3 @@ def test_motion_of_the_shaft() -> None:
     assert (f"{scan.omega.min():.5f}", f"{scan.omega.max():.5f}") == ("12.31504", "12.81770")
     assert (scan.delta, scan.mean) == (pytest.approx(DELTA, rel=1e-12), pytest.approx(SPEED, rel=1e-14))
     assert speed_slopes(TASK) == pytest.approx([one**2 / 2 for one in scan.extremes], rel=1e-12)
-
-
-def test_account_on_strips_has_the_exact_work() -> None:
-    """The cut begins and ends on edges; each side of them has its own moment."""
-    cycle = exact_cycle(planer(), edges(planer()))
-    jump = int(np.flatnonzero(cycle.turned == planer().breaks[1])[0])
-    assert cycle.moments[jump - 1, 1] == 0
-    assert cycle.moments[jump, 0] == pytest.approx(planer().moment(planer().breaks[1:2])[0], rel=1e-14)
-    assert abs(cycle.surplus[-1]) <= 1e-12 * 360
-    assert cycle.driving == ten(57.29577951)

@@ -5,25 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from math import pi
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from plans.analytic.dynamics.flywheel import Exact, exact, flywheel, flywheel_of_points
-from plans.analytic.dynamics.reduction import Reduction
+from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points
 from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel
-from plans.analytic.kinematics import Analysis
-from plans.forces.loading import loading
 from plans.model.dynamics import Cycle, Task
-from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Body, Force, Moment
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Body, Force, Moment
 from plans.model.motion import Floats
-from plans.scene.scene import parse_scene
-from plans.study import Study
 from tests.plans import linkages
 from tests.plans.steady_machines import DELTA, OUTWARD, SPEED, Steady, edges, machine, worked
 
-CASES = Path(__file__).parents[1] / "cases"
 TASK = Task(SPEED, DELTA, 24)
 
 
@@ -69,19 +62,6 @@ def test_a_machine_that_would_stop_is_told_where() -> None:
     assert isinstance(steady(planer(), planer().own, stall.mean * 0.99), Stall)
 
 
-def test_a_machine_without_any_inertia_has_no_motion() -> None:
-    stall = without_flywheel(worked_with({}, OUTWARD), TASK)
-    assert isinstance(stall, Stall)
-    assert np.isnan(stall.mean)
-
-
-def test_a_load_over_one_stroke_breaks_on_it_alone() -> None:
-    """On the idle stroke, on which it rests, a load over the working stroke has no overruns."""
-    assert len(planer().breaks) == 4
-    always = worked(OUTWARD._replace(during=ALWAYS)).exact
-    assert len(always.breaks) == 6
-
-
 @pytest.mark.parametrize(("way", "stroke"), [(FORWARD, WORKING), (BACKWARD, IDLE)])
 def test_a_load_by_its_way_is_that_of_a_stroke_that_turns_back_only_at_its_ends(way: str, stroke: str) -> None:
     ours, theirs = (worked(OUTWARD._replace(during=when)).exact for when in (way, stroke))
@@ -89,22 +69,6 @@ def test_a_load_by_its_way_is_that_of_a_stroke_that_turns_back_only_at_its_ends(
     every = np.linspace(0, 2 * pi, 50)
     assert ours.settled
     assert ours.moment(every) == pytest.approx(theirs.moment(every), abs=1e-10)
-
-
-@pytest.mark.rest
-def test_a_load_by_its_way_breaks_on_a_reversal_within_a_stroke() -> None:
-    """The press of eight links has two bottoms; it presses whenever it goes down, and the crank is driven for it."""
-    statics = Study(parse_scene((CASES / "loads/press.toml").read_text("utf-8")))["forces"]
-    road = Analysis(statics.study.mechanism, first=False, looks=statics.study.looks.phi)
-    runs = statics.over(road.extremes)
-    start = float(statics.study.turn.phi[0])
-    reduction = Reduction(road, statics.machine, lambda motion: loading(statics.machine, motion, runs), start)
-    found = exact(reduction, runs)
-    assert found.settled
-    speed = reduction.motion(found.breaks).points["G"].v
-    assert (np.abs(speed) < 1e-9).sum() == 4
-    every = np.linspace(0, 2 * pi, 4000, endpoint=False)
-    assert found.driving == pytest.approx(-reduction.ordinates(reduction.motion(every)).moment.mean(), rel=1e-4)
 
 
 def test_extremes_equal_at_two_places() -> None:
@@ -125,30 +89,3 @@ def hand(surplus: tuple[float, ...]) -> tuple[Floats, ...]:
     turned = np.linspace(0, 2 * pi, 5)
     means = np.diff(surplus) / (pi / 2)
     return turned, np.zeros(0), np.stack((means, means), axis=1), means, np.array(surplus), np.ones(5)
-
-
-def test_hand_made_account_by_its_corners() -> None:
-    """Range 3 J at 4 pi rad/s: J0 = 3/(omega^2 delta)."""
-    its = flywheel_of_points(Cycle("hand", *hand((0.0, 2.0, -1.0, 1.0, 0.0))), TASK)
-    assert its.whole == pytest.approx(3 / (SPEED**2 * DELTA), rel=1e-12)
-    assert [one.surplus for one in its.touches] == [-1, 2]
-
-
-@pytest.mark.rest
-def test_what_does_not_settle_is_told() -> None:
-    """A crank that cannot turn fully has no numbers, and a jump that is nobody's break is not taken for smooth."""
-    short = Steady(linkages.slider_crank(0.1, 0.099), machine(Force("F", 3, "B", 0j, 10.0, 1 + 0j)))
-    assert not short.exact.settled
-    one = worked(Moment("T", 1, -30.0))
-    reduction = one.reduction
-    plain = reduction.loads
-    reduction.loads = lambda motion: replaced(plain(motion), motion.phi)
-    found = exact(reduction, {})
-    assert not found.settled
-    assert found.error > 1e-9
-
-
-def replaced(loading, phi: Floats):
-    """Let the moment act in a third of the turn only, which no stroke tells."""
-    (twist,) = loading.moments
-    return loading._replace(moments=(twist._replace(moment=np.where(np.mod(phi, 2 * pi) < 2.0, twist.moment, 0.0)),))

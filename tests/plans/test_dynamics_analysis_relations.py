@@ -10,19 +10,15 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from plans.analytic.dynamics.breaks import wave
-from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
+from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points, sampled_cycle
 from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel
-from plans.analytic.power import balancing_moment
 from plans.model.dynamics import Task
-from plans.model.machine import Force, Machine, Moment
+from plans.model.machine import Machine
 from plans.model.motion import Floats
 from tests.parts import examples
-from tests.plans import linkages
-from tests.plans.steady_machines import DELTA, SPEED, Steady, edges, machine, steadies, worked
+from tests.plans.steady_machines import DELTA, SPEED, Steady, edges, steadies, worked
 
 TASK = Task(SPEED, DELTA, 24)
-ALL_DELTAS = (1.0, *(1 / n for n in (5, 20, 80, 500)))
 
 
 @cache
@@ -75,27 +71,6 @@ def test_account_closes_and_another_rule_gives_the_same_work(one: Steady) -> Non
     assert found.work(np.array([2 * pi]))[0] == pytest.approx(work, abs=1e-12 * measure(found))
 
 
-@given(steadies())
-@examples(2, 60)
-def test_slope_and_weights_are_those_of_the_balance_of_power(one: Steady) -> None:
-    """At unit speed without acceleration the drive has M = J'/2 - M_red: by inertia forces, which know no J."""
-    reduction = one.reduction
-    motion = reduction.even(12)
-    told = reduction.ordinates(motion)
-    balancing = balancing_moment(reduction.road, one.machine, motion, reduction.loads(motion))
-    size = float(told.gross.max() + np.abs(told.slope).max() + told.inertia.max())
-    assert reduction.sense * balancing == pytest.approx(told.slope / 2 - told.moment, abs=1e-11 * size)
-
-
-@pytest.mark.rest
-@given(steadies())
-@examples(2, 60)
-def test_beginning_elsewhere_changes_no_flywheel(one: Steady) -> None:
-    its, other = (flywheel(each.exact, TASK) for each in (one, one._replace(start=one.start + 1.0)))
-    assert other.needed + other.own == pytest.approx(other.whole, rel=1e-12)
-    assert other.needed == pytest.approx(its.needed, abs=1e-9 * max(its.whole, its.own))
-
-
 def scaled(one: Machine, loads: float, masses: float) -> Machine:
     """Multiply all loads, and all masses."""
     forces = tuple(
@@ -128,29 +103,6 @@ def test_mirrored_machine_has_the_same_flywheel() -> None:
     assert [one.turned for one in other.touches] == pytest.approx([one.turned for one in its.touches], rel=1e-12)
 
 
-@pytest.mark.parametrize("delta", ALL_DELTAS)
-def test_any_fluctuation(delta: float) -> None:
-    task = TASK._replace(delta=delta)
-    its = flywheel(planer(), task)
-    swing = with_flywheel(planer(), task, its)
-    assert isinstance(swing, Swing)
-    assert swing.speeds(edges(planer())).delta == pytest.approx(delta, rel=1e-10)
-
-
-def test_work_against_a_constant_force_is_force_times_way() -> None:
-    """A scotch yoke without masses, against a constant force: the work is -F times the way."""
-    yoke = Steady(
-        linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0), machine(Force("F", 3, "D", 0j, 500.0, None), bodies={})
-    )
-    found = yoke.exact
-    turned = edges(found)
-    assert found.breaks == pytest.approx([pi / 2, 3 * pi / 2], rel=1e-14)
-    way = np.where(
-        turned <= pi / 2, np.sin(turned), np.where(turned <= 3 * pi / 2, 2 - np.sin(turned), 4 + np.sin(turned))
-    )
-    assert exact_cycle(found, turned).work == pytest.approx(-500 * 0.1 * way, abs=1e-12 * 200)
-
-
 def test_middles_of_strips_err_by_the_square_of_their_width() -> None:
     """Work and flywheel by the middles converge to the exact ones with order 2, jumps on edges."""
     exactly = flywheel(planer(), TASK).whole
@@ -160,14 +112,3 @@ def test_middles_of_strips_err_by_the_square_of_their_width() -> None:
         errors.append(abs(flywheel_of_points(told, TASK).whole - exactly))
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
     assert orders == pytest.approx(2.0, abs=0.1)
-
-
-def test_thirty_six_positions_are_enough_of_a_smooth_load() -> None:
-    """The trapezoid rule of a slider-crank's smooth load misses at most 1e-14 of its largest moment."""
-    one = worked(Force("F", 3, "B", 0j, 700.0, 1 + 0j), Moment("T", 1, -30.0), Moment("T", 2, 25.0))
-    reduction = one.reduction
-    told = reduction.ordinates(reduction.even(36))
-    coarse = wave(told.moment, float(told.gross.max()))
-    assert abs(coarse.mean - one.exact.load.since(np.array([2 * pi]))[0] / (2 * pi)) <= 1e-14 * told.gross.max()
-    every = np.linspace(0, 2 * pi, 101)
-    assert coarse.at(every) == pytest.approx(one.exact.moment(every), abs=1e-13 * told.gross.max())

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plans.dynamics.loop import slopes
 from plans.dynamics.reduction import Reducing
 from tests.plans.dynamics_scenes import PUSHED, study
 
@@ -27,19 +26,6 @@ def test_reduced_inertia_at_60_degrees() -> None:
     assert f"{terms['p(Q_2)']:.11f}" == "0.03685623963"
     assert f"{terms['p(K_2)']:.13f}" == "0.0009836065574"
     assert f"{terms['p(Q_3)']:.11f}" == "0.07634803215"
-
-
-def test_reduced_moment_at_60_degrees() -> None:
-    """M4.4 counts the weight of link 2 alone: the crank's, 3 kg at 0.04 m, comes to it here."""
-    crank = 3 * 9.81 * 0.04 * np.cos(np.radians(60))
-    assert at_sixty().moment[0] + crank == pytest.approx(-118.4552813, abs=5e-8)
-
-
-def test_planing_load_begins_and_ends() -> None:
-    """M4.9: the strips have an edge where the cut begins and where it ends, to all printed digits."""
-    found = np.degrees(study()["dynamics"].turn.breaks)
-    for place in np.degrees(LOADED):
-        assert np.abs(found - place).min() < 5e-8
 
 
 def test_moments_on_either_side_of_a_jump() -> None:
@@ -73,41 +59,6 @@ def test_flywheel_converges_on_the_exact_one() -> None:
     orders = np.diff(np.log(errors)) / np.log(1 / 4)
     assert orders == pytest.approx([2, 2], abs=0.1)
     assert errors[-1] < 2e-5
-
-
-def test_flywheel_of_many_strips() -> None:
-    """M4.9: J0, T0 and both segments; four thousand strips leave a ten-millionth."""
-    wheel = study(asked='fluctuation = "1/25"\ndivisions = 4096')["dynamics"].flywheel
-    assert wheel.whole == pytest.approx(EXACT_J0, rel=2e-7)
-    assert wheel.energy == pytest.approx(EXACT_T0, rel=2e-7)
-    assert wheel.cuts[1] / 4 == pytest.approx(5.316480454, rel=2e-6)
-    assert wheel.cuts[0] / 4 == pytest.approx(-52.69712643, rel=2e-7)
-    assert [np.degrees(one.turned) for one in wheel.touches] == pytest.approx([150.3837539, 23.1632606], abs=5e-8)
-    assert wheel.inertia == pytest.approx(36.70337073, rel=2e-7)
-
-
-def test_angles_of_the_tangents() -> None:
-    """M4.9: with mu_T = 4 and mu_J = 0.0025 the exact angles on paper."""
-    angles = [np.degrees(np.arctan(one * 0.0025 / 4)) for one in slopes(120 * np.pi / 30, 0.04)]
-    assert [f"{angle:.9f}" for angle in angles] == ["2.713436623", "2.939081068"]
-
-
-def test_speed_with_the_flywheel() -> None:
-    """M4.8, M4.9: on the strips that it was found from, the flywheel keeps the speed within what was asked."""
-    speeds = study()["dynamics"].speeds
-    omega = 120 * np.pi / 30
-    assert speeds.extremes == pytest.approx((omega * 0.98, omega * 1.02), rel=1e-14)
-    assert speeds.delta == pytest.approx(0.04, rel=1e-12)
-
-
-def test_speed_and_its_slope_at_known_angles() -> None:
-    """M4.8 and M4.12: omega at 150 degrees, and its acceleration by a tangent at 120 degrees."""
-    dynamics = study(asked='fluctuation = "1/25"\ndivisions = 1440')["dynamics"]
-    speeds = dynamics.speeds
-    at = {round(np.degrees(one), 6): k for k, one in enumerate(speeds.turned)}
-    assert speeds.omega[at[150.0]] == pytest.approx(12.31527858, abs=2e-7)
-    assert speeds.epsilon[at[120.0], 0] == pytest.approx(-2.350325167, abs=1e-5)
-    assert speeds.epsilon[at[120.0] - 1, 1] == pytest.approx(speeds.epsilon[at[120.0], 0], rel=1e-9)
 
 
 def test_work_closes_over_the_turn() -> None:

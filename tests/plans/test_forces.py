@@ -12,7 +12,6 @@ from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.replay import exact
 from geometry.steps import behind
-from plans.forces.cut import INERTIA
 from plans.forces.statics import Statics
 from tests.plans.force_cases import DYADS, ROADS, WORKED, compared, finding, of_road, statics_of, text_of, worked
 
@@ -151,14 +150,6 @@ def worst(mark: Mark, position: int) -> float:
             board = "forces" if one.subject == "forces" else "motion"
             kappas[board] = max(kappas[board], kappa)
     return kappas["forces"] * kappas["motion"]
-
-
-def test_inertia_forces_of_a_link_at_rest_are_left_out() -> None:
-    statics, _ = worked("shaper")
-    plan = statics.drafts().plans.plan
-    assert [load.name for load in plan.loads[1]] == ["G_1", "R_21"]  # the crank's mass centre is its shaft
-    assert [load.kind for load in plan.loads[2]] == []  # the stone has no mass
-    assert {load.name for load in plan.loads[3] if load.kind == INERTIA} == {"Φ_3"}
 
 
 def test_nothing_acts_where_nothing_is_loaded() -> None:

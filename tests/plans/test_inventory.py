@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from decimal import Decimal
 
 import pytest
 
@@ -13,11 +12,8 @@ from plans.forces.reading.inventory import letters, machine_of
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.machine import (
     ALWAYS,
-    COUPLING,
-    FORCE,
     GEAR,
     IDLE,
-    MOMENT,
     OUTPUT,
     WORKING,
     Body,
@@ -87,12 +83,6 @@ def test_the_worked_shaper() -> None:
     assert (useful.diagram, useful.overrun, useful.stroke) == (None, (0.0, 0.0), OUTPUT)
     assert found.transmission == Transmission(GEAR, 0.18, pytest.approx(7 * math.pi / 6), pytest.approx(math.pi / 9))
     assert (found.moments, found.springs, found.friction) == ((), (), {})
-
-
-def test_a_scene_without_loads_is_a_machine_without_them() -> None:
-    found = machine(TWIN)
-    assert (found.bodies, found.gravity, found.forces, found.friction) == ({}, 0, (), {})
-    assert found.transmission == Transmission(MOMENT)
 
 
 @pytest.mark.parametrize(
@@ -183,14 +173,6 @@ def test_a_spring_joins_points_of_two_links_or_of_the_frame() -> None:
     )
 
 
-def test_a_fixed_point_of_a_spring_is_measured_from_the_datum() -> None:
-    spring = '[[loads.springs]]\nbetween = ["C", { on = 5, point = "D" }]\nstiffness = 1\nfree = 0.1\n'
-    moved = SHAPER.replace("O = [0, 0]", "O = [7, 8]").replace("C = [0, -0.350]", "C = [7, 7.65]")
-    moved = moved.replace("through = [0, 0.32", "through = [7, 8.32").replace("[0.20, 0.32]", "[7.2, 8.32]")
-    found = machine(moved.replace("[0.40, 0.33]", "[7.4, 8.33]") + spring).springs[0]
-    assert (found.links, found.at) == ((0, 5), (-0.35j, 0))
-
-
 @pytest.mark.parametrize(
     ("text", "named"),
     [
@@ -206,11 +188,6 @@ def test_a_fixed_point_of_a_spring_is_measured_from_the_datum() -> None:
 )
 def test_loads_have_letters_of_their_own(text: str, named: list[str]) -> None:
     assert letters(loads(text)) == named
-
-
-def test_the_crank_is_driven_by_a_moment_a_coupling_or_a_force() -> None:
-    for kind in (MOMENT, COUPLING, FORCE):
-        assert machine(TWIN + f'balancing = "{kind}"\n').transmission == Transmission(kind)
 
 
 def test_friction_is_that_of_all_pairs_but_those_that_have_their_own() -> None:
@@ -321,13 +298,6 @@ def test_a_fault_names_its_key_and_says_what_to_do(text: str, where: str, said: 
     assert not re.search(r"\b(the|a|of|is|are|or|and|write|but|found|which|leave|link|links)\b", russian[2]), russian
 
 
-def test_a_gear_is_a_drive_of_its_own_kind() -> None:
-    gear = "[drive.gear]\nradius = 0.1\nat = 0\n"
-    (fault,) = faults(TWIN + 'balancing = "coupling"\n' + gear)
-    assert "either balancing or gear, not both" in str(fault)
-    assert machine(TWIN + gear).transmission.kind == GEAR
-
-
 def test_a_pair_of_a_hinge_of_three_links_must_be_one_that_the_groups_hang_on() -> None:
     rubbing = "[friction]\ncoefficient = 0.1\nradius = 0.02\n"
     assert {"1-2", "1-4", "2-4"} <= machine(TWIN + rubbing).friction.keys()
@@ -376,39 +346,9 @@ def test_both_ends_of_an_indicator_diagram_are_noted_where_they_jump() -> None:
     assert noted(SHAPER + ON_D + card) == [("open_diagram", "loads.forces[0].diagram.back")] * 2
 
 
-@pytest.mark.parametrize("text", ["[masses]\n3 = { mass = 1 }\n", "[masses]\n3 = { mass = 0 }\n" + LOADED, LOADED])
-def test_inertia_alone_or_loads_alone_act(text: str) -> None:
-    machine(SHAPER + text)
-
-
-def test_a_sheet_of_kinematics_is_what_a_scene_asks_for_that_names_none() -> None:
-    assert parse_scene(TWIN).sheets == ("kinematics",)
-
-
-def test_the_sheet_says_which_positions_and_letters_it_wants() -> None:
-    sheet = (
-        parse_scene(SHAPER + LOADED + '[sheet]\nforces = [2, 9]\nreactions = "P"\nhodographs = ["0-1", "3-4"]\n')
-        .of(ForceForm)
-        .sheet
-    )
-    assert (sheet.forces, sheet.reactions, sheet.hodographs) == ((2, 9), "P", ("0-1", "3-4"))
-
-
 def test_a_load_of_a_scene_with_other_faults_is_examined_too() -> None:
     found = faults(SHAPER.replace("OA = 0.120", "OA = 0") + ON_D.replace('"D"', '"E"') + "value = [1, 0]\n")
     assert [fault.kind for fault in found] == ["not_positive", "not_of_link"]
-
-
-def test_a_faulty_load_is_one_fault_though_the_sheet_asks_for_forces() -> None:
-    assert [fault.kind for fault in faults(SHAPER + ON_D + "value = 'x'\n")] == ["not_a_quantity"]
-    assert [fault.kind for fault in faults(SHAPER + "[masses]\n5 = { mass = -1 }\n")] == ["negative"]
-
-
-def test_an_exact_free_length_is_no_float_before_it_must_be() -> None:
-    text = SHAPER + '[[loads.springs]]\nbetween = ["O", { on = 5, point = "D" }]\nstiffness = 1\nfree = "80.5 mm"\n'
-    found = parse_scene(text).of(ForceForm).loads
-    assert found is not None
-    assert found.springs[0].free == Decimal("0.0805")
 
 
 def test_the_middle_is_that_of_the_two_letters_wherever_the_second_has_its_place() -> None:

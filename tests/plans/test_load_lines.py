@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from geometry.meet import EPS
-from plans.bench.error import sizes
-from plans.bench.roads import ForceGround, ground, prepared
-from plans.linkage.quantities import notches
 from plans.model.machine import Force
 from plans.scene.faults import SceneError, dotted
 from plans.scene.notes import notes_of
@@ -44,21 +39,6 @@ def test_a_force_along_a_link_turns_with_it(by: str) -> None:
     assert found.force() == pytest.approx(8 * rods(), abs=1e-14)
     back = loaded(ENGINE + ON_ROD + 'value = 8\ndirection = ["B", "A"]\n', by)
     assert back.force() == pytest.approx(-8 * rods(), abs=1e-14)
-
-
-@pytest.mark.parametrize("by", ROADS)
-def test_a_rope_pulls_towards_a_point_of_another_link(by: str) -> None:
-    crank = ENGINE + f'{FORCE}on = 2\npoint = "B"\nvalue = -5\ndirection = "OB"\n'
-    assert loaded(crank, by).force() == pytest.approx([-5] * 6, abs=1e-14)
-
-
-@pytest.mark.parametrize("by", ROADS)
-def test_a_diagram_may_act_along_a_link(by: str) -> None:
-    card = "diagram = { travel = [0, 1], force = [0, 100], back = [0, 100] }\n"
-    share = (0.5 - (0.1 * WAYS + 0.4 * rods()).real) / 0.2  # of the stroke from 0.5 to 0.3
-    assert loaded(ENGINE + ON_ROD + card + 'direction = "AB"\n', by).force() == pytest.approx(
-        100 * share * rods(), abs=1e-11
-    )
 
 
 @pytest.mark.parametrize("by", ROADS)
@@ -100,18 +80,6 @@ def test_a_force_against_the_motion_of_one_from_the_other(by: str) -> None:
     expected = np.where(np.arange(12) < 6, 1, -1) * 3000 * reach / abs(reach)
     assert first == pytest.approx(expected, abs=1e-9)
     assert (second == -first).all()
-
-
-def test_what_keeps_its_distance_is_not_resisted() -> None:
-    still = f'{FORCE}between = [{{ on = 1, point = "A" }}, {{ on = 3, point = "B" }}]\nvalue = 7\n{AGAINST}'
-    found = loaded(ENGINE + still)
-    assert abs(found.force()) == pytest.approx([0] * 6)  # the rod keeps A and B 0.4 apart
-
-
-def test_points_in_one_place_have_no_line() -> None:
-    named = "[mechanism.points]\nE = { on = 2, at = [0, 0] }\n"  # of the rod, in the crank pin
-    found = loaded(ENGINE + named + f"{FORCE}between = [{{ on = 1, point = 'A' }}, 'E']\nvalue = 3\n")
-    assert all(np.isnan(end.force).all() for end in found.loading.forces)
 
 
 def test_a_force_between_links_is_that_of_a_spring_of_the_same_pull() -> None:
@@ -195,33 +163,3 @@ def test_a_fixed_point_that_a_force_is_hung_on_is_no_spare_one() -> None:
     assert {note.kind for note in notes_of(parse_scene(more))} == {"spare_point"}
     more += f'{FORCE}between = ["K", {{ on = 3, point = "B" }}]\nvalue = 1\n' + ON_ROD + 'value = 1\ndirection = "BL"\n'
     assert "spare_point" not in {note.kind for note in notes_of(parse_scene(more))}
-
-
-def test_a_fixed_point_that_a_cylinder_stands_on_is_no_spare_one() -> None:
-    stroke = 'link = 1\n[drive.stroke]\nbetween = "KA"\nfrom = 0.5\nto = 0.6\nspeed = 0.1\n'
-    more = ENGINE.replace("O = [0, 0]", "O = [0, 0]\nK = [0, 1]").partition("[drive]\n")[0] + f"[drive]\n{stroke}"
-    assert "spare_point" not in {note.kind for note in notes_of(parse_scene(more))}
-    with_another = more.replace("K = [0, 1]", "K = [0, 1]\nL = [1, 1]")
-    assert "spare_point" in {note.kind for note in notes_of(parse_scene(with_another))}
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        PUMP.replace("start = 0\n", ""),
-        PUMP.replace("start = 0\n", "").replace("value", f"{AGAINST}value"),
-        'sheets = ["forces"]\n'
-        + ENGINE.replace("positions = [0, 60, 90, 180, 270, 300]", "")
-        + ON_ROD
-        + 'value = -40\ndirection = "BA"\n',
-    ],
-    ids=["pump", "pump against motion", "engine"],
-)
-def test_the_bench_knows_such_forces_in_fifty_digits(text: str) -> None:
-    scene = parse_scene(text)
-    found = ground(scene, 12, 12, sizes(prepared(scene, 12)))
-    assert found.statics is not None
-    told = ForceGround(found.study, found.statics, found.truth, found.largest)
-    kappa = float(notches(prepared(scene, 12)).max())
-    assert 0 < told.judge(told.constructed()).largest <= 8 * EPS * kappa
-    assert math.isfinite(kappa)

@@ -13,7 +13,7 @@ from plans.scene.faults import SceneError, dotted
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from tests.plans.force_cases import ROADS, compared, of_road
-from tests.plans.test_loading import AT_60, AT_90, ENGINE, ON_B, ROCKER, loaded
+from tests.plans.test_loading import AT_60, AT_90, ENGINE, ON_B, loaded
 
 PUSHED = ON_B + "direction = 180\n"
 AREA = math.pi * 0.08**2 / 4  # m2, of a bore of 80 mm
@@ -77,22 +77,6 @@ def test_lengths_of_another_stroke_are_refused_with_the_difference(last: str, sa
     assert abs(loaded(ENGINE + PUSHED + near, by).force()) == pytest.approx(
         [0, 100 * AT_60, 100 * AT_90, 100, 100 * AT_90, 100 * AT_60], abs=1e-11
     )
-
-
-def test_a_diagram_of_another_stroke_is_told_at_its_place() -> None:
-    scene = (
-        ENGINE + ON_B + "value = 1\ndirection = 0\n" + PUSHED + 'diagram = { travel = [0, "9 m"], force = [0, 1] }\n'
-    )
-    line = 1 + scene.splitlines().index(next(line for line in scene.splitlines() if line.startswith("diagram")))
-    with pytest.raises(StructureError, match=rf":{line}:13: loads\.forces\[1\]\.diagram\.travel: the diagram of"):
-        compared(scene)
-
-
-@pytest.mark.rest
-def test_lengths_of_what_swings_are_refused() -> None:
-    card = 'direction = 0\ndiagram = { travel = [0, "230 mm"], force = [0, 100] }\n'
-    with pytest.raises(StructureError, match=r"is told over lengths, but link 3 swings\. Fix: write shares"):
-        loaded(ROCKER + ON_B + card)
 
 
 def test_a_diagram_of_a_pump_over_lengths_counts_how_far_piston_and_cylinder_are_apart() -> None:
@@ -215,15 +199,3 @@ def test_likely_slips_are_noted(written: str, notes: list[str]) -> None:
     told = list(notes_of(parse_scene('sheets = ["forces"]\n' + ENGINE + PUSHED + written)))
     assert [note.kind for note in told] == notes
     assert all("{" not in note.worded(language) for note in told for language in ("en", "ru"))
-
-
-def test_the_side_of_the_rod_is_smaller_by_the_rod() -> None:
-    told = loaded(ENGINE + PUSHED + 'pressure = "1 MPa"\nbore = "50 mm"\nrod = "30 mm"\n').force()
-    assert told == pytest.approx([-400 * math.pi] * 6, rel=1e-14)  # a ring of 5 and 3 cm has the area of a piston of 4
-
-
-def test_per_cent_are_hundredths() -> None:
-    card = "diagram = { travel = [0, 0.25, 1], force = [0, 1, 2] }\n"
-    texts = (card, card.replace("0.25", '"25 %"'))
-    (share,), (cent,) = (loaded(ENGINE + PUSHED + text).machine.forces for text in texts)
-    assert share == cent

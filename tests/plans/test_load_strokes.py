@@ -239,57 +239,6 @@ def test_a_load_may_act_wherever_its_point_goes_that_way(during: str, sense: int
     assert (abs(arc.force() - told.force())[moves] > 500).any()  # within a stroke it goes back
 
 
-@pytest.mark.parametrize("by", ROADS)
-def test_a_diagram_of_the_working_direction_is_read_on_a_reversal_too(by: str) -> None:
-    """Let the press work upwards: on its way down, between the two bottoms, it goes up for a while."""
-    card = "travel = [0, 1], force = [10000, 20000]"
-    text = PRESS.replace('travel = [0, 0.8, 0.85, 1], force = [0, 0, "40 кН", "70 кН"]', card)
-    told = loaded(text.replace("positions = 12", "positions = 72") + '[output]\nworking = "up"\n', by)
-    ((_, stroke),) = told.strokes.items()
-    idle, speed = ~stroke.working(told.motion.phi), told.motion.points["G"].v.imag
-    pressed = np.interp(stroke.share(told.motion), (0, 1), (10e3, 20e3))
-    again = idle & (speed > 1e-9)
-    assert again.any()
-    assert told.force()[again] == pytest.approx(-1j * pressed[again], abs=1e-6)
-
-
-def test_a_moment_and_a_force_between_links_know_the_direction_too() -> None:
-    rocked = '[[loads.moments]]\non = 3\nvalue = 12\nduring = "idle direction"\nstroke = "B"\n'
-    told = loaded(ROCKER + rocked)
-    omega = told.motion.links[3].omega
-    assert omega is not None
-    way = -np.sign(np.diff(told.strokes[Track("B")].reach)[0])
-    assert told.loading.moments[0].moment[1:] == pytest.approx(np.where(np.sign(omega[1:]) == way, 12, 0))
-    once = PUMP.replace("direction", 'during = "working direction"\nworking = "together"\ndirection')
-    assert abs(loaded(once).force()) == pytest.approx([3000] * 6 + [0] * 6, abs=1e-9)
-
-
-def test_both_roads_agree_on_the_press() -> None:
-    assert compared(PRESS).agrees
-
-
-@pytest.mark.parametrize("by", ROADS)
-@pytest.mark.parametrize(
-    "force",
-    [
-        '[[loads.forces]]\nbetween = ["O", { on = 5, point = "D" }]\n',
-        '[[loads.forces]]\non = 4\npoint = "D"\ndirection = "BD"\n',
-        ON_D + 'bore = "50 mm"\ndirection = 0\n',
-    ],
-)
-def test_every_force_may_count_another_stroke_than_its_own_or_the_outputs(force: str, by: str) -> None:
-    sizes = "pressure" if "bore" in force else "force"
-    card = f"diagram = {{ travel = [0, 1], {sizes} = [0, 1000], back = [0, 1000] }}\n"
-    told = loaded(SHAPER + force + card + 'stroke = "B"\nworking = "clockwise"\n', by)
-    ((track, stroke),) = told.strokes.items()
-    assert track == Track("B", "clockwise")
-    angle = told.motion.links[3].angle
-    area = math.pi * 0.05**2 / 4 if "bore" in force else 1.0
-    share = (stroke.reach[0] - angle) / (stroke.reach[0] - stroke.reach[1])
-    assert stroke.reach[0] > stroke.reach[1]  # of the rocker that turns clockwise
-    assert abs(told.force()) == pytest.approx(1000 * area * share, abs=1e-9)
-
-
 def test_numbers_tell_whether_the_working_stroke_is_the_faster() -> None:
     for working, faster in (("slower", False), ("faster", True)):
         study = Study(parse_scene(SHAPER + f'[output]\nworking = "{working}"\n'))

@@ -90,38 +90,11 @@ def test_machine_that_drives() -> None:
     assert compared(pushed).construction.cycle.driving < 0
 
 
-@pytest.mark.rest
-def test_load_that_jumps_at_a_dead_centre() -> None:
-    """Without an overrun the cut sets in where the slider rests: the moment bends there and does not jump."""
-    found = compared(PLANING.replace("overrun = 0.05\n", ""))
-    moments = found.construction.cycle.moments
-    assert np.abs(moments[1:, 0] - moments[:-1, 1]).max() < 1e-4 * np.abs(moments).max()
-    assert found.exact.cycle.work[-1] == pytest.approx(-2000 * 0.2, rel=1e-12)
-
-
-@pytest.mark.rest
-def test_two_equal_extremes() -> None:
-    """I5: a load on both strokes alike has two equal summits; one of them is touched, and both roads cut the same."""
-    both = compared(PLANING.replace('during = "working stroke"\n', ""))
-    assert both.exact.cycle.work[-1] == pytest.approx(-2 * 2000 * 0.9 * 0.2, rel=1e-12)
-
-
 def test_crank_that_cannot_turn_fully() -> None:
     asked = text().replace("AB = 0.4", "AB = 0.09")
     machine = Study(parse_scene(asked.replace(PLANING, "")))["dynamics"]
     with pytest.raises(NoCycle, match="the crank does not turn fully"):
         machine.construct(("works",))
-
-
-@pytest.mark.rest
-def test_reduction_alone_of_a_crank_that_cannot_turn_fully() -> None:
-    """Theme 7: where no fluctuation is asked for, the reduction is told wherever the mechanism can be assembled."""
-    asked = text(asked="").replace("AB = 0.4", "AB = 0.09").replace(PLANING, "")
-    found = Study(parse_scene(asked)).comparison("dynamics")
-    assert found.agrees
-    assert found.construction.cycle is None
-    assert np.isnan(found.construction.reduced.inertia).any()
-    assert np.isfinite(found.construction.reduced.inertia).any()
 
 
 def test_plans_at_the_machines_true_speed() -> None:
@@ -149,12 +122,6 @@ def test_true_speed_of_a_machine_that_stops() -> None:
         Study(scene)["linkage"]
 
 
-def test_account_of_energy_closes() -> None:
-    """Over a steady turn drive and loads give nothing together, to rounding of the work of the turn."""
-    cycle = compared().exact.cycle
-    assert abs(cycle.surplus[-1]) <= 1e-12 * abs(cycle.work[-1])
-
-
 def test_large_fluctuation_is_noted() -> None:
     """I2: a third is taken, by the exact formula, and told to be large."""
     notes = [note.worded("en") for note in notes_of(parse_scene(text(asked='fluctuation = "1/3"')))]
@@ -170,14 +137,6 @@ def test_machine_that_runs_without_a_flywheel() -> None:
     assert light.analysis.before.extremes == pytest.approx(light.construction.before.extremes, rel=1e-12)
 
 
-@pytest.mark.parametrize("divisions", some([2000, 720], 2))
-def test_sides_of_a_jump_on_thousands_of_strips(divisions: int) -> None:
-    """A moment against the crank that acts on the working stroke alone jumps at both dead centres, to its full size."""
-    moment = '[[loads.moments]]\non = 1\nvalue = 40\nagainst = "motion"\nduring = "working stroke"\n'
-    cycle = compared(moment, asked=f"{ASKED}\ndivisions = {divisions}").construction.cycle
-    assert set(np.round(cycle.moments.ravel(), 9).tolist()) == {-40.0, 0.0}
-
-
 def test_constant_moment_on_the_crank_takes_nothing_from_the_drive_unevenly() -> None:
     """Nothing is left of the surplus but rounding, which is told as nothing; the links alone ask for a flywheel."""
     found = compared('[[loads.moments]]\non = 1\nvalue = 50\nagainst = "motion"\n')
@@ -187,35 +146,12 @@ def test_constant_moment_on_the_crank_takes_nothing_from_the_drive_unevenly() ->
         assert ours == pytest.approx(theirs, rel=1e-12)
 
 
-@pytest.mark.rest
-def test_motor_that_cannot_bear_the_loads() -> None:
-    """I12: 55 N*m at the crank run the machine up, but do not bear 57 N*m: no steady turn is told."""
-    motor = "motor = { rotor = 0.05, ratio = 14, starting = 3.9, synchronous = 200 }"
-    found = compared(asked=f"{ASKED}\n{motor}")
-    for run in (found.construction.run, found.exact.run):
-        assert run.failure.reason == "too_weak"
-        assert run.steady is None
-
-
 def test_machine_without_any_inertia_in_a_position() -> None:
     """A slider alone stands still at its dead centres: no motor runs that up."""
     alone = text(asked="motor = { starting = 20, synchronous = 200 }").split("[masses]")
     bare = alone[0] + "[masses]\n3 = { mass = 8 }\n" + alone[1][alone[1].index("[[loads") :]
     with pytest.raises(NoInertia, match="0 degrees after position 0"):
         Study(parse_scene(bare))["dynamics"].construct(("run",))
-
-
-def test_reduction_that_is_asked_for_alone() -> None:
-    """Theme 7: the masses reduced at one angle, and no steady turn."""
-    found = compared(drive="positions = [60]", asked="reduction = true")
-    assert found.construction.cycle is None
-    assert f"{found.construction.reduced.inertia[0]:.10f}" == "0.1289878783"
-
-
-def test_pace_of_the_crank_makes_its_tables_used() -> None:
-    """With speed_from the plans are at the machine's speed: no note says that masses or loads are not needed."""
-    scene = parse_scene(text(drive='positions = 24\nspeed_from = "dynamics"').replace('["dynamics"]', '["kinematics"]'))
-    assert not [note for note in notes_of(scene) if note.kind == "unused"]
 
 
 @pytest.mark.parametrize(

@@ -47,16 +47,6 @@ def test_the_speed_that_bears_a_moment_has_it_and_is_stable_and_the_greatest(law
     assert all(law.moment(speed + more) < moment + 1e-9 for more in (0.1, 1.0, 5.0))
 
 
-def test_no_speed_bears_more_than_the_motor_has() -> None:
-    assert [law.speed(61.0) for law in LAWS] == [None] * len(LAWS)
-    assert Kloss(60.0, 0.2, 100.0).speed(60.0) == pytest.approx(80.0)
-
-
-def test_a_constant_moment_has_no_speed_of_its_own() -> None:
-    law = Constant(5.0)
-    assert (law.moment(3.0), law.slope(3.0), law.speed(5.0), law.steepness) == (5.0, 0.0, None, 0.0)
-
-
 def test_a_table_is_straight_between_its_points_and_goes_on_beyond_them() -> None:
     assert [POINTS.moment(speed) for speed in (25.0, 50.0, 75.0, 160.0)] == [35.0, 30.0, 45.0, 0.0]
     assert POINTS.steepness == 1.0
@@ -91,11 +81,6 @@ def test_a_scene_gives_one_of_four_laws(motor: str, law: Law) -> None:
     assert form.motor.law == law
     assert motor_of(form.motor) == Motor(law)
     assert run_task(form.run, 12.0) == (12.0, 3, 7.0, True, 0.005)
-
-
-def test_a_motor_without_a_law_has_no_run() -> None:
-    assert motor_of(parse_scene(scene_text("rotor = 0.1")).of(DynamicsForm).dynamics.motor) is None
-    assert motor_of(None) is None
 
 
 @pytest.mark.parametrize(

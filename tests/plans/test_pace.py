@@ -10,14 +10,12 @@ import pytest
 
 from drawings.forces.notes import notes as force_notes
 from drawings.linkage.notes import notes as motion_notes
-from geometry.replay import exact
 from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.linkage import study as studies
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
-from plans.model.kinetostatics import Kinetostatics
-from plans.model.motion import Floats, Motion, Pace, Rates
+from plans.model.motion import Floats, Pace, Rates
 from plans.scene.scene import parse_scene, read_scene
 from tests import parts
 from tests.gallery import GALLERY, TURNING
@@ -25,7 +23,6 @@ from tests.plans.force_cases import finding
 from tests.plans.test_carrying import COUPLING_ROD
 from tests.rows import over
 
-FORCES = [path for path in TURNING if '"forces"' in path.read_text(encoding="utf-8")]
 ROUNDING = 1e-12  # of the largest: an acceleration that cancels is known to no more
 
 
@@ -59,36 +56,6 @@ def forces(path: Path, how: str) -> ForceComparison:
     return compare_forces(statics, compare(statics.study))
 
 
-def assert_same_motion(one: Motion, other: Motion) -> None:
-    for ours, theirs in zip(one.rows(), other.rows(), strict=True):
-        assert np.array_equal(ours, theirs, equal_nan=True)
-
-
-def assert_same_forces(one: Kinetostatics, other: Kinetostatics) -> None:
-    assert np.array_equal(one.balancing.moment, other.balancing.moment, equal_nan=True)
-    for key, reaction in one.reactions.items():
-        assert np.array_equal(reaction.force, other.reactions[key].force, equal_nan=True), key
-
-
-@pytest.mark.rest
-@pytest.mark.part
-@over("path", TURNING if parts.whole else TURNING[::4])
-def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit(path: Path) -> None:
-    one = study(path)
-    steady, told = compare(one), compare(one.paced(constant(one)))
-    assert_same_motion(steady.construction, told.construction)
-    assert_same_motion(steady.analysis, told.analysis)
-
-
-@pytest.mark.rest
-@pytest.mark.part
-@over("path", FORCES if parts.whole else FORCES[::3])
-def test_at_the_same_rates_told_of_each_position_all_forces_are_the_same_to_the_last_bit(path: Path) -> None:
-    steady, told = forces(path, "scene"), forces(path, "constant")
-    assert_same_forces(steady.construction, told.construction)
-    assert_same_forces(steady.analysis, told.analysis)
-
-
 @pytest.mark.part
 @over("path", TURNING if parts.whole else TURNING[::4])
 def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates(path: Path) -> None:
@@ -112,16 +79,6 @@ def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates
 def test_both_roads_agree_at_uneven_rates(path: Path) -> None:
     one = study(path)
     assert compare(one.paced(uneven(one))).agrees
-
-
-@pytest.mark.rest
-@pytest.mark.part
-@over("path", FORCES if parts.whole else FORCES[::3])
-def test_both_roads_agree_in_the_forces_at_uneven_rates_and_the_energy_balance_with_them(path: Path) -> None:
-    uneven_, steady = forces(path, "uneven"), forces(path, "scene")
-    assert uneven_.agrees
-    moment = uneven_.construction.balancing.moment
-    assert not np.allclose(moment, steady.construction.balancing.moment, rtol=1e-3, equal_nan=True)
 
 
 def test_the_energy_balance_has_the_omega_of_each_position() -> None:
@@ -158,21 +115,6 @@ def test_plans_of_some_positions_have_their_rates(monkeypatch: pytest.MonkeyPatc
     assert np.array_equal(again.points["D"].a, whole.a)
 
 
-def test_the_record_of_uneven_rates_is_replayed_in_fifty_digits() -> None:
-    one = study(GALLERY / "shaper-loaded.toml")
-    plan = one.paced(uneven(one)).drafts().plan(2)
-    mark = plan.point("D")
-    for k in (0, 4, 11):
-        assert complex(exact([mark], k)[mark]) == pytest.approx(complex(mark.point[k]), rel=1e-12)
-
-
-def test_the_forces_between_the_positions_are_at_the_same_pace() -> None:
-    one = study(GALLERY / "slider-crank.toml")
-    statics = Statics(one.paced(uneven(one)))
-    around, there = statics.around(len(one.turn)), statics.forces
-    assert around.balancing.moment[:-1] == pytest.approx(there.balancing.moment, rel=1e-9, abs=1e-9)
-
-
 def test_the_efficiency_of_a_turn_is_of_works_and_not_of_powers() -> None:
     """Where the crank is slow a power lasts longer."""
     one = study(GALLERY / "shaper-loaded.toml")
@@ -197,15 +139,6 @@ def test_a_linkage_carried_through_its_change_points_has_the_rates_of_each_posit
     assert motion.links[3].omega == pytest.approx(omega, rel=1e-12)
     # Ten degrees from a change point an acceleration feels each rounding by the square of kappa, some thirty times.
     assert motion.links[3].epsilon == pytest.approx(epsilon, rel=1e-12, abs=1e-11)
-
-
-def test_what_no_rate_enters_is_kept() -> None:
-    one = study(GALLERY / "shaper.toml")
-    _ = one.assembly, one.extreme_positions
-    paced = one.paced(uneven(one))
-    assert paced.assembly is one.assembly and paced.extreme_positions is one.extreme_positions
-    assert one.turn.rates is None and paced.turn.rates is not None
-    assert one.motion().points["D"].v.tolist() != paced.motion().points["D"].v.tolist()
 
 
 def test_the_sheets_say_the_rates_of_all_positions_and_of_the_one_that_they_show() -> None:

@@ -120,20 +120,6 @@ def test_headings_of_close_positions_are_those_of_each_one() -> None:
     assert np.abs(np.exp(1j * found) - np.exp(1j * once_round)).max() <= 8 * EPS
 
 
-def test_headings_of_positions_in_any_order_are_measured_one_by_one() -> None:
-    count = 400 * RUN
-    anyhow = np.random.default_rng(5).uniform(-3, 3, count)
-    assert error(anyhow) == 0
-    anyhow[:RUN] = 1.0
-    assert error(anyhow) == 0
-    opposite = np.where(np.arange(count) % 2, 1.0, 1.0 - np.pi)
-    assert error(opposite) == 0
-
-
-def test_a_link_along_the_negative_axis_points_to_plus_pi() -> None:
-    assert list(heading(np.array([-1 + 0j, complex(-1, -0.0), complex(-1, -1e-300)]))) == [np.pi] * 3
-
-
 def test_the_crank_is_told_by_its_own_angles() -> None:
     turn = listed([Fraction(k) for k in (0, 90, 180, 270, 450)])
     assert list(np.degrees(turn.headings)) == [0, 90, 180, -90, 90]

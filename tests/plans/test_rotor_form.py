@@ -40,15 +40,6 @@ def test_a_misspelt_key_is_not_missed_besides() -> None:
     assert places(refused(f"grade = 'G1'\nsped = 9\nmass = 9\n{MASSES}")) == ["sped"]
 
 
-def test_a_mass_without_anything_lacks_mass_and_radius() -> None:
-    assert places(refused("masses = [{ angle = 0 }]\n")) == ["masses.0.mass", "masses.0.radius"]
-
-
-def test_a_moment_stands_beside_neither_mass_nor_radius() -> None:
-    faults = refused("masses = [{ angle = 0, moment = 1, mass = 1, radius = 1 }]\n")
-    assert places(faults) == ["masses.0.mass", "masses.0.radius"]
-
-
 @pytest.mark.parametrize(
     ("written", "meant"),
     [

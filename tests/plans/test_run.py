@@ -11,7 +11,6 @@ import pytest
 from plans.analytic.dynamics.equation import (
     ANGLE,
     AT_REST,
-    COMMON,
     EXPLICIT,
     IMPLICIT,
     SPEED,
@@ -19,7 +18,6 @@ from plans.analytic.dynamics.equation import (
     TOLERANCES,
     Ends,
     Equation,
-    Leg,
     Solver,
     State,
     size_of,
@@ -37,7 +35,6 @@ from plans.model.run import (
     UNSETTLED,
     ReducedLink,
     RunTask,
-    SteadyTurn,
     Works,
 )
 from tests.plans.reduced_links import OFF, ON, slider_crank, steady
@@ -160,28 +157,6 @@ def test_a_steady_turn_repeats_itself_and_uses_all_that_it_is_given(link: Reduce
     assert found.extremes[0] < bearing < found.extremes[1]
 
 
-def test_the_measures_of_a_steady_turn() -> None:
-    found = SteadyTurn(10.0, (9.0, 11.0), TURN / 10.5, 0.0, Works())
-    assert (found.mean, found.delta) == (10.0, 0.2)
-    assert [found._replace(closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
-        False,
-        *[True] * 3,
-        False,
-    ]
-
-
-@pytest.mark.rest
-def test_a_constant_moment_that_is_too_great_never_settles() -> None:
-    found = run(slider_crank(40.0, force=2000.0), Motor(Constant(60.0)), RunTask(12.0, 3)).steady
-    assert found is not None
-    assert not found.repeats
-    gained = 60.0 * TURN - 360.0
-    inertia = 40.0 + 0.01 + 3 * 0.04**2 + 4 * (0.1 * 0.25 / 0.4) ** 2 + 0.06 / 16
-    assert (found.start + found.closing) ** 2 - found.start**2 == pytest.approx(2 * gained / inertia, rel=1e-3)
-    just = run(slider_crank(40.0, force=2000.0), Motor(Constant(57.29577950371868)), RunTask(12.0, 3)).steady
-    assert just is not None and just.repeats
-
-
 def test_the_solver_is_chosen_by_how_stiff_the_motor_is() -> None:
     link = slider_crank(0.2, force=100.0, share=0.2)
     names = [
@@ -189,36 +164,6 @@ def test_the_solver_is_chosen_by_how_stiff_the_motor_is() -> None:
         for slip, most in ((0.2, 60.0), (0.05, 200.0), (0.005, 1200.0), (0.002, 3000.0))
     ]
     assert names == [EXPLICIT, EXPLICIT, IMPLICIT, IMPLICIT]
-
-
-def followed(way: Solver, link: ReducedLink) -> Leg:
-    """Follow a run-up and three loaded turns."""
-    equation = Equation(link, STIFF, base=STIFF.speed(0.0) or 0.0)
-    up = way.leg(equation, AT_REST, Ends(math.inf, 155.5))
-    on = way.leg(Equation(link, STIFF, loaded=True, base=equation.base), up.end, Ends(up.end.turned + 3 * TURN))
-    return on._replace(evaluations=up.evaluations + on.evaluations, jacobians=up.jacobians + on.jacobians)
-
-
-@pytest.mark.rest
-def test_of_a_stiff_motor_the_chosen_solver_takes_a_tenth_of_what_the_common_one_takes() -> None:
-    link = slider_crank(0.2, force=100.0, share=0.2)
-    own = chosen(link, STIFF, 155.5)
-    ours, common = (followed(one, link) for one in (own, Solver(COMMON, own.sizes, own.longest)))
-    assert chosen(link, STIFF, SPEED_50HZ).name == IMPLICIT
-    assert TOLERANCES[COMMON] == TOLERANCES[IMPLICIT]
-    assert common.evaluations >= 10 * (ours.evaluations + ours.jacobians)
-    assert ours.end.t == pytest.approx(common.end.t, rel=1e-8)
-    assert ours.end.omega == pytest.approx(common.end.omega, rel=1e-8)
-
-
-@pytest.mark.rest
-def test_stiff_and_soft_motors_come_to_a_constant_speed_and_a_constant_moment() -> None:
-    link = slider_crank(4.0, force=2000.0)
-    hard = run(link, Motor(Kloss(1e6, 0.01, 12.0)), RunTask(12.0, 1)).steady
-    soft = run(link, Motor(Linear(57.3 * 1000, 12.0 * 1000 / 999)), RunTask(12.0, 1)).steady
-    assert hard is not None and soft is not None
-    assert hard.delta < 1e-3
-    assert soft.delta < 0.01
 
 
 def test_a_motor_that_cannot_bear_the_load_is_too_weak() -> None:
@@ -254,14 +199,6 @@ def test_a_motor_that_creeps_has_not_settled() -> None:
     assert found.failure.omega == pytest.approx(5.0 * 50 / 60, rel=1e-6)
 
 
-def test_a_break_at_the_beginning_of_a_turn_is_passed() -> None:
-    link = steady(5.0, resistance=30.0, breaks=(0.0, 3.0))
-    found = run(link, Motor(Linear(120.0, 20.0)), RunTask(12.0, 12, brake=50.0))
-    assert found.failure is None
-    assert found.steady is not None
-    assert found.steady.mean == pytest.approx(15.0, rel=1e-9)
-
-
 def test_breaks_follow_each_other_in_every_turn() -> None:
     link = steady(1.0, breaks=(0.0, 2.0))
     place, passed = -1e-3, []
@@ -280,15 +217,3 @@ def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> 
     assert abs(found.closing) <= 1e-10 * found.start
     assert found.works.gained == pytest.approx(0.0, abs=1e-7)
     assert found.mean == pytest.approx(20.0 * (1 - 57.29577951 / 600), rel=1e-4)
-
-
-@pytest.mark.rest
-def test_a_load_above_the_starting_moment_is_borne_only_if_it_comes_later() -> None:
-    link, motor = steady(2.0, resistance=40.0), Motor(Kloss(60.0, 0.2, 100.0))
-    from_start = run(link, motor, RunTask(12.0, 3, loaded=True))
-    assert from_start.failure is not None and from_start.failure.reason == TOO_WEAK
-    later = run(link, motor, RunTask(12.0, 40))
-    over = 60.0 / 40.0
-    slip = 0.2 / (over + math.sqrt(over**2 - 1))
-    assert later.steady is not None
-    assert later.steady.mean == pytest.approx(100.0 * (1 - slip), rel=1e-9)

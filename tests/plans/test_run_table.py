@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from plans.analytic.dynamics.run import run as solved
 from plans.bench.machine import by_steps, step_errors
 from plans.dynamics.loop import ANGLE, ROWS_MOST, SPEED, STOP, Acting, Ends, by_acceleration, by_energy
 from plans.dynamics.run import mean_resistance, run, step_of
@@ -37,12 +36,6 @@ def test_textbook_table() -> None:
     half = reached(slider_crank(4.0), 0.05, 20)
     assert half[2] == pytest.approx(10.54668599, rel=DIGITS)
     assert (part.rows[10][2] - 10.44041021) / (half[2] - 10.44041021) == pytest.approx(1.9357, abs=5e-5)
-
-
-def test_textbook_table_of_constant_inertia() -> None:
-    assert reached(steady(4.2), 0.1, 10)[2] == pytest.approx(10.46801913, rel=DIGITS)
-    closed = 20.0 * (1 - (1 - 60.0 * 0.1 / (4.2 * 20.0)) ** 10)
-    assert reached(steady(4.2), 0.1, 10)[2] == pytest.approx(closed, rel=1e-14)
 
 
 def test_textbook_run_down() -> None:
@@ -93,21 +86,6 @@ def test_the_table_is_of_the_first_order(motor: Motor) -> None:
     assert errors == sorted(errors, reverse=True)
     name, order = by_steps(*given).rows[-1].note.split()
     assert name == "order" and float(order) == pytest.approx(1.0, abs=0.1)
-
-
-@pytest.mark.rest
-def test_both_roads_come_to_the_same_run_as_the_step_falls() -> None:
-    link, task = slider_crank(4.0, force=2000.0), RunTask(12.0, 8, 50.0)
-    motor = Motor(Linear(600.0, 20.0))
-    true = solved(link, motor, task)
-    off = []
-    for step in (0.004, 0.001):
-        found = run(link, motor, task._replace(step=step))
-        assert found.steady is not None and true.steady is not None
-        ends = [abs(found.t[a.last] - true.t[b.last]) for a, b in zip(found.stages, true.stages, strict=True)]
-        off.append([*ends, abs(found.steady.delta - true.steady.delta), abs(found.steady.mean - true.steady.mean)])
-    assert all(fine < coarse / 2.5 for coarse, fine in zip(*off, strict=True))
-    assert max(off[1][:3]) < 2e-3
 
 
 def test_the_step_is_as_asked_or_a_strip_or_a_quarter_of_what_dies_away() -> None:

@@ -144,14 +144,6 @@ YOKE = scene(
 )
 
 
-def test_sums_on_a_link_that_bears_nothing_are_judged_by_the_machine() -> None:
-    """A massless slotted link whose stone is pushed: its own forces are roundings, and no measure of themselves."""
-    comparison = compared(SLOTTED)
-    assert comparison.agrees
-    (third,) = (one for one in comparison.findings if one.name == "ΣM 3")
-    assert third.largest > 0.1  # N*m, of the machine: 50 N at 0.1 m
-
-
 def test_a_slide_that_bears_a_moment_alone_has_no_arm_and_one_that_bears_nothing_none() -> None:
     """A yoke twisted in its guide: the guide answers with a couple, and the stone is not pressed at all."""
     found = of(YOKE).forces
@@ -169,16 +161,6 @@ def test_what_is_but_rounding_is_no_force_beside_the_largest() -> None:
     force, moment = of(SLOTTED).forces.nothing
     assert force == pytest.approx(5e-8, rel=0.5)  # 1e-9 of some 50 N
     assert 0 < moment < force
-
-
-def test_beside_a_position_whose_forces_have_no_true_digit_those_of_the_others_are_not_nothing() -> None:
-    found = of(SLOTTED).forces
-    jam = np.where(np.arange(len(found.phi)) == 5, 1e15, 1.0)
-    reactions = {key: one._replace(force=one.force * jam) for key, one in found.reactions.items()}
-    jammed = replace(found, reactions=reactions)
-    assert jammed.nothing[0] > 1e3 * abs(found.balancing.moment).max()
-    assert replace(jammed, known=jam < 2.0).nothing == replace(found, known=jam < 2.0).nothing
-    assert replace(jammed, known=jam < 0.0).nothing == jammed.nothing  # known nowhere: all that there is
 
 
 def test_beside_a_position_that_all_but_jams_the_forces_of_the_others_stay_what_they_are() -> None:

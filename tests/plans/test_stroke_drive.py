@@ -80,22 +80,6 @@ def test_both_roads_agree_over_a_stroke_and_the_energy_balance_with_them() -> No
     assert {"P_bal", "P_bal lever", "P_bal power", "P_bal energy", "M_01"} <= told
 
 
-def test_velocities_and_accelerations_are_the_slopes_of_places_and_velocities_over_a_steady_stroke() -> None:
-    drive = STROKE.format(steps=2000, begin=0.5, end=0.6, v=0.3, a=0)
-    linkage = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))["linkage"]
-    motion, step = linkage.motion(2), 0.1 / 2000 / 0.3
-    for order in (1, 2):
-        slopes = np.gradient(motion.points["A"][order - 1], step)[1:-1]
-        assert np.abs(slopes - motion.points["A"][order][1:-1]).max() < 1e-6
-
-
-def test_the_stroke_has_one_position_more_than_steps_from_its_beginning_to_its_end() -> None:
-    drive = STROKE.format(steps=4, begin=0.6, end=0.5, v=0.3, a=0)
-    motion = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))["linkage"].motion(1)
-    assert np.asarray(motion.points["B"].r).real.tolist() == pytest.approx([0.6, 0.575, 0.55, 0.525, 0.5])
-    assert np.asarray(motion.points["B"].v).tolist() == pytest.approx([-0.3 + 0j] * 5)
-
-
 def test_places_that_the_slider_does_not_reach_are_gaps_by_both_roads() -> None:
     drive = STROKE.format(steps=4, begin=0.6, end=0.9, v=0.3, a=0)  # B is 0.698 m away from O's line at most
     study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))

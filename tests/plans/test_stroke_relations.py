@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +25,6 @@ from tests.parts import examples, first, some
 from tests.plans.chains import numbers
 from tests.plans.pushed_machines import (
     BOOM_MASSES,
-    FOOT,
     FORCE,
     GUIDE,
     LIFT,
@@ -38,7 +36,6 @@ from tests.plans.pushed_machines import (
     ROD,
     SLIDER_MASSES,
     STEPS,
-    THROUGH,
     Picture,
     Stroke,
     cylinder,
@@ -133,16 +130,6 @@ def test_a_stroke_gone_back_has_its_velocities_turned_about(name: str, speeds: t
 @pytest.mark.parametrize("name", MACHINES)
 def test_a_faster_drive_stretches_the_plans(name: str) -> None:
     obeys(_rows(name, PLAIN, LAW, False, 2.0), rows(name, speeds=LAW), PLAIN, rate=2.0)
-
-
-@pytest.mark.parametrize("speeds", [(), LAW])
-def test_the_slider_s_point_goes_beside_its_guide_by_its_law(speeds: tuple[float, ...]) -> None:
-    point = rows("slider", speeds=speeds).motion.points["B"]
-    ways = np.linspace(PUSH.begin, PUSH.end, STEPS + 1)
-    v, a = _law(PUSH, ways, speeds)
-    alike(point.r, FOOT - THROUGH + ways * GUIDE)
-    alike(point.v, v * GUIDE)
-    alike(point.a, a * GUIDE)
 
 
 @pytest.mark.parametrize("speeds", [(), LAW])
@@ -249,13 +236,6 @@ def test_the_arm_of_a_cylinder_is_the_height_of_its_triangle() -> None:
     alike(ram.lever(linkage.mechanism, linkage.motion(0)), 2 * area / sides[2])
 
 
-def test_the_graph_of_the_drive_s_force_is_over_its_stroke() -> None:
-    for name, (make, _) in MACHINES.items():
-        statics = make()["forces"]
-        chosen = slice(None) if name == "slider" else [0, -1]  # of a cylinder it is even in the crank's angle
-        alike(statics.given_around(STEPS, statics.around(STEPS))[chosen], rows(name).push[chosen])
-
-
 def test_a_law_is_straight_between_its_places_and_at_a_corner_the_line_ahead_counts() -> None:
     """Two halves of the stroke: at its middle the second one's slope, gone back the first one's."""
     half, middle = (PUSH.end - PUSH.begin) / 2, (PUSH.end + PUSH.begin) / 2
@@ -268,14 +248,6 @@ def test_a_law_is_straight_between_its_places_and_at_a_corner_the_line_ahead_cou
         assert rates.epsilon[0] * mechanism.drive.unit == pytest.approx(0.4 * slope, rel=1e-9)
 
 
-def test_the_drive_s_end_is_where_its_plans_have_it() -> None:
-    for make, _ in MACHINES.values():
-        linkage = make()["linkage"]
-        drive = linkage.mechanism.drive
-        found = PRIMARIES[drive.kind].ends(linkage.mechanism, linkage.turn)
-        alike(found, linkage.motion(0).points[drive.end].r)
-
-
 @pytest.mark.parametrize("name", MACHINES)
 def test_a_force_is_told_of_a_drive_over_a_stroke(name: str) -> None:
     make, _ = MACHINES[name]
@@ -283,16 +255,9 @@ def test_a_force_is_told_of_a_drive_over_a_stroke(name: str) -> None:
     assert (told.name, told.unit) == ("P_bal", "N")
 
 
-def test_a_crank_begins_at_the_rates_of_its_cylinder() -> None:
-    linkage = cylinder(stroke=replace(LIFT, speeds=LAW))["linkage"]
-    drive, motion = linkage.mechanism.drive, linkage.motion(2)
-    assert drive.omega == pytest.approx(motion.links[1].omega[0], rel=1e-12)
-    assert drive.epsilon == pytest.approx(motion.links[1].epsilon[0], rel=1e-12)
-
-
-def test_the_sketch_tells_on_which_side_of_its_line_a_cylinder_has_the_crank() -> None:
-    for mirrored in (False, True):
-        point = rows("cylinder", Picture(pi / 3, mirrored)).motion
-        apart = point.points["F"].r - point.points["E"].r
-        side = _cross(apart, point.points["O"].r - point.points["E"].r)
-        assert (side > 0).all() if not mirrored else (side < 0).all()
+def test_the_drive_s_end_is_where_its_plans_have_it() -> None:
+    for make, _ in MACHINES.values():
+        linkage = make()["linkage"]
+        drive = linkage.mechanism.drive
+        found = PRIMARIES[drive.kind].ends(linkage.mechanism, linkage.turn)
+        alike(found, linkage.motion(0).points[drive.end].r)

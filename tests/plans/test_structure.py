@@ -90,35 +90,10 @@ def test_every_kind_is_recognised(kind, host, swapped):
     assert set(last.links) == ({2, 3} if host == 4 else {4, 5})
 
 
-def test_a_pair_read_from_the_other_end_is_the_same_kind():
-    for kind, other in (("RRP", "PRR"), ("RPP", "PPR")):
-        found = next(dyad for dyad in decompose(hung(other, FRAME, False)) if set(dyad.links) == {2, 3})
-        assert found.kind == kind and found.links == (3, 2)
-
-
 def test_three_sliding_pairs_are_no_group():
     with pytest.raises(StructureError, match="three sliding pairs") as caught:
         decompose(hung("PPP", FRAME, False))
     assert set(caught.value.links) == {2, 3}
-
-
-def test_a_slot_along_its_own_guide_is_no_group():
-    mechanism = hung("RPP", FRAME, False)
-    slides = tuple(slide._replace(on_slider=AXIS, on_owner=AXIS) for slide in mechanism.slides)
-    with pytest.raises(StructureError, match="parallel"):
-        decompose(replace(mechanism, slides=slides))
-
-
-def test_a_triad_is_refused_by_name():
-    with pytest.raises(StructureError, match="class III") as caught:
-        decompose(linkages.triad())
-    assert caught.value.links == (2, 3, 4, 5)
-
-
-def test_a_crank_alone_is_of_class_one():
-    links = {FRAME: {"O": 0j}, 1: {"O": 0j, "A": 1 + 0j}}
-    mechanism = linkages.mechanism("crank", links, (), Drive(1, "O", "A", 1.0, 0.0), {}, None)
-    assert decompose(mechanism) == () and mechanism_class(()) == "I" and formula(mechanism, ()) == "I(0,1)"
 
 
 def test_double_hinges_hold_two_groups():

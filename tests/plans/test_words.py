@@ -16,7 +16,7 @@ from plans.model.dyad import NUMBERS
 from plans.scene.faults import Fault
 from plans.scene.source import language_of
 from plans.techniques import TECHNIQUES
-from plans.words.words import ENGLISH, FOLDER, Message, languages, message, placed, said, term, word, words
+from plans.words.words import ENGLISH, FOLDER, languages, message, placed, said, term, word, words
 from tests.own_text import Asked, parsed
 
 ROOT = Path(__file__).parent.parent.parent
@@ -224,11 +224,6 @@ def test_plans_and_sheets_have_names() -> None:
         assert set(named) <= words(ENGLISH).keys()
     assert {f"untitled.{name}" for name, row in TECHNIQUES.items() if not row.needs} <= words(ENGLISH).keys()
     assert {f"dyad.{kind}" for kind in NUMBERS} <= words(ENGLISH).keys()
-
-
-def test_a_message_is_a_value() -> None:
-    assert message("limit.parts", limit=3) == Message("limit.parts", (("limit", 3),))
-    assert len({message("limit.parts", limit=3), message("limit.parts", limit=3)}) == 1
 
 
 # What is written with a hyphen between spaces: the sign itself, among those that a name may have.
