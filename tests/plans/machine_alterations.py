@@ -87,30 +87,9 @@ def loads_times(machine: Machine, factor: float) -> Machine:
     )
 
 
-def heavier(machine: Machine, times: float) -> Machine:
-    """Multiply all masses."""
-    return altered(machine, body=lambda b: b._replace(mass=times * b.mass, inertia=times * b.inertia))
-
-
-def unloaded(machine: Machine) -> Machine:
-    """Take all loads and springs away; weights and inertia are left."""
-    return replace(machine, forces=(), moments=(), springs=())
-
-
 def massless(machine: Machine) -> Machine:
     """Take all masses away; loads and springs are left."""
     return replace(machine, bodies={}, gravity=0j)
-
-
-def halved(machine: Machine) -> Machine:
-    """Let every load be two halves of it."""
-    half = loads_times(machine, 0.5)
-    return replace(
-        machine,
-        forces=(*half.forces, *(f._replace(name=f"{f.name}′") for f in half.forces)),
-        moments=(*half.moments, *(m._replace(name=f"{m.name}′") for m in half.moments)),
-        springs=(*half.springs, *(s._replace(name=f"{s.name}*") for s in half.springs)),
-    )
 
 
 def called(one: Loaded, points: Mapping[str, str], numbers: Mapping[int, int]) -> Loaded:

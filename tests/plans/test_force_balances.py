@@ -16,7 +16,7 @@ from plans.forces.friction import rate
 from plans.forces.quantities import compare_forces
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.drafts import Drafts
-from plans.linkage.quantities import Finding, compare
+from plans.linkage.quantities import compare
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
@@ -24,32 +24,15 @@ from tests.plans.derivatives import REACH, derivative
 from tests.plans.loaded import Loaded, loaded, push
 
 
-def findings(one: Loaded) -> tuple[Finding, ...]:
-    """Give what is found of the forces beside what the analysis and the balances say."""
-    return compare_forces(one.statics, compare(one.study)).findings
-
-
 @push
 @given(loaded())
-def test_every_link_every_group_and_the_whole_are_in_equilibrium(one):
-    sums = [found for found in findings(one) if found.plan == EQUILIBRIUM and found.name != "power"]
+def test_links_groups_and_the_whole_are_in_balance_without_power_and_the_energy_changes_by_the_work(one):
+    found = compare_forces(one.statics, compare(one.study)).findings
+    sums = [single for single in found if single.plan == EQUILIBRIUM and single.name != "power"]
     assert len(sums) == 2 * (len(one.mechanism.links) - 1 + len(one.study.groups) + 1)
-    for found in sums:
-        assert found.excess[0] <= 1, found.name
-
-
-@push
-@given(loaded())
-def test_all_forces_together_have_no_power(one):
-    (found,) = (found for found in findings(one) if found.name == "power")
-    assert found.excess[0] <= 1
-
-
-@push
-@given(loaded())
-def test_the_energy_of_masses_and_weights_changes_by_the_work_of_drive_and_loads(one):
-    (found,) = (found for found in findings(one) if found.name == "M_bal energy")
-    assert found.excess[0] <= 1
+    power, energy = (next(single for single in found if single.name == name) for name in ("power", "M_bal energy"))
+    for single in (*sums, power, energy):
+        assert single.excess[0] <= 1, single.name
 
 
 @push
