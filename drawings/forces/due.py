@@ -81,7 +81,7 @@ class _Curves:
         Of a turn that cannot be made nothing is told.
         """
         study, road = self.statics.study, self.comparison.motion.road
-        if road.ends and study.mechanism.drive.turns:
+        if study.mechanism.drive.turns and road.whole is None:
             return np.array([0.0, TURN]), np.full(2, math.nan)
         first, last = study.turn.phi[0], study.turn.phi[-1]
         whole = study.sense * math.tau if study.mechanism.drive.turns else last - first

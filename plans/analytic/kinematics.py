@@ -66,15 +66,21 @@ class Analysis:
         self._turn, self._start = found.turn, start
         return self._moved(found, order)
 
-    def around(self, phi: Floats, order: int = 2) -> Motion:
-        """Solve positions as `motion` does; where the crank turns fully and freely, by a turn marched once for all."""
+    @property
+    def whole(self) -> March | None:
+        """The turn, marched once for all; None where the crank does not come round, or nothing was solved yet."""
         if self._round and self._whole is None and self._turn is not None:
             self._whole = whole_turn(self.shape, self._turn)
             self._round = self._whole is not None
-        if self._whole is None or self._whole.passed:
+        return self._whole
+
+    def around(self, phi: Floats, order: int = 2) -> Motion:
+        """Solve positions as `motion` does; where the crank turns fully and freely, by the whole turn."""
+        whole = self.whole
+        if whole is None or whole.passed:
             return self.motion(phi, order)
         phi = np.asarray(phi, dtype=np.float64)
-        return self._moved(along(self.shape, phi, self._whole, self.tolerance), order)
+        return self._moved(along(self.shape, phi, whole, self.tolerance), order)
 
     def _moved(self, found: Positions, order: int) -> Motion:
         """Differentiate poses by the crank angle, and read the motion off them."""
