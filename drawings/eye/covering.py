@@ -10,7 +10,7 @@ import math
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cache, lru_cache
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -27,6 +27,7 @@ _MANY = 400  # squares: an area of more is looked at everywhere; areas: of more 
 _GAP, _BLANK = 2.0, 4.0  # d: between letters, and the width of one that the alphabet does not have
 _MIDDLE, _WIDEST = 3j, 13.0  # d: how high the middles of letters lie; no letter of the alphabet is wider
 _FACETS = 8  # of a round piece of an outline
+_WHOLE = (complex(-math.inf, -math.inf), complex(math.inf, math.inf))  # the plane
 
 _Cell: TypeAlias = tuple[float, float]  # whole numbers
 
@@ -76,7 +77,10 @@ def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, area
     """Give the orders of the strokes that may be off the paper or under a later area, as the boxes of all tell."""
     if len(areas) > _MANY or not strokes:
         return list(orders)
-    left, low, right, high = np.array([_reach(one) for one in strokes]).T
+    reaches = [_reach(one) for one in strokes]
+    spots, begun = np.array([*chain.from_iterable(reaches)]), np.cumsum([0, *map(len, reaches[:-1])])
+    left, low = (np.minimum.reduceat(part, begun) for part in (spots.real, spots.imag))
+    right, high = (np.maximum.reduceat(part, begun) for part in (spots.real, spots.imag))
     own = np.array(orders)
     found = ~((left >= 0) & (low >= 0) & (right <= leaf.width) & (high <= leaf.height))
     for order, _, _, (west, south, east, north) in areas:
@@ -84,19 +88,20 @@ def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, area
     return [order for order, doubtful in zip(orders, found.tolist(), strict=True) if doubtful]
 
 
-def _reach(one: Stroke) -> Box:
-    """Give a box in which all that is looked at of a stroke is for certain; of a curve it is the whole plane."""
+def _reach(one: Stroke) -> Sequence[complex]:
+    """Give corners of a box in which all that is looked at of a stroke is for certain; of a curve any box."""
     match one:
-        case Circle(centre, radius) | Arc(centre, radius):
-            corners = [centre - radius * (1 + 1j), centre + radius * (1 + 1j)]
+        case Line():
+            return one.start, one.end
+        case Circle() | Arc():
+            return one.centre - one.radius * (1 + 1j), one.centre + one.radius * (1 + 1j)
         case Text():
             turn = cmath.rect(one.size / 10, math.radians(one.rotation))
             middle = one.at + _MIDDLE * turn
-            corners = [middle, middle + len(one.plain) * (_WIDEST + _GAP) * turn]
-        case _:
-            corners = [] if isinstance(one, Curve | Group) else [*_corners(one)]
-    across, up = [spot.real for spot in corners], [spot.imag for spot in corners]
-    return (min(across), min(up), max(across), max(up)) if corners else (-math.inf, -math.inf, math.inf, math.inf)
+            return middle, middle + len(one.plain) * (_WIDEST + _GAP) * turn
+        case Polyline() | Fill():
+            return one.points or _WHOLE
+    return _WHOLE
 
 
 def small(leaf: Leaf, most: float) -> set[int]:

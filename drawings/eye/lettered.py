@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from itertools import chain, pairwise
+from itertools import pairwise
 from operator import attrgetter
 from typing import NamedTuple, TypeAlias
 
@@ -16,7 +16,7 @@ from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, 
 from drawings.measure.pathdata import PathStep, handles, steps
 from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
+from drawings.paper.strokes import LEAN, LOWERED, RAISED, Anchor, LineStyle, Run, Text
 
 # The end of a straight piece, three points of a cubic; of an arc its middle and its end.
 Piece: TypeAlias = tuple[complex] | tuple[complex, complex, complex] | tuple[complex, complex]
@@ -155,16 +155,34 @@ EVEN = 0.002
 _GAP, _THIN = 2.0, 2.0
 # Thin spaces: across an A0 sheet in the smallest letters are under 4,000; more is no line of writing.
 _WIDEST = 4000
+# mm: what is added to it has its digits to two millionths, so that letters of one text stand alike wherever that is.
+_FAR = complex(2**33, 2**33)
 _RISES = ((0, 0.0), (-1, -LOWERED), (1, RAISED))  # how high levels lie, in sizes
 
 
-class SeenLetter(NamedTuple):
-    """A letter on paper: its first point (mm, y up), the width of its pen, mm, its trail, and what it may be."""
+class Glyph:
+    """What a pen went through in a letter, and what that may be; of letters that are drawn alike it is one."""
+
+    __slots__ = ("known", "trail")
+
+    def __init__(self, trail: Trail, known: Mapping[Stance, Sequence[Reading]]) -> None:
+        self.trail, self.known = trail, known
+
+
+class Letters(NamedTuple):
+    """Letters of one pen on paper: the first point of each (mm, y up), the width of the pen, mm, how they are drawn."""
+
+    places: tuple[complex, ...]
+    unit: float
+    glyphs: tuple[Glyph, ...]
+
+
+class _Letter(NamedTuple):
+    """One of them."""
 
     place: complex
     unit: float
-    trail: Trail
-    known: Mapping[Stance, Sequence[Reading]]
+    glyph: Glyph
 
 
 class _Set(NamedTuple):
@@ -183,8 +201,18 @@ _Line: TypeAlias = tuple[Stance, list[_Set]]
 _ALONG = attrgetter("along")
 
 
-def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
+def written(rows: Sequence[Letters], said: str, ink: LineStyle) -> Text:
     """Read letters as one text; those that are none are unread in it."""
+    first = rows[0].places[0]
+    off = [Letters(tuple([one - first + _FAR for one in places]), *pen) for places, *pen in rows]
+    at, *rest = _written(tuple(off), said)
+    return Text(first + at, *rest, ink)
+
+
+@lru_cache(maxsize=4096)  # a sheet writes the same in many places
+def _written(rows: tuple[Letters, ...], said: str) -> tuple[complex, tuple[Run, ...], float, Anchor, bool, float]:
+    """Read letters by how far they are from the first: where the text begins from there, and how it stands."""
+    letters = [_Letter(one - _FAR, pen, own) for at, pen, drawn in rows for one, own in zip(at, drawn, strict=True)]
     size = 10 * max(letter.unit for letter in letters)
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
     spaces = (0, *_spaces(row, size))
@@ -192,14 +220,14 @@ def written(letters: Sequence[SeenLetter], said: str, ink: LineStyle) -> Text:
     runs = picked(seen, [max(space, 0) for space in spaces], said)
     low = next((one[2] for one in row if one[5] == 0), 0.0)
     at = stance.turn * complex(row[0][1], low)
-    return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation, ink)
+    return at, runs, round(size, 6), "start", stance.slanted, stance.rotation
 
 
-def _straight(letters: Sequence[SeenLetter], size: float, even: float = EVEN) -> _Line | None:
+def _straight(letters: Sequence[_Letter], size: float, even: float = EVEN) -> _Line | None:
     """Set letters on one line of writing along or up a sheet, the most usual first."""
-    for stance in letters[0].known:
+    for stance in letters[0].glyph.known:
         back = stance.turn.conjugate()
-        along = [(place * back, unit, known.get(stance, ())) for place, unit, _, known in letters]
+        along = [(place * back, unit, glyph.known.get(stance, ())) for place, unit, glyph in letters]
         for low in _lows(along, size):
             row = _levelled(along, low, size, stance, even)
             if len(row) == len(letters):
@@ -219,11 +247,11 @@ def _lows(letters: Sequence[_Turned], size: float) -> list[float]:
     return fewest
 
 
-def _askew(letters: Sequence[SeenLetter], size: float) -> _Line | None:
+def _askew(letters: Sequence[_Letter], size: float) -> _Line | None:
     """Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
     # As far as any two are apart: a lowered letter may be written last and stand between.
     loose = ASKEW * max(abs(one.place - other.place) for one in letters for other in letters) + EVEN
-    for angle in angles([(one.trail, one.unit) for one in letters]):
+    for angle in angles([(one.glyph.trail, one.unit) for one in letters]):
         rough = _straight([_turned_back(one, angle, 2 * NEAR) for one in letters], size, loose)
         if rough is None or rough[0].rotation:
             continue
@@ -234,11 +262,12 @@ def _askew(letters: Sequence[SeenLetter], size: float) -> _Line | None:
     return None
 
 
-def _turned_back(letter: SeenLetter, angle: float, near: float) -> SeenLetter:
+def _turned_back(letter: _Letter, angle: float, near: float) -> _Letter:
     """Turn a letter by an angle (rad) against its direction, and look it up again."""
     turn = cmath.rect(1, -angle)
-    trail = Trail(letter.trail.signature, tuple(turn * point for point in letter.trail.points))
-    return SeenLetter(turn * letter.place, letter.unit, trail, readings(trail, letter.unit, near))
+    signature, points = letter.glyph.trail
+    trail = Trail(signature, tuple(turn * point for point in points))
+    return _Letter(turn * letter.place, letter.unit, Glyph(trail, readings(trail, letter.unit, near)))
 
 
 def _slope(row: Sequence[_Set], size: float) -> float:
@@ -267,12 +296,13 @@ def _levelled(letters: Sequence[_Turned], low: float, size: float, stance: Stanc
     return row
 
 
-def _unread(letters: Sequence[SeenLetter]) -> _Line:
+def _unread(letters: Sequence[_Letter]) -> _Line:
     """Set letters that do not stand on one line: those that are one, wherever it is, and the others unread."""
-    stance = next((stance for one in letters for stance in one.known), STANCES[0])
+    stance = next((stance for one in letters for stance in one.glyph.known), STANCES[0])
     row = []
-    for place, unit, _, known in letters:
-        name, corner, width = next(((one[0], one[2], one[3]) for one in known.get(stance, ())), (UNREAD, 0j, 0.0))
+    for place, unit, glyph in letters:
+        found = glyph.known.get(stance, ())
+        name, corner, width = next(((one[0], one[2], one[3]) for one in found), (UNREAD, 0j, 0.0))
         spot = place * stance.turn.conjugate() + corner
         row.append(_Set(name, spot.real, spot.imag, width, unit))
     return stance, sorted(row, key=_ALONG)
@@ -304,29 +334,29 @@ def _space(free: float, before: float, after: float, unit: float) -> tuple[float
 # Letters as a plain pen writes them: where each begins, and from there by steps.
 _LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
+_MOST_KNOWN = 4096  # letters of a pen: a stranger's file may have a new one at every place
 
 
-def plain_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
-    """Read path data that is written letter by letter; nothing, if it is not."""
-    found = _LETTERS.findall(path)
-    if sum(map(len, chain(*found))) + 2 * len(found) != len(path):
-        return []
-    (p, q, t), unit = place, style.width
-    return [
-        SeenLetter(p * spot + q * spot.conjugate() + t, unit, *_looked_up(rest, p, q, unit))
-        for spot, rest in ((complex(float(across), float(down)), rest) for across, down, rest in found)
-    ]
+def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
+    """Read path data that is written letter by letter; None, if it is not."""
+    parts = _LETTERS.split(path)
+    if any(parts[::4]):
+        return None
+    p, q, t = place
+    spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
+    glyphs = map(_alphabet(p, q, style.width).__getitem__, parts[3::4])
+    return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), style.width, tuple(glyphs))
 
 
-def any_letters(path: str, place: Affine, style: LineStyle) -> list[SeenLetter]:
+def any_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
     """Read path data as an editor may have rewritten it: as many strokes as make a letter are one."""
     left = [track.mapped(place) for track in tracks(path)]
-    found = []
+    places, glyphs = list[complex](), list[Glyph]()
     while left:
-        own = _longest(left, style.width)
-        found.append(own)
-        left = left[len(own.trail.signature) :]
-    return found
+        places.append(left[0].start)
+        glyphs.append(_longest(left, style.width))
+        left = left[len(glyphs[-1].trail.signature) :]
+    return Letters(tuple(places), style.width, tuple(glyphs)) if places else None
 
 
 def pen_of_letters(style: LineStyle) -> bool:
@@ -334,20 +364,32 @@ def pen_of_letters(style: LineStyle) -> bool:
     return style.cap == "round" and not style.dash and style.fill == "none" and style.colour != "none"
 
 
-@lru_cache(maxsize=16384)
-def _looked_up(steps: str, p: complex, q: complex, unit: float) -> tuple[Trail, Mapping[Stance, Sequence[Reading]]]:
-    """Look up a letter by its steps from its first point."""
-    linear = Affine(p, q)
-    trail = _trail([track.mapped(linear) for track in tracks(f"M0 0{steps}")])
-    return trail, readings(trail, unit)
+class _Alphabet(dict[str, Glyph]):
+    """Letters by their steps from the first point, each looked up once for a pen and how it is laid on paper."""
+
+    def __init__(self, linear: Affine, unit: float) -> None:
+        super().__init__()
+        self.linear, self.unit = linear, unit
+
+    def __missing__(self, steps: str) -> Glyph:
+        if len(self) >= _MOST_KNOWN:
+            self.clear()
+        trail = _trail([track.mapped(self.linear) for track in tracks(f"M0 0{steps}")])
+        found = self[steps] = Glyph(trail, readings(trail, self.unit))
+        return found
 
 
-def _longest(left: Sequence[Track], unit: float) -> SeenLetter:
+@lru_cache(maxsize=64)
+def _alphabet(p: complex, q: complex, unit: float) -> _Alphabet:
+    return _Alphabet(Affine(p, q), unit)
+
+
+def _longest(left: Sequence[Track], unit: float) -> Glyph:
     """Find the letter of the most strokes that a row of tracks begins with; an editor rounds it once more."""
     trails = [_trail(left[:count]) for count in range(min(_MOST, len(left)), 0, -1)]
     looked_up = ((trail, readings(trail, unit, 2 * NEAR)) for trail in trails)
     trail, found = next((one for one in looked_up if one[1]), (trails[-1], {}))
-    return SeenLetter(left[0].start, unit, trail, found)
+    return Glyph(trail, found)
 
 
 def _trail(own: Sequence[Track]) -> Trail:

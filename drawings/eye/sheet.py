@@ -12,7 +12,7 @@ from typing import NamedTuple
 from drawings.eye import alike
 from drawings.eye.covering import veiled
 from drawings.eye.ink import Ink, Unseen, ink, length
-from drawings.eye.lettered import SeenLetter, any_letters, pen_of_letters, plain_letters, written
+from drawings.eye.lettered import Letters, any_letters, pen_of_letters, plain_letters, written
 from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
 from drawings.measure.marks import KINDS, Frame
 from drawings.measure.measure import Measured, measure
@@ -139,7 +139,7 @@ class Opened:
         self.strokes: list[Stroke] = []
         self.data: dict[str, str] = {}
         self.heard: list[str] = []
-        self.letters: list[SeenLetter | Typeset] = []
+        self.letters: list[Letters | Typeset] = []
 
 
 class Observer:
@@ -221,16 +221,15 @@ class Observer:
             return False
         said = one.attributes.get(_SAID, outer.attributes.get(_SAID))
         letters = plain_letters(path, one.frame.to_paper, seen.style)
-        if not letters and said is not None:
+        if letters is None and said is not None:
             letters = any_letters(path, one.frame.to_paper, seen.style)
-        read = [bool(letter.known) for letter in letters]
-        if not letters or (said is None and not all(read)):
+        if letters is None or (said is None and not all([one.known for one in letters.glyphs])):
             return False
         if _SAID in outer.attributes:
-            outer.letters += letters
+            outer.letters.append(letters)
             outer.ink = seen if seen.unseen or not outer.ink.unseen else outer.ink
         else:
-            self._add(outer, (written(letters, said or "", _penned(seen.style)),), seen)
+            self._add(outer, (written([letters], said or "", _penned(seen.style)),), seen)
         return True
 
     def _typeset(self, one: Opened) -> None:
@@ -283,7 +282,7 @@ def _text(one: Opened) -> Text | None:
     if not one.letters:
         return None
     typed = [part for part in one.letters if isinstance(part, Typeset)]
-    lined = [part for part in one.letters if isinstance(part, SeenLetter)]
+    lined = [part for part in one.letters if isinstance(part, Letters)]
     said = one.attributes.get(_SAID, "")
     if typed:
         return joined(typed, said, _filled(one.ink.style.fill))

@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 
 from drawings.eye import alike
-from drawings.eye.lettered import SeenLetter, Track, any_letters, tracks, written
+from drawings.eye.lettered import Glyph, Letters, Track, any_letters, tracks, written
 from drawings.eye.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
 from drawings.eye.shapes import notations, shape, shapes
 from drawings.eye.sheet import SeenSheet, see
@@ -112,7 +112,8 @@ def test_letters_that_an_editor_has_written_anew_are_read() -> None:
     path = svg(lettered(Leaf(100.0, 50.0, (Group((laid,), "words"),)))).decode().split(' d="')[1].split('"')[0]
     anew = "".join(absolute(track) for track in tracks(path))
     letters = any_letters(anew, MIRROR, LineStyle(0.5, cap="round"))
-    assert written(letters, "", INK).plain.replace(" ", "") == alike.folded("Öйi Ё%…").replace("\u2009", "")
+    assert letters is not None
+    assert written([letters], "", INK).plain.replace(" ", "") == alike.folded("Öйi Ё%…").replace("\u2009", "")
 
 
 def absolute(track: Track) -> str:
@@ -128,8 +129,8 @@ def absolute(track: Track) -> str:
 )
 def test_letters_farther_apart_than_paper_reaches_are_no_line_of_writing(spaces: int, plain: str) -> None:
     trail, apart = written_trail("5"), 0.18 * (shape("5").width + 2 * (spaces + 1))
-    letters = [SeenLetter(place, 0.18, trail, readings(trail, 0.18)) for place in (0j, apart + 0j)]
-    assert written(letters, "", INK).plain == plain
+    letters = Letters((0j, apart + 0j), 0.18, 2 * (Glyph(trail, readings(trail, 0.18)),))
+    assert written([letters], "", INK).plain == plain
 
 
 def test_a_stroke_lost_is_no_letter() -> None:
