@@ -142,7 +142,7 @@ class Graph(NamedTuple):
 def stretches(values: Floats) -> Iterator[Sequence[int]]:
     """Give the runs of places between the gaps of dense values, two places long at least.
 
-    >>> [list(run) for run in stretches(np.array([1.0, 2.0, math.nan, 3.0, 4.0, math.nan, 5.0]))]
+    >>> [list(run) for run in stretches(np.array([1.0, 2.0, np.nan, 3.0, 4.0, np.nan, 5.0]))]
     [[0, 1], [3, 4]]
     """
     gaps = np.flatnonzero(np.isnan(values))
