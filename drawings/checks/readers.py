@@ -12,15 +12,15 @@ from typing import Final, NamedTuple, TypeAlias, TypeGuard
 
 import numpy as np
 
+from drawings.eye.covering import corners
 from drawings.paper.statement import Kind
-from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups, stated, texts
 from plans.model.motion import Complexes
 
 ACROSS, UP = "x", "y"  # the names of the axes of a graph
 ZERO = "zero"  # that of a mark from which the places of a figure are told
 Place: TypeAlias = tuple[str, str | None]  # a figure, and the position that it is of
-_PARTS = 8  # of a piece of a curve that is read off
 
 
 class Frame(NamedTuple):
@@ -109,7 +109,7 @@ def _point(group: Group, frame: Frame | None) -> complex:
 
 
 def _curve(group: Group, frame: Frame | None) -> Complexes:
-    places: Complexes = np.array([spot for stroke in flat((group,)) for spot in along(stroke)], dtype=np.complex128)
+    places: Complexes = np.array([spot for stroke in flat((group,)) for spot in corners(stroke)], dtype=np.complex128)
     return np.asarray(places * _scale(group)) if frame is None else frame.true(places)
 
 
@@ -162,27 +162,11 @@ def _scale(group: Group) -> float:
     return group.states.scale or 1.0
 
 
-def along(stroke: Stroke) -> Iterator[complex]:
-    """Give places along a stroke by which it is held: all its corners, and between the ends of what is bent."""
-    match stroke:
-        case Line():
-            yield from (stroke.start, stroke.end)
-        case Polyline() | Fill():
-            yield from stroke.points
-            yield from stroke.points[:1] if isinstance(stroke, Polyline) and stroke.closed else ()
-        case Arc():
-            yield from (stroke.at(k / _PARTS) for k in range(_PARTS + 1))
-        case Circle():
-            yield from (stroke.centre + cmath.rect(stroke.radius, math.tau * k / _PARTS) for k in range(_PARTS + 1))
-        case Curve():
-            yield from (piece.at(k / _PARTS) for piece in stroke.pieces for k in range(_PARTS + 1))
-
-
 def spots(strokes: Sequence[Stroke]) -> Iterator[complex]:
     """Give the places of the marks among strokes: the centres of circles, else the ends of lines."""
     own = [*flat(strokes)]
     circles = [one.centre for one in own if isinstance(one, Circle)]
-    yield from circles or [end for one in own for end in along(one)]
+    yield from circles or [end for one in own for end in corners(one)]
 
 
 READERS: Final[Mapping[Kind, Callable[[Group, Frame | None], complex | float | str | Complexes]]] = {

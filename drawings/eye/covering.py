@@ -154,11 +154,11 @@ def _areas(order: int, one: Stroke) -> Iterator[_Area]:
     if pale:
         if isinstance(one, Circle):
             yield _area(order, (one.centre,), one.radius)
-        elif len(corners := tuple(_corners(one))) > 2:
-            yield _area(order, corners, 0.0)
+        elif len(around := tuple(corners(one))) > 2:
+            yield _area(order, around, 0.0)
     if white:
         half = one.style.width / 2
-        for a, b in pairwise(_corners(one)):
+        for a, b in pairwise(corners(one)):
             side = (b - a) / abs(b - a) * 1j * half if a != b else 0j
             yield _area(order, (a + side, b + side, b - side, a - side), 0.0)
 
@@ -177,7 +177,7 @@ def _area(order: int, corners: tuple[complex, ...], radius: float) -> _Area:
     )
 
 
-def _corners(one: Stroke) -> Iterator[complex]:
+def corners(one: Stroke) -> Iterator[complex]:
     """Give the corners of an outline, round ones in facets."""
     match one:
         case Line(start, end):
@@ -205,7 +205,7 @@ def _spots(one: Stroke) -> list[complex]:
         case Circle(centre, radius):
             return [centre + cmath.rect(radius, math.tau * share) for share in _SHARES]
         case Polyline() | Fill():
-            return _thinned([(a + b) / 2 for a, b in pairwise(_corners(one))])
+            return _thinned([(a + b) / 2 for a, b in pairwise(corners(one))])
         case Curve():
             return _thinned([piece.at(share) for piece in one.pieces for share in _SHARES])
         case Text():

@@ -395,9 +395,6 @@ def _longest(left: Sequence[Track], unit: float) -> Glyph:
 def _trail(own: Sequence[Track]) -> Trail:
     """Give tracks on paper as one trail from their first point."""
     first = own[0].start if own else 0j
-    signature = tuple("".join(map(_kind, track.pieces)) + "z" * track.closed for track in own)
+    # A straight piece has one point after its start, an arc two, a cubic three.
+    signature = tuple("".join("lac"[len(piece) - 1] for piece in track.pieces) + "z" * track.closed for track in own)
     return Trail(signature, tuple(point - first for track in own for point in track.points))
-
-
-def _kind(piece: Sequence[complex]) -> str:
-    return {1: "l", 2: "a", 3: "c"}[len(piece)]

@@ -205,7 +205,7 @@ class Observer:
         own = outlines(one.frame.tag, one.attributes, one.frame.to_paper, seen.style)
         strokes = tuple(map(cornered, own))
         outer = self.open[-2]
-        data = _marked(one.attributes)
+        data = _data(one.attributes) if one.attributes.get("data-kind") in KINDS else {}
         if not data:
             self._add(outer, strokes, seen)
         elif outer.frame.tag == "g" and not outer.strokes and not outer.data:
@@ -301,10 +301,6 @@ def _filled(colour: str) -> LineStyle:
 
 def _data(attributes: Mapping[str, str]) -> dict[str, str]:
     return {name[5:]: text for name, text in attributes.items() if name.startswith("data-") and name != _SAID}
-
-
-def _marked(attributes: Mapping[str, str]) -> dict[str, str]:
-    return _data(attributes) if attributes.get("data-kind") in KINDS else {}
 
 
 class SeenSheet(NamedTuple):
