@@ -56,7 +56,7 @@ def curve(
     stations = np.degrees(sense * (own.centre.phi - own.centre.phi[0]))[list(numbers)] % TURN
     ordinates, title = _seen(own.centre.moment, least)[list(numbers)], drafting.word("rocking graph", point=point)
     bare = GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), np.full(2, np.nan), stations, ordinates, title)
-    bare = bare._replace(numbers=numbers)
+    bare = bare._replace(numbers=numbers, name=ROCKING)
     if not own.whole:
         swung = swing(bare)
         return swung._replace(values=np.full(len(swung.values), np.nan))

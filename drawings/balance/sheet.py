@@ -27,7 +27,7 @@ from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import EQUATION, lay_out
-from drawings.sheets.stated_scales import Draft, Exhibit, captions
+from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit
 from geometry.board import at
 from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
@@ -311,8 +311,7 @@ class _BalancingSheet:
         bones, least = self.shown.bones, self.shown.nothing.moment
         curve = graphs.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if curve is not None:
-            room = _bounded(curve_graph.measure(curve, graphs.ROCKING, self.drafting))
-            yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+            yield self._exhibit(curve_graph, curve)
 
     def _shares(self) -> Iterator[Exhibit]:
         """Show the choice of the share, where there is one."""
@@ -334,8 +333,7 @@ class _BalancingSheet:
         )
 
     def _exhibit(self, figure: Any, shown: Any) -> Exhibit:
-        room = _bounded(figure.measure(shown, self.drafting))
-        return Exhibit(Panel(room), partial(figure.draw, shown, room, drafting=self.drafting))
+        return exhibit(figure, shown, self.drafting, LARGEST)
 
     @cached_property
     def tables(self) -> tuple[RuledTable, ...]:
@@ -346,10 +344,6 @@ class _BalancingSheet:
         if not weights:
             return (table,)
         return table, counterweights(weights, shown.bones.mechanism, drafting)
-
-
-def _bounded(room: Picture) -> Picture:
-    return room._replace(most=LARGEST * room.least)
 
 
 def _facts(position: int, names: Collection[str]) -> dict[str, Any]:

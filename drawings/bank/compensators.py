@@ -71,14 +71,14 @@ def title_of(shown: Layout, drafting: Drafting) -> str:
     return drafting.word("compensator of order", order=shown.found.asked.order)
 
 
-def draw(shown: Layout, sense: float, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+def draw(shown: Layout, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the layout in its spot: guide and line of the compensators, gears, shafts, masses, sizes."""
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) + ("" if shown.known else f";  {drafting.word('arms nominal')}")
     title = heading(spot.box, title_of(shown, drafting), under, hand)
     sizes = tuple(_sizes(shown, place, drafting))
     lines: list[Stroke] = [title, *_axes(shown, place, hand)]
-    lines += [stroke for one in shown.weights() for stroke in _gear(shown, one, place, hand, sense)]
+    lines += [stroke for one in shown.weights() for stroke in _gear(shown, one, place, hand)]
     lines += [_mass(shown, one, place, hand) for one in shown.weights()]
     lines += [stroke for one in sizes for stroke in one.draw(hand)]
     (circle,) = hinge(place.on(0j), hand)
@@ -95,9 +95,9 @@ def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(start - far, start + up, fit(hand.axis, abs(far) + abs(up)))
 
 
-def _gear(shown: Layout, one: Weight, place: Place, hand: Hand, sense: float) -> Iterator[Stroke]:
+def _gear(shown: Layout, one: Weight, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a shaft with its gear and the sense in which it turns; the couple's shafts have no gears of their own."""
-    centre, (start, sweep), own = place.on(one.shaft), TURN, math.copysign(1.0, one.turns * sense)
+    centre, (start, sweep), own = place.on(one.shaft), TURN, math.copysign(1.0, one.turns * shown.sense)
     if one.geared and not shown.found.on_crank:
         radius = place.length(shown.gear)
         yield Circle(centre, radius, fit(hand.axis, math.tau * radius, True))
@@ -170,6 +170,7 @@ class Layout(NamedTuple):
 
     found: Compensator
     turn: complex  # direction of the reference guide on the sheet
+    sense: float  # of the crank's rotation, its sign
 
     @property
     def name(self) -> str:

@@ -19,7 +19,6 @@ from drawings.bank.turn_graph import MOMENT as MOMENTS
 from drawings.kinds import hodograph
 from drawings.kinds.hodograph import Hodograph
 from drawings.layout import value_table
-from drawings.layout.contents import Panel
 from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
@@ -214,15 +213,13 @@ def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: D
     """Show a hodograph."""
     turn = values[:-1]
     ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
-    one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, title)
-    room = hodograph.measure(one, name, drafting)
-    return Exhibit(Panel(room, scale=scale), partial(hodograph.draw, one, room, drafting=drafting))
+    one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
+    return exhibit(hodograph, one, drafting, scale=scale)
 
 
 def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the compensators of every order that needs some."""
     for found in shown.balance.compensators:
-        one = Layout(found, shown.turn)
+        one = Layout(found, shown.turn, shown.task.speed)
         if any(one.weights()):
-            room = compensators.measure(one, drafting)
-            yield Exhibit(Panel(room), partial(compensators.draw, one, shown.task.speed, room, drafting=drafting))
+            yield exhibit(compensators, one, drafting)

@@ -41,10 +41,8 @@ def bare_speeds(task: Task, account: Account, drafting: Drafting) -> GraphCurve 
     own = np.flatnonzero(~np.isnan(steps) & (task.divisions <= NUMBERED))
     omega = quantities.omega(cycle, shown, before)
     stations, ordinates = np.degrees(cycle.turned[own]), before.omega[own]
-    title = drafting.word("speed without flywheel")
-    return GraphCurve(
-        "ω_0", "rad/s", np.degrees(shown.turned), omega, stations, ordinates, title, task.divisions, states="ω_0"
-    )
+    course, title = (np.degrees(shown.turned), omega, stations, ordinates), drafting.word("speed without flywheel")
+    return GraphCurve("ω_0", "rad/s", *course, title, task.divisions, name=quantities.BEFORE, states="ω_0")
 
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawings.dynamics import flywheel_sketch, plate, plate_frame, tachogram, working
-from drawings.dynamics.graphs import BEFORE, Strips, strips
+from drawings.dynamics.graphs import Strips, strips
 from drawings.dynamics.plate import Content, bare_speeds
 from drawings.dynamics.report import notes_of
 from drawings.dynamics.report_tables import NOISE, without_rounding
@@ -27,7 +27,7 @@ from drawings.page.page import Page, page_of
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.run import Account
@@ -298,37 +298,26 @@ class _DynamicsSheet:
 
     def _loads(self) -> Iterator[Exhibit]:
         """Show each load that changes over a stroke."""
-        for course in self.machine.loads:
-            room = load_diagram.measure(course, self.drafting)
-            room = room._replace(most=LARGEST * room.least)
-            draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
-            yield Exhibit(Panel(room), draw)
+        return (exhibit(load_diagram, course, self.drafting, LARGEST) for course in self.machine.loads)
 
     def _wheel(self) -> Iterator[Exhibit]:
         """Show the flywheel, if there is one whose sizes are known."""
         rim = self.machine.rim
         if rim is not None and rim.fits:
-            room = flywheel_sketch.measure(rim, self.drafting)
-            draw = partial(flywheel_sketch.draw, rim, room, drafting=self.drafting)
-            yield Exhibit(Panel(room), draw)
+            yield exhibit(flywheel_sketch, rim, self.drafting)
 
     def _bare(self) -> Iterator[Exhibit]:
         """Show the speeds without the flywheel, where they swing too far to stand among the others."""
         machine = self.machine
         curve = bare_speeds(machine.task, machine.own, self.drafting)
         if curve is not None:
-            room = curve_graph.measure(curve, BEFORE, self.drafting)
-            room = room._replace(most=LARGEST * room.least)
-            draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
-            yield Exhibit(Panel(room), draw)
+            yield exhibit(curve_graph, curve, self.drafting, LARGEST)
 
     def _run(self) -> Iterator[Exhibit]:
         """Show the run from rest to rest, where there is a motor."""
         run = self.machine.own.run
         if run is not None and len(run.t) > 1:
-            room = tachogram.measure(run, self.drafting)
-            draw = partial(tachogram.draw, run, room, drafting=self.drafting)
-            yield Exhibit(Panel(room), draw)
+            yield exhibit(tachogram, run, self.drafting)
 
     def _values(self, most: int) -> RuledTable:
         """Tell the values at the edges of the strips, or of the reduction alone at the positions."""

@@ -203,8 +203,8 @@ class _ForceSheet:
         curve = self._curve()
         key = "balancing graph" if curve.closed else "balancing swing"
         key = key if self.study.mechanism.drive.turns else "balancing stroke"
-        curve = curve._replace(title=self.drafting.word(key))
-        room = curve_graph.measure(curve, "balancing", self.drafting)
+        curve = curve._replace(title=self.drafting.word(key), name="balancing")
+        room = curve_graph.measure(curve, self.drafting)
         yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
 
     def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> Part:
@@ -246,9 +246,8 @@ class _ForceSheet:
             dense, own = self.turned.reactions[key], self.forces.reactions[key]
             letter = letter_of(f"R_{indices(own.giver, own.taker)}", self.drafting)
             around = curve_graph.bounded(dense.force, own.force)
-            shown = hodograph.Hodograph(letter, "F", "N", around, own.force, self.position)
-            room = hodograph.measure(shown, f"hodograph-{key}", self.drafting)
-            yield Exhibit(Panel(room), partial(hodograph.draw, shown, room, drafting=self.drafting))
+            shown = hodograph.Hodograph(letter, "F", "N", around, own.force, self.position, f"hodograph-{key}")
+            yield exhibit(hodograph, shown, self.drafting)
 
     def _table(self) -> RuledTable:
         drafting = self.drafting

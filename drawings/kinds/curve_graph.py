@@ -55,6 +55,7 @@ class GraphCurve(NamedTuple):
     axis: tuple[str, str] = ANGLE  # letter and unit of the abscissas
     shown: tuple[int, ...] = ()  # the places of those that the sheets of its set are of: they are always numbered
     stated: float = 0.0  # mu of the quantity, where it is stated
+    name: str = ""  # of the graph
     states: str = ""  # the name of the curve, by which its graph states it; the thin one is this, "before"
 
     @property
@@ -100,9 +101,9 @@ def bounded(dense: Any, own: Any) -> Any:
     return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
 
 
-def measure(curve: GraphCurve, name: str, drafting: Drafting) -> Picture:
+def measure(curve: GraphCurve, drafting: Drafting) -> Picture:
     """Measure the room of a graph."""
-    return FORM.room(name, curve.length, curve.axis, curve.title, drafting.hand)
+    return FORM.room(curve.name, curve.length, curve.axis, curve.title, drafting.hand)
 
 
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Part:

@@ -37,6 +37,7 @@ class Hodograph(NamedTuple):
     values: Complexes
     ends: Complexes
     shown: int
+    name: str = ""  # of the figure
     title: str = ""  # where it is not that of a reaction
 
     @property
@@ -46,9 +47,10 @@ class Hodograph(NamedTuple):
         return [complex(value) for value in values[~np.isnan(values.real)]]
 
 
-def measure(shown: Hodograph, name: str, drafting: Drafting) -> Picture:
+def measure(shown: Hodograph, drafting: Drafting) -> Picture:
     """Measure the room of a hodograph."""
-    return room_of(name, shown.points, (shown.symbol, shown.unit), _title(shown, drafting), LETTERS, drafting.hand)
+    scale, title = (shown.symbol, shown.unit), _title(shown, drafting)
+    return room_of(shown.name, shown.points, scale, title, LETTERS, drafting.hand)
 
 
 def room_of(

@@ -45,9 +45,15 @@ class Figures(Protocol[Shown_contra]):
         ...
 
 
-def exhibit(figures: Figures[Shown_contra], shown: Shown_contra, drafting: Drafting, **wants: Any) -> Exhibit:
-    """Show a figure, given by its file and by what it shows, with what it `wants` of its place as a panel does."""
+def exhibit(
+    figures: Figures[Shown_contra], shown: Shown_contra, drafting: Drafting, largest: float = 0.0, **wants: Any
+) -> Exhibit:
+    """Show a figure, given by its file and by what it shows, with what it `wants` of its place as a panel does.
+
+    It may be drawn so many times as large as it must be to be read, where a `largest` is named.
+    """
     room = figures.measure(shown, drafting)
+    room = room._replace(most=largest * room.least) if largest else room
     return Exhibit(Panel(room, **wants), partial(figures.draw, shown, room, drafting=drafting))
 
 

@@ -27,7 +27,7 @@ def moment(phi: np.ndarray) -> np.ndarray:
     return 80.0 * np.sin(np.radians(phi)) - 25.0
 
 
-CURVE = GraphCurve("M_{bal}", "N*m", DENSE, moment(DENSE), AT, moment(AT))
+CURVE = GraphCurve("M_{bal}", "N*m", DENSE, moment(DENSE), AT, moment(AT), name="balancing")
 
 
 def flat(stroke: Stroke) -> list[Stroke]:
@@ -40,7 +40,7 @@ def leaf(drawn: Group) -> Leaf:
 
 def graph(curve: GraphCurve = CURVE, language: str = "en") -> Group:
     drafting, curve = Drafting(HAND, language), curve._replace(title="Balancing moment")
-    measure_ = curve_graph.measure(curve, "balancing", drafting)
+    measure_ = curve_graph.measure(curve, drafting)
     spot = Spot(Field(0, 0, *measure_.size(Scale(2.0, "φ", "°"))), Scale(2.0, "φ", "°"))
     found = curve_graph.draw(curve, measure_, spot, drafting)
     ink = Ink(400.0, 300.0)
@@ -88,7 +88,7 @@ def rocking(phi: np.ndarray) -> np.ndarray:
 
 def test_a_crank_that_cannot_turn_fully_is_followed_through_its_positions() -> None:
     stations = np.array([20.0, 50.0, 80.0, 350.0])
-    whole = GraphCurve("M_{bal}", "N*m", DENSE, rocking(DENSE), stations, rocking(stations))
+    whole = CURVE._replace(values=rocking(DENSE), stations=stations, ordinates=rocking(stations))
     part = curve_graph.swing(whole)
     assert part.length == 90  # from 350 through 0 to 80 degrees
     assert not part.closed
@@ -123,11 +123,11 @@ def force(phi: np.ndarray) -> np.ndarray:
     return 900 * np.exp(1j * np.radians(phi)) + 400 * np.exp(-2j * np.radians(phi)) + 200j
 
 
-SHOWN = Hodograph("R_{34}", "F", "N", force(DENSE[:-1]), force(AT), 2)
+SHOWN = Hodograph("R_{34}", "F", "N", force(DENSE[:-1]), force(AT), 2, "hodograph-3-4")
 
 
 def figure(shown: Hodograph = SHOWN) -> Group:
-    measure_ = hodograph.measure(shown, "hodograph-3-4", Drafting(HAND))
+    measure_ = hodograph.measure(shown, Drafting(HAND))
     scale = measure_.ladder(300.0, 250.0).rungs[0].scale
     spot = Spot(Field(0, 0, *measure_.size(scale)), scale)
     found = hodograph.draw(shown, measure_, spot, Drafting(HAND))
