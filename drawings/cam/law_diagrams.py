@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
 
 import numpy as np
@@ -16,7 +16,7 @@ from drawings.kinds.axes import Axes, Curve, Letter, Part, Parts
 from drawings.kinds.graph import LEAST, Graph
 from drawings.kinds.row_frame import RowFrame
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Picture, Spot
+from drawings.layout.picture import LetteredFigure, Picture, Spot
 from drawings.lettering.extent import every, spaced
 from drawings.lettering.phrase import Slot, telling
 from drawings.page.scale import Drafting
@@ -158,25 +158,6 @@ def _polyline(curve: Curve, axes: Axes, style: LineStyle) -> Polyline:
     return Polyline(tuple(apart(axes.on(x, y) for x, y in points)), False, style)
 
 
-@dataclass(frozen=True)
-class Phases:
-    """The dimensions of the phases placed on paper, the part of the figure under its rows."""
-
-    name: str
-    sizes: tuple[Dimension, ...]
-    hand: Hand
-
-    @cached_property
-    def lines(self) -> tuple[Stroke, ...]:
-        """All that is drawn before any letter is placed."""
-        return tuple(line for one in self.sizes for line in one.draw(self.hand))
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the dimensions, lettered along their lines."""
-        letters = (labels.along(*one.lines[0], one.letter, self.hand.number, ABOVE, 1.5) for one in self.sizes)
-        return (Group((*self.lines, *(telling(self.name, one) for one in letters)), self.name),)
-
-
 def measure(shown: LawDiagrams, drafting: Drafting) -> Picture:
     """Measure the room of the diagrams."""
     plate = LawPlate(shown, drafting)
@@ -186,7 +167,16 @@ def measure(shown: LawDiagrams, drafting: Drafting) -> Picture:
 def draw(shown: LawDiagrams, room: Picture, spot: Spot, drafting: Drafting) -> Parts:
     """Draw the diagrams in their spot, the bounds of the phases through them, these dimensioned under them."""
     plate = LawPlate(shown, drafting)
-    frame = LawFrame(plate, spot)
+    frame, name = LawFrame(plate, spot), plate.named("phases")
     masks = [around(part.lines[0], CLEAR) for part in frame.parts[: len(plate.rows)]]
     joining = Group(tuple(fit_dashes(trim(frame.bounds(), masks))), plate.named("bounds"))
-    return Parts((joining,), (Phases(plate.named("phases"), tuple(frame.phases()), drafting.hand), *frame.parts))
+    sizes = tuple(frame.phases())
+    drawn = tuple(line for one in sizes for line in one.draw(drafting.hand))
+    phases = LetteredFigure(name, drawn, partial(_lettered, sizes, name, drafting.hand), False)
+    return Parts((joining,), (phases, *frame.parts))
+
+
+def _lettered(sizes: Sequence[Dimension], name: str, hand: Hand, labels: Labels) -> Iterator[Stroke]:
+    """Letter the dimensions of the phases along their lines."""
+    for one in sizes:
+        yield telling(name, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, 1.5))

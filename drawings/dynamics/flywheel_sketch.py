@@ -6,12 +6,12 @@ The rim is to scale; shaft, hub and web are drawn in the proportions of usual wh
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
 from drawings.page.scale import Drafting, Scale
@@ -86,21 +86,6 @@ class Outlines(NamedTuple):
         return complex(left, -self.outer), self.side + complex(self.outer, self.outer)
 
 
-@dataclass(frozen=True)
-class SketchFigure:
-    """The sketch placed on paper: its lines, and the sizes still to be lettered among the lines of all figures."""
-
-    lines: tuple[Stroke, ...]
-    sizes: tuple[Dimension, ...]
-    hand: Hand
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole sketch, its sizes lettered along their lines."""
-        sides = ((one, math.pi / 2 if one.off.imag else math.pi) for one in self.sizes)
-        letters = (labels.along(*one.lines[0], one.letter, self.hand.number, ABOVE, side) for one, side in sides)
-        return (Group((*self.lines, Group(tuple(telling(NAME, one) for one in letters))), NAME),)
-
-
 def measure(rim: Wheel, drafting: Drafting) -> Picture:
     """Measure the room that the sketch needs: both views, the dimensions beside them."""
     hand = drafting.hand
@@ -112,7 +97,7 @@ def measure(rim: Wheel, drafting: Drafting) -> Picture:
     return picture(NAME, Outlines(rim).corners, (SYMBOL, UNIT), margins, title, least)._replace(most=MOST * hand.letter)
 
 
-def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> SketchFigure:
+def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the sketch in its spot: the cut hatched, the side view, axes, sizes; mass and inertia under its scale."""
     place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
     title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand)
@@ -123,7 +108,14 @@ def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> SketchFig
         _marked(one, letter, value, spot.scale, hand) for one, (letter, value) in zip(sizes, true(rim), strict=True)
     )
     lines = (title, told, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
-    return SketchFigure(lines, sizes, hand)
+    return LetteredFigure(NAME, lines, partial(_letters, sizes, hand))
+
+
+def _letters(sizes: Sequence[Dimension], hand: Hand, labels: Labels) -> Iterator[Stroke]:
+    """Letter the sizes along their lines."""
+    for one in sizes:
+        side = math.pi / 2 if one.off.imag else math.pi
+        yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, side))
 
 
 def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from itertools import pairwise
 from string import ascii_lowercase
 from typing import NamedTuple, TypeAlias
@@ -14,7 +14,7 @@ import numpy as np
 from drawings.kinds.axes import OVER, UNDER, Axes, Letter
 from drawings.kinds.graph import BESIDE, DOT, LEAST, Graph, GraphForm, standing
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Spot
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Spot
 from drawings.lettering.extent import numbered, spaced
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined, telling
@@ -167,27 +167,6 @@ def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
     return tuple(LoadMark(str(k), corners[one]) for k, one in enumerate(sorted(kept), 1))
 
 
-@dataclass(frozen=True)
-class LoadFigure:
-    """A load diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    name: str
-    lines: tuple[Stroke, ...]
-    letters: tuple[Letter, ...]
-    sizes: tuple[Dimension, ...]
-    hand: Hand
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure: axes, corners and dimensions lettered."""
-        hand = self.hand
-        letters = [
-            telling(self.name, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, math.pi / 2))
-            for one in self.sizes
-        ]
-        letters += [labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in self.letters]
-        return (Group((*self.lines, Group(tuple(letters))), self.name),)
-
-
 def measure(course: LoadCourse, drafting: Drafting) -> Picture:
     """Measure the room of a load diagram: its scale is that of the way."""
     hand, axis = drafting.hand, _way(course)[:2]
@@ -196,7 +175,7 @@ def measure(course: LoadCourse, drafting: Drafting) -> Picture:
     return room._replace(margins=room.margins._replace(below=below), most=MOST * hand.letter)
 
 
-def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:
+def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the diagram in its spot: axes, both branches with their arrows, corners, the stroke and its overruns."""
     hand, span = drafting.hand, course.span
     axes = standing(room, spot, span, ("M", "N*m") if course.couple else ("F", "N"), drafting)
@@ -213,9 +192,18 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     )
     across, up = (f"{one}, {drafting.word(of)}" for one, of in (_way(course)[:2], axes.up[1:]))
     corners = (_corner(one.letter, axes.on(one.at.real, one.at.imag), one.at.imag > 0, hand) for one in shown)
-    return LoadFigure(
-        room.name, lines, (*graph.ends((course.length, across), (span[1], up)), *corners, *numbers), sizes, hand
-    )
+    letters = *graph.ends((course.length, across), (span[1], up)), *corners, *numbers
+    return LetteredFigure(room.name, lines, partial(_letters, room.name, sizes, letters, hand))
+
+
+def _letters(
+    name: str, sizes: Sequence[Dimension], letters: Sequence[Letter], hand: Hand, labels: Labels
+) -> Iterator[Stroke]:
+    """Letter the dimensions along their lines, then axes, corners and positions."""
+    for size in sizes:
+        yield telling(name, labels.along(*size.lines[0], size.letter, hand.number, ABOVE, OVER))
+    for one in letters:
+        yield labels.beside(one.at, one.text, one.size, one.gap, one.side)
 
 
 def spans(course: LoadCourse) -> tuple[tuple[str, float], ...]:
