@@ -16,14 +16,14 @@ from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, 
 from drawings.measure.pathdata import PathStep, handles, steps
 from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import LEAN, LOWERED, RAISED, Anchor, LineStyle, Run, Text
+from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
 
 # The end of a straight piece, three points of a cubic; of an arc its middle and its end.
 Piece: TypeAlias = tuple[complex] | tuple[complex, complex, complex] | tuple[complex, complex]
 
-_NUMBER = r"-?[0-9]{1,7}(?:\.[0-9]{1,12})?"
+_NUMBER = r"-?+[0-9]{1,7}+(?:\.[0-9]{1,12}+)?+"
 # Straight chains as a plain pen writes them; all else is for the strict reader.
-_CHAINS = re.compile(rf"(?:M{_NUMBER} {_NUMBER}(?:L{_NUMBER} {_NUMBER})+Z?)+")
+_CHAINS = re.compile(rf"(?:M{_NUMBER} {_NUMBER}(?:L{_NUMBER} {_NUMBER})++Z?+)++")
 _ROUND = 1e-5  # Editors write about six digits of a radius: an arc with more between its two is of an ellipse.
 
 
@@ -204,14 +204,14 @@ _ALONG = attrgetter("along")
 def written(rows: Sequence[Letters], said: str, ink: LineStyle) -> Text:
     """Read letters as one text; those that are none are unread in it."""
     first = rows[0].places[0]
-    off = [Letters(tuple([one - first + _FAR for one in places]), *pen) for places, *pen in rows]
-    at, *rest = _written(tuple(off), said)
-    return Text(first + at, *rest, ink)
+    off = [Letters(tuple([one - first + _FAR for one in places]), unit, drawn) for places, unit, drawn in rows]
+    at, runs, size, anchor, slanted, rotation, _ = _written(tuple(off), said)
+    return Text(first + at, runs, size, anchor, slanted, rotation, ink)
 
 
 @lru_cache(maxsize=4096)  # a sheet writes the same in many places
-def _written(rows: tuple[Letters, ...], said: str) -> tuple[complex, tuple[Run, ...], float, Anchor, bool, float]:
-    """Read letters by how far they are from the first: where the text begins from there, and how it stands."""
+def _written(rows: tuple[Letters, ...], said: str) -> Text:
+    """Read letters by how far they are from the first, as a text that begins from there."""
     letters = [_Letter(one - _FAR, pen, own) for at, pen, drawn in rows for one, own in zip(at, drawn, strict=True)]
     size = 10 * max(letter.unit for letter in letters)
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
@@ -220,7 +220,7 @@ def _written(rows: tuple[Letters, ...], said: str) -> tuple[complex, tuple[Run, 
     runs = picked(seen, [max(space, 0) for space in spaces], said)
     low = next((one[2] for one in row if one[5] == 0), 0.0)
     at = stance.turn * complex(row[0][1], low)
-    return at, runs, round(size, 6), "start", stance.slanted, stance.rotation
+    return Text(at, runs, round(size, 6), "start", stance.slanted, stance.rotation)
 
 
 def _straight(letters: Sequence[_Letter], size: float, even: float = EVEN) -> _Line | None:
@@ -367,9 +367,8 @@ def pen_of_letters(style: LineStyle) -> bool:
 class _Alphabet(dict[str, Glyph]):
     """Letters by their steps from the first point, each looked up once for a pen and how it is laid on paper."""
 
-    def __init__(self, linear: Affine, unit: float) -> None:
-        super().__init__()
-        self.linear, self.unit = linear, unit
+    def __init__(self, p: complex, q: complex, unit: float) -> None:
+        self.linear, self.unit = Affine(p, q), unit
 
     def __missing__(self, steps: str) -> Glyph:
         if len(self) >= _MOST_KNOWN:
@@ -379,9 +378,7 @@ class _Alphabet(dict[str, Glyph]):
         return found
 
 
-@lru_cache(maxsize=64)
-def _alphabet(p: complex, q: complex, unit: float) -> _Alphabet:
-    return _Alphabet(Affine(p, q), unit)
+_alphabet = lru_cache(maxsize=64)(_Alphabet)
 
 
 def _longest(left: Sequence[Track], unit: float) -> Glyph:

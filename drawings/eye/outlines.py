@@ -134,13 +134,6 @@ def _tracks(tag: str, attributes: Mapping[str, str]) -> list[Track]:
     return tracks(_rounded(tag, {name: number(attributes.get(name, "0")) for name in _SIZES[tag]}))
 
 
-_SIZES = {
-    "rect": ("x", "y", "width", "height", "rx", "ry"),
-    "ellipse": ("cx", "cy", "rx", "ry"),
-    "circle": ("cx", "cy", "r"),
-}
-
-
 def _rounded(tag: str, sizes: Mapping[str, float]) -> str:
     """Write a rectangle or an ellipse as path data."""
     if tag == "rect":

@@ -102,7 +102,6 @@ _MADE = ("var(", "env(", "attr(", "calc(")  # what a viewer works out
 _FOREIGN = "-webkit-"
 
 
-@lru_cache(maxsize=1024)
 def effect(said: Said) -> str:
     """Name a property of an element that changes what is seen of it and is not followed; "" if there is none.
 
@@ -125,6 +124,23 @@ def _idle(name: str, value: str) -> bool:
 # What draws by other means than lines and letters, or decides how they look: the eye cannot read it.
 UNREAD = frozenset(("use", "image", "foreignObject", "style", "script", "switch", "pattern", "marker", "tspan"))
 PLAIN = Ink(INK)
+
+
+@lru_cache(maxsize=1024)  # thousands of elements share a dozen frames
+def unread(frame: Frame) -> str:
+    """Name what of an element the eye cannot read; "" if there is nothing."""
+    if frame.tag in UNREAD or frame.tag == "svg":
+        return f"<{frame.tag}>"
+    own = effect(frame.said) if frame.tag else ""
+    return own and f"<{frame.tag} {own}>"
+
+
+@lru_cache(maxsize=1024)
+def ink_of(frame: Frame) -> Ink:
+    """Give the ink of an element."""
+    return ink(frame.look, scale_of(frame.to_paper))
+
+
 UNPAINTED = ("hidden", "clipped")  # why a stroke is unseen that hides nothing itself
 _SAID = "data-text"
 
@@ -165,10 +181,8 @@ class Observer:
         self.open.append(one)
         if len(self.open) == 1:
             self.root = one
-        elif frame.tag in UNREAD or frame.tag == "svg":
-            self._leave_aside(f"<{frame.tag}>")
-        elif frame.tag and (own := effect(frame.said)):
-            self._leave_aside(f"<{frame.tag} {own}>")
+        elif what := unread(frame):
+            self._leave_aside(what)
         if frame.tag in SHAPES:
             self._draw(one)
 
@@ -195,7 +209,7 @@ class Observer:
     def _draw(self, one: Opened) -> None:
         """Take a shape: as letters where it is one path of them, or else as lines."""
         try:
-            seen = ink(one.frame.look, scale_of(one.frame.to_paper))
+            seen = ink_of(one.frame)
             if not self._letter(one, seen):
                 self._line(one, seen)
         except SheetRefused:
@@ -223,7 +237,7 @@ class Observer:
         letters = plain_letters(path, one.frame.to_paper, seen.style)
         if letters is None and said is not None:
             letters = any_letters(path, one.frame.to_paper, seen.style)
-        if letters is None or (said is None and not all([one.known for one in letters.glyphs])):
+        if letters is None or (said is None and not all(one.known for one in letters.glyphs)):
             return False
         if _SAID in outer.attributes:
             outer.letters.append(letters)

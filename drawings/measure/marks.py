@@ -12,17 +12,16 @@ from drawings.paper.limits import SheetRefused
 from plans.words.words import Message, message
 
 
-class Frame(NamedTuple):
+class Frame:
     """What an open element hands to those inside: its map to paper, its look, and why a mark in it is refused.
 
-    `said` are its own attributes that may tell of its look.
+    `said` are its own attributes that may tell of its look. Elements that are alike in all this share one frame.
     """
 
-    tag: str
-    to_paper: Affine
-    look: Look
-    refusal: Message | None
-    said: Said = ()
+    __slots__ = ("look", "refusal", "said", "tag", "to_paper")
+
+    def __init__(self, tag: str, to_paper: Affine, look: Look, refusal: Message | None, said: Said = ()) -> None:
+        self.tag, self.to_paper, self.look, self.refusal, self.said = tag, to_paper, look, refusal, said
 
 
 class Witness(Protocol):

@@ -13,7 +13,7 @@ from xml.parsers import expat
 from drawings.measure.marks import LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import Viewport, about, transform, viewport
-from drawings.measure.visibility import ANIMATIONS, Look, presented, said, telling
+from drawings.measure.visibility import ANIMATIONS, Look, Said, presented, said, telling
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
 from plans.words.words import Message, message
@@ -80,7 +80,8 @@ class _Reader:
         self.frames: list[Frame] = []
         self.ids: set[str] = set()
         self.elements = self.entities = self.ampersands = self.path_length = 0
-        self.heard: list[str] | None = None
+        self.known: dict[tuple[Frame, str, Said], Frame] = {}  # by what an element stands in, its name, its look
+        self.hearing, self.heard = "", list[str]()  # what tag is heard, and its text
         self.heard_depth = self.heard_length = 0
         self.left_aside: set[str] = set()
 
@@ -145,9 +146,9 @@ class _Reader:
         if self.sheet is None:
             self._open(space, tag, attributes)
         else:
-            self._enter(space, tag, attributes, self.sheet)
+            self._enter(name, tag, attributes, self.sheet)
         if self.witness is not None:
-            self.witness.enter(self.frames[-1] if space == _SVG else self.frames[-1]._replace(tag=""), attributes)
+            self.witness.enter(self.frames[-1], attributes)
 
     def _name(self, attributes: Mapping[str, str]) -> None:
         if (own := attributes.get("id")) is not None:
@@ -165,26 +166,27 @@ class _Reader:
         self.sheet = ReadSheet(paper, notes=list(paper.notes))
         self.frames.append(Frame(tag, paper.placing, own.look, None))
 
-    def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
-        outer = self.frames[-1]
-        if tag in _TELLING or self.heard is not None:
+    def _enter(self, name: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
+        if tag in _TELLING or self.hearing:
             self._listen(tag, attributes)
+        alike = (self.frames[-1], name, said(attributes))
+        if (frame := self.known.get(alike)) is None:
+            frame = self.known[alike] = self._framed(*alike, sheet)
+        self.frames.append(frame)
+        if frame.tag and (data := marked(attributes)):
+            self._mark(frame, data, attributes, sheet)
+
+    def _framed(self, outer: Frame, name: str, telling_look: Said, sheet: ReadSheet) -> Frame:
+        space, _, tag = name.rpartition(" ")
         if space != _SVG:
             gone = outer.look.gone or message("gone.inside", tag=tag[:_SAID])
-            self.frames.append(outer._replace(tag=tag, look=outer.look._replace(gone=gone)))
-            return
+            return Frame("", outer.to_paper, outer.look._replace(gone=gone), outer.refusal)
         if tag in ANIMATIONS and not outer.look.gone:
             raise SheetRefused("animation", tag=tag)
-        frame = self._framed(outer, tag, attributes)
-        self.frames.append(frame)
         if tag in ("script", "use") and tag not in self.left_aside:
             self.left_aside.add(tag)
             sheet.notes.append(message("aside.element", tag=tag))
-        if data := marked(attributes):
-            self._mark(frame, data, attributes, sheet)
-
-    def _framed(self, outer: Frame, tag: str, attributes: Mapping[str, str]) -> Frame:
-        telling_look, refusal = said(attributes), outer.refusal
+        refusal = outer.refusal
         own, look, moved = presented(outer.look, tag, telling_look)
         if tag == "svg":
             refusal = refusal or message("unreadable.nested")
@@ -222,30 +224,29 @@ class _Reader:
     def _listen(self, tag: str, attributes: Mapping[str, str]) -> None:
         """Begin to hear the text of a style or of the description; an editor may add elements to the latter."""
         telling_tag = tag == "style" or (tag == "metadata" and attributes.get("id") == "sheet")
-        if self.heard is not None and (telling_tag or self.frames[-1].tag == "style"):
+        if self.hearing and (telling_tag or self.hearing == "style"):
             raise SheetRefused("inside", tag=tag[:_SAID])
         if telling_tag:
-            self.heard, self.heard_length, self.heard_depth = [], 0, len(self.frames) + 1
+            self.hearing, self.heard, self.heard_length, self.heard_depth = tag, [], 0, len(self.frames) + 1
 
     def _hear(self, text: str) -> None:
         if self.witness is not None:
             self.witness.hear(text)
-        if self.heard is None or len(self.frames) != self.heard_depth:
+        if not self.hearing or len(self.frames) != self.heard_depth:
             return
         self.heard_length += len(text)
-        style = self.frames[-1].tag == "style"
-        if self.heard_length > (limits.TEXT_LENGTH if style else limits.METADATA_LENGTH):
+        if self.heard_length > (limits.TEXT_LENGTH if self.hearing == "style" else limits.METADATA_LENGTH):
             raise OverLimit("description")
         self.heard.append(text)
 
     def _end(self, _: str) -> None:
-        frame = self.frames.pop()
+        self.frames.pop()
         if self.witness is not None:
             self.witness.leave()
-        if self.heard is None or self.sheet is None or len(self.frames) + 1 != self.heard_depth:
+        if not self.hearing or self.sheet is None or len(self.frames) + 1 != self.heard_depth:
             return
-        text, self.heard = "".join(self.heard), None
-        if frame.tag == "metadata":
+        text, tag, self.hearing = "".join(self.heard), self.hearing, ""
+        if tag == "metadata":
             self.sheet.metadata = _described(text, self.sheet.notes)
         elif name := telling(text):
             raise SheetRefused("style_sheet", name=name)

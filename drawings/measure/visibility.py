@@ -88,7 +88,6 @@ def _telling(names: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(name for name in names if name not in _PLACES and not name.startswith(_DATA))
 
 
-@lru_cache(maxsize=1024)  # a sheet has thousands of elements in a dozen looks
 def presented(outer: Look, tag: str, said: Said) -> Presentation:
     """Give the presentation of an element inside another: by its attributes, overruled by its style."""
     own = {name: text.strip(SPACE) for name, text in said if name in _LOOKS} | declarations(said)
