@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 from drawings.eye.alike import picked
 from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
-from drawings.measure.pathdata import PathStep, handles, steps
+from drawings.measure.pathdata import PathStep, centred, handles, steps
 from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
@@ -111,20 +111,10 @@ def _arc(start: complex, end: complex, values: list[float]) -> Iterator[Piece]:
     if not (across and up):
         yield (end,)
     elif abs(across - up) <= _ROUND * max(across, up):
-        centre, sweep = _centred(start, end, across, bool(large), bool(positive))
+        centre, sweep = centred(start, end, across, bool(large), bool(positive))
         yield centre + (start - centre) * cmath.exp(0.5j * sweep), end
     else:
         yield from _ellipse(start, end, complex(across, up), tilt, (bool(large), bool(positive)))
-
-
-def _centred(start: complex, end: complex, radius: float, large: bool, positive: bool) -> tuple[complex, float]:
-    """Give the centre and the sweep of an arc; a radius that is too short is half of the way."""
-    half = abs(end - start) / 2
-    radius = max(radius, half)
-    aside = math.sqrt((radius - half) * (radius + half)) * (1 if large != positive else -1)
-    turn = 2 * math.asin(min(half / radius, 1.0))
-    sweep = (math.tau - turn if large else turn) * (1 if positive else -1)
-    return (start + end) / 2 + 1j * (end - start) / (2 * half) * aside, sweep
 
 
 def _ellipse(start: complex, end: complex, radii: complex, tilt: float, flags: tuple[bool, bool]) -> Iterator[Piece]:
@@ -139,7 +129,7 @@ def _ellipse(start: complex, end: complex, radii: complex, tilt: float, flags: t
         return turn * complex(point.real * radii.real, point.imag * radii.imag)
 
     first = pressed(start)
-    centre, sweep = _centred(first, pressed(end), 1.0, *flags)
+    centre, sweep = centred(first, pressed(end), 1.0, *flags)
     count = max(1, math.ceil(abs(sweep) / (math.pi / 2) - 1e-9))
     handle, step = 4 / 3 * math.tan(sweep / count / 4), cmath.exp(1j * sweep / count)
     a = first - centre
@@ -177,14 +167,6 @@ class Letters(NamedTuple):
     glyphs: tuple[Glyph, ...]
 
 
-class _Letter(NamedTuple):
-    """One of them."""
-
-    place: complex
-    unit: float
-    glyph: Glyph
-
-
 class _Set(NamedTuple):
     """A letter set on a line: what it is, how far along and how high, its width, its pen, mm, and its level."""
 
@@ -196,6 +178,7 @@ class _Set(NamedTuple):
     level: int = 0
 
 
+_Letter: TypeAlias = tuple[complex, float, Glyph]  # its first point, the width of its pen, how it is drawn
 _Turned: TypeAlias = tuple[complex, float, Sequence[Reading]]  # a letter as if its line of writing went along
 _Line: TypeAlias = tuple[Stance, list[_Set]]
 _ALONG = attrgetter("along")
@@ -212,8 +195,8 @@ def written(rows: Sequence[Letters], said: str, ink: LineStyle) -> Text:
 @lru_cache(maxsize=4096)  # a sheet writes the same in many places
 def _written(rows: tuple[Letters, ...], said: str) -> Text:
     """Read letters by how far they are from the first, as a text that begins from there."""
-    letters = [_Letter(one - _FAR, pen, own) for at, pen, drawn in rows for one, own in zip(at, drawn, strict=True)]
-    size = 10 * max(letter.unit for letter in letters)
+    letters = [(one - _FAR, pen, own) for at, pen, drawn in rows for one, own in zip(at, drawn, strict=True)]
+    size = 10 * max(row.unit for row in rows)
     stance, row = _straight(letters, size) or _askew(letters, size) or _unread(letters)
     spaces = (0, *_spaces(row, size))
     seen = [(one[0] if space >= 0 else UNREAD, one[5]) for one, space in zip(row, spaces, strict=True)]
@@ -225,7 +208,7 @@ def _written(rows: tuple[Letters, ...], said: str) -> Text:
 
 def _straight(letters: Sequence[_Letter], size: float, even: float = EVEN) -> _Line | None:
     """Set letters on one line of writing along or up a sheet, the most usual first."""
-    for stance in letters[0].glyph.known:
+    for stance in letters[0][2].known:
         back = stance.turn.conjugate()
         along = [(place * back, unit, glyph.known.get(stance, ())) for place, unit, glyph in letters]
         for low in _lows(along, size):
@@ -250,8 +233,8 @@ def _lows(letters: Sequence[_Turned], size: float) -> list[float]:
 def _askew(letters: Sequence[_Letter], size: float) -> _Line | None:
     """Set letters on a line of writing in another direction: by that of one letter first, then by all together."""
     # As far as any two are apart: a lowered letter may be written last and stand between.
-    loose = ASKEW * max(abs(one.place - other.place) for one in letters for other in letters) + EVEN
-    for angle in angles([(one.glyph.trail, one.unit) for one in letters]):
+    loose = ASKEW * max(abs(one - other) for one, _, _ in letters for other, _, _ in letters) + EVEN
+    for angle in angles([(glyph.trail, unit) for _, unit, glyph in letters]):
         rough = _straight([_turned_back(one, angle, 2 * NEAR) for one in letters], size, loose)
         if rough is None or rough[0].rotation:
             continue
@@ -264,10 +247,9 @@ def _askew(letters: Sequence[_Letter], size: float) -> _Line | None:
 
 def _turned_back(letter: _Letter, angle: float, near: float) -> _Letter:
     """Turn a letter by an angle (rad) against its direction, and look it up again."""
-    turn = cmath.rect(1, -angle)
-    signature, points = letter.glyph.trail
-    trail = Trail(signature, tuple(turn * point for point in points))
-    return _Letter(turn * letter.place, letter.unit, Glyph(trail, readings(trail, letter.unit, near)))
+    turn, (place, unit, glyph) = cmath.rect(1, -angle), letter
+    trail = Trail(glyph.trail.signature, tuple(turn * point for point in glyph.trail.points))
+    return turn * place, unit, Glyph(trail, readings(trail, unit, near))
 
 
 def _slope(row: Sequence[_Set], size: float) -> float:
@@ -298,7 +280,7 @@ def _levelled(letters: Sequence[_Turned], low: float, size: float, stance: Stanc
 
 def _unread(letters: Sequence[_Letter]) -> _Line:
     """Set letters that do not stand on one line: those that are one, wherever it is, and the others unread."""
-    stance = next((stance for one in letters for stance in one.glyph.known), STANCES[0])
+    stance = next((stance for _, _, glyph in letters for stance in glyph.known), STANCES[0])
     row = []
     for place, unit, glyph in letters:
         found = glyph.known.get(stance, ())
@@ -334,7 +316,6 @@ def _space(free: float, before: float, after: float, unit: float) -> tuple[float
 # Letters as a plain pen writes them: where each begins, and from there by steps.
 _LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
-_MOST_KNOWN = 4096  # letters of a pen: a stranger's file may have a new one at every place
 
 
 def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
@@ -342,10 +323,10 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
     parts = _LETTERS.split(path)
     if any(parts[::4]):
         return None
-    p, q, t = place
+    (p, q, t), unit = place, style.width
     spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
-    glyphs = map(_alphabet(p, q, style.width).__getitem__, parts[3::4])
-    return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), style.width, tuple(glyphs))
+    glyphs = tuple([_looked_up(steps, p, q, unit) for steps in parts[3::4]])
+    return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), unit, glyphs)
 
 
 def any_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
@@ -364,21 +345,12 @@ def pen_of_letters(style: LineStyle) -> bool:
     return style.cap == "round" and not style.dash and style.fill == "none" and style.colour != "none"
 
 
-class _Alphabet(dict[str, Glyph]):
-    """Letters by their steps from the first point, each looked up once for a pen and how it is laid on paper."""
-
-    def __init__(self, p: complex, q: complex, unit: float) -> None:
-        self.linear, self.unit = Affine(p, q), unit
-
-    def __missing__(self, steps: str) -> Glyph:
-        if len(self) >= _MOST_KNOWN:
-            self.clear()
-        trail = _trail([track.mapped(self.linear) for track in tracks(f"M0 0{steps}")])
-        found = self[steps] = Glyph(trail, readings(trail, self.unit))
-        return found
-
-
-_alphabet = lru_cache(maxsize=64)(_Alphabet)
+@lru_cache(maxsize=16384)
+def _looked_up(steps: str, p: complex, q: complex, unit: float) -> Glyph:
+    """Look up a letter by its steps from its first point."""
+    linear = Affine(p, q)
+    trail = _trail([track.mapped(linear) for track in tracks(f"M0 0{steps}")])
+    return Glyph(trail, readings(trail, unit))
 
 
 def _longest(left: Sequence[Track], unit: float) -> Glyph:

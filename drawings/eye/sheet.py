@@ -345,7 +345,7 @@ def uncovered(leaf: Leaf) -> Leaf:
 def without(leaf: Leaf, strokes: Iterable[Stroke]) -> Leaf:
     """Give a leaf without some of its strokes."""
     hidden = {id(one) for one in strokes}
-    return leaf._replace(groups=tuple(_kept(leaf.groups, hidden))) if hidden else leaf
+    return leaf._replace(groups=tuple(_kept(group, hidden) for group in leaf.groups)) if hidden else leaf
 
 
 def _leaf(observer: Observer, measured: Measured) -> Leaf:
@@ -367,17 +367,7 @@ def _unwrapped(groups: tuple[Group, ...]) -> tuple[Group, ...]:
     return groups
 
 
-def _kept(groups: Iterable[Group], hidden: Collection[int]) -> Iterator[Group]:
-    """Give groups with what can be seen in them."""
-    for group in groups:
-        yield group._replace(strokes=tuple(_visible(group.strokes, hidden)))
-
-
-def _visible(strokes: Iterable[Stroke], hidden: Collection[int]) -> Iterator[Stroke]:
-    for stroke in strokes:
-        if id(stroke) in hidden:
-            continue
-        if isinstance(stroke, Group):
-            yield from _kept((stroke,), hidden)
-        else:
-            yield stroke
+def _kept(group: Group, hidden: Collection[int]) -> Group:
+    """Give a group with what can be seen in it."""
+    left = (one for one in group.strokes if id(one) not in hidden)
+    return group._replace(strokes=tuple(_kept(one, hidden) if isinstance(one, Group) else one for one in left))

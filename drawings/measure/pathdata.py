@@ -81,15 +81,20 @@ def _arc(start: complex, end: complex, values: list[float]) -> Spots:
     if not abs(abs(across) - abs(up)) <= _CURVE_ROUNDNESS * abs(across) or not 0 < abs(across) <= REACH:
         raise SheetRefused("ellipse")
     half = math.hypot((end - start).real, (end - start).imag) / 2
-    radius = max(abs(across), half)
     if not 0 < half <= REACH:
         raise SheetRefused("arc_ends")
-    aside = math.sqrt((radius - half) * (radius + half)) * (1 if large != positive else -1)
-    sense = 1j * (end - start) / (2 * half)
-    centre = (start + end) / 2 + sense * aside
-    turn = 2 * math.asin(half / radius)
-    sweep = (math.tau - turn if large else turn) * (1 if positive else -1)
+    centre, sweep = centred(start, end, abs(across), bool(large), bool(positive))
     return start, centre + (start - centre) * cmath.exp(0.5j * sweep), end
+
+
+def centred(start: complex, end: complex, radius: float, large: bool, positive: bool) -> tuple[complex, float]:
+    """Give the centre and the sweep of an arc; a radius that is too short is half of the way."""
+    half = abs(end - start) / 2
+    radius = max(radius, half)
+    aside = math.sqrt((radius - half) * (radius + half)) * (1 if large != positive else -1)
+    turn = 2 * math.asin(min(half / radius, 1.0))
+    sweep = (math.tau - turn if large else turn) * (1 if positive else -1)
+    return (start + end) / 2 + 1j * (end - start) / (2 * half) * aside, sweep
 
 
 def _round(start: complex, middle: complex, end: complex) -> Piece:
