@@ -26,7 +26,6 @@ from geometry.precision import errors
 from geometry.replay import exact
 from geometry.steps import behind
 from geometry.strips import Floats, middles, strips
-from geometry.tracing import Tracing
 from plans.explanation import Explanation
 from plans.words.calculus import REASONS
 from plans.words.words import message
@@ -144,25 +143,6 @@ def test_with_its_jumps_on_edges_a_load_is_of_the_second_order() -> None:
     assert order(off) == pytest.approx(2.0, abs=0.1)
 
 
-def test_a_jump_inside_a_strip_leaves_the_first_order_alone() -> None:
-    """The jump is at the golden section, which no division comes near."""
-    golden = (math.sqrt(5) - 1) / 2
-    off = [
-        largest(strips(0, 1, count), lambda x: np.where(x > golden, 1.0, 0.0), lambda x: np.maximum(x - golden, 0))
-        for count in COUNTS
-    ]
-    assert order(off) == pytest.approx(1.0, abs=0.1)
-
-
-def test_constant_between_jumps_on_edges_it_is_exact() -> None:
-    for count in COUNTS:
-        edges = strips(0, 0.4, count, [0.01, 0.19])
-        curve = drawn(edges, np.where((middles(edges) > 0.01) & (middles(edges) < 0.19), LOAD, 0.0))
-        off = np.abs(curve.values - LOAD * (np.clip(edges, 0.01, 0.19) - 0.01))
-        # The sum telescopes: beside its own slack there is the rounding of both edges, of the load's height.
-        assert np.all(off <= curve.slacks + LOAD * 0.4 * EPS)
-
-
 def test_chords_differentiate_in_the_second_order() -> None:
     off = []
     for count in COUNTS:
@@ -248,19 +228,6 @@ def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Fl
 
 
 @examples(6)
-@given(diagrams, st.integers(0, 7), st.floats(0.1, 0.9))
-def test_a_strip_divided_anywhere_changes_nothing_where_the_means_are_true(
-    diagram: tuple[Floats, Floats], at: int, share: float
-) -> None:
-    edges, means = diagram
-    at %= len(means)
-    between = edges[at] + share * (edges[at + 1] - edges[at])
-    one = drawn(edges, means)
-    other = drawn(np.insert(edges, at + 1, between), np.insert(means, at, means[at]))
-    assert np.all(np.abs(np.delete(other.values, at + 1) - one.values) <= one.slacks + other.slacks[-1])
-
-
-@examples(6)
 @given(diagrams)
 def test_a_derivative_of_an_integral_is_the_diagram_again(diagram: tuple[Floats, Floats]) -> None:
     curve = drawn(*diagram)
@@ -301,13 +268,6 @@ def test_a_ray_of_a_derivative_is_parallel_to_its_chord_and_its_point_stands_ove
     for k, point in enumerate(curve.points):
         assert curve.rays[k].step.inputs == (curve.pole, curve.directions[k])
         assert complex(point.point).real == pytest.approx(curve.middles[k], rel=8 * EPS, abs=0)
-
-
-def test_the_record_is_traced_from_another_mean() -> None:
-    curve = drawn([0, 1, 3], [2, -1])
-    tracing = Tracing(curve.board, curve.ordinates[0])
-    numbers = tracing.follow(5j)
-    assert [complex(numbers[tracing.place(one)]) for one in curve.points] == [0, 1 + 5j, 3 + 3j]
 
 
 def test_fifty_digits_agree_and_the_bounds_of_the_record_hold() -> None:

@@ -135,19 +135,6 @@ def test_a_force_that_balances_moments_is_out_by_its_arm() -> None:
     assert deviation(force) == pytest.approx(SLIP * np.sqrt(4) * 12 / 5)
 
 
-def test_sums_slip_against_what_they_close() -> None:
-    """What closes a sum is out against it: the sum of both is not out at all."""
-    board = Board("positions")
-    start = board.given("A", 0j)
-    moments = [
-        board.moment(name, start, board.given(f"at {name}", at), board.given(f"F {name}", 1j * WAY))
-        for name, at in (("M", PLACE), ("N", OTHER))
-    ]
-    closing = board.close("C", *moments)
-    found = slopes(HAND, closing, *moments)
-    assert np.abs(found[closing] + found[moments[0]] + found[moments[1]]).max() == pytest.approx(0.0, abs=1e-12)
-
-
 def test_a_couple_is_out_by_its_arm_and_by_what_turns_it() -> None:
     """M = 6 T/L of a link of 30 mm whose end goes 12 mm square to it: dM = 6 (dT/L - T dL/L^2)."""
     board = Board("positions")

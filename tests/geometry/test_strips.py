@@ -32,12 +32,6 @@ def test_every_break_is_an_edge_or_as_good_as_on_one_and_no_strip_is_a_sliver(
     assert all(np.abs(edges - one).min() <= near + rounding for one in np.linspace(start, end, count + 1))
 
 
-def test_equal_edges_stay_where_they_are_and_breaks_stand_between() -> None:
-    edges = strips(0, 2 * math.pi, 12, [1.0, 2.5])
-    assert set(np.linspace(0, 2 * math.pi, 13).tolist()) | {1.0, 2.5} == set(edges.tolist())
-    assert edges.tolist() == sorted(edges.tolist())
-
-
 def test_an_edge_that_a_break_nearly_touches_is_the_break() -> None:
     close = 1 + 1e-12
     assert strips(0, 4, 4, [close]).tolist() == [0, close, 2, 3, 4]

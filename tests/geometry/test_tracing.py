@@ -50,16 +50,6 @@ def test_what_does_not_hang_on_the_free_mark_is_worked_out_once() -> None:
     assert list(numbers[tracing.place(end)]) == pytest.approx([1.8 + 2.4j, 2.8 + 3.4j])
 
 
-def test_a_known_ratio_is_not_divided_out_again() -> None:
-    board = Board("velocities")
-    arm = board.given("AB", 3 + 4j)
-    velocity = board.turn("v", board.turn("⊥", arm, 1j), 2.0)
-    tracing = Tracing(board, arm)
-    ratio, rate = (tell(*map(tracing.place, (velocity, arm))) for tell in (tracing.acts.ratio, tracing.acts.rate))
-    assert tracing.acts.fixed(ratio) == 2j
-    assert tracing.acts.fixed(rate) == 2.0
-
-
 def test_a_gap_leaves_a_record_in_doubt() -> None:
     board = Board("positions")
     a, c = board.given("A", 0j), board.given("C", 5 + 0j)
@@ -88,17 +78,3 @@ def test_what_is_drawn_over_a_record_is_followed_on_from_its_numbers() -> None:
     assert list(below.follow(turn)[below.place(a)]) == list(turn)
     _, made = above.boards(followed)
     assert list(made[moment].point) == [-3.0, 3.0]
-
-
-def test_a_vector_turned_by_a_row_is_turned_by_another_row_each_time() -> None:
-    board = Board("positions")
-    phi = board.given("φ", np.array([1j]))
-    turned = board.turn("v", phi, np.array([2j]))
-    end = board.lay_off("A", board.given("O", 0j), turned)
-    tracing = Tracing(board, phi)
-    assert list(tracing.sizes) == [turned]
-    numbers = tracing.follow(np.array([1j, 1 + 0j]), {turned: np.array([3.0 + 0j, 1j])})
-    assert numbers[tracing.place(end)].tolist() == [3j, 1j]
-    _, made = tracing.boards(numbers)
-    assert np.asarray(made[turned].step.size).tolist() == [3, 1j]
-    assert np.asarray(made[end].point).tolist() == [3j, 1j]

@@ -141,11 +141,3 @@ def test_share_of_the_reciprocating_mass(least: str, place: Place) -> None:
         assert (other.shaking if least == FORCE else other.reactions["0-1"]) > getattr(best, row)
     assert len(shares.curve) == SHARES
     assert min(getattr(one, row) for one in shares.curve) >= getattr(best, row)
-
-
-def test_share_given_shifts_the_crank_counterweight_alone() -> None:
-    none, half = (study(ENGINE, asked(SHARE, Place(1, mass=5), share=share)) for share in (0.0, 0.5))
-    moments = [its.counterweights[0].moment for its in (none, half)]
-    assert moments[0] == pytest.approx(-0.37)
-    assert moments[1] == pytest.approx(-0.37 - 0.5 * 9.5 * 0.1)
-    assert none.left == half.left

@@ -12,8 +12,7 @@ import pytest
 
 from plans.balance.quantities import compare_balance
 from plans.balance.shares import Superposition, largest
-from plans.balance.study import BalanceStudy, counterweights, substituted
-from plans.balance.weights import Refused
+from plans.balance.study import BalanceStudy
 from plans.forces.statics import Statics
 from plans.linkage.quantities import compare
 from plans.model.balance.linkage import (
@@ -27,7 +26,6 @@ from plans.model.balance.linkage import (
     Place,
     Task,
 )
-from plans.model.dyad import decompose
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Way
 from plans.model.motion import ACCELERATIONS
@@ -122,17 +120,6 @@ def test_counterweights_are_the_same_in_other_frames(case: str) -> None:
         assert after is not None
         assert after.centre.r == pytest.approx(before.centre.r, rel=1e-11, abs=1e-14)
         assert after.around.moment == pytest.approx(before.around.moment, rel=1e-9, abs=1e-9)
-
-
-def test_a_place_on_the_line_of_a_link_is_told_along_it() -> None:
-    mechanism, its, task = CASES["full"]
-    other = {link: body._replace(centre=own(body.centre, link)) for link, body in its.bodies.items()}
-    groups = decompose(mechanism)
-    try:
-        found = counterweights(substituted(turned(mechanism), groups, other, task), groups)
-    except Refused as refused:
-        pytest.fail(f"{refused.kind}: {refused.details}")
-    assert [one.centre for one in found] == pytest.approx([own(-0.15, 1), own(-0.25, 2)])
 
 
 def test_the_best_share_on_either_side_of_the_lightest_counterweight() -> None:

@@ -102,11 +102,6 @@ def test_a_bank_with_a_wrong_speed_has_its_mechanism_still(speed: str) -> None:
     assert [path for path, _ in said(f"sheets = ['bank']\n{BANK.replace(SPEED, speed)}")] == ["bank.speed"]
 
 
-def test_cylinders_are_members() -> None:
-    (fault,) = refused(f"sheets = ['bank']\n{BANK.replace('bank.members', 'bank.cylinders')}")
-    assert "did you mean [[bank.members]]" in str(fault)
-
-
 def test_a_bank_of_the_linkage_needs_masses_and_a_crank_that_turns_evenly() -> None:
     bank = f"[bank]\n{MEMBER}"
     assert said(ENGINE.replace("= 20", "= 0") + bank) == [("drive.speed", "crank_at_rest")]

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from plans.bench.cams import ENVELOPE, INVERSION, OFFSET, Judged, profiles
+from plans.bench.cams import ENVELOPE, INVERSION, OFFSET, Judged
 from plans.cam.course import Course
-from tests.plans.textbook_cams import cam, offset_sizes, pivot, rocker
+from tests.plans.textbook_cams import cam, offset_sizes
 
 ROLLER = 0.013
 
@@ -29,14 +29,3 @@ def test_chords_are_of_the_second_order(way):
 def test_the_envelope_is_exact(sense):
     assert error(ENVELOPE, 72, sense) < 2e-15
     assert error(OFFSET, 720, sense) < 1e-4
-
-
-def test_a_row_stands_for_every_way_and_number():
-    own = rocker("roller")
-    found, words, ratios, _ = profiles(Course(own), pivot(own), ROLLER, 1, (24, 48))
-    assert [(row.technique, row.positions) for row in found] == [
-        (name, count) for count in (24, 48) for name in (INVERSION, ENVELOPE, OFFSET)
-    ]
-    assert all(row.times and row.error is not None for row in found)
-    assert ratios[0].positions == 48 and ratios[0].times is not None
-    assert "shapely" in words[0]

@@ -13,17 +13,12 @@ from geometry.draughtsman import Draughtsman
 from geometry.errors import DraftError
 from geometry.meet import EPS
 from plans.bench import roads as forces
-from plans.bench.error import Errors, sizes, toll
+from plans.bench.error import sizes, toll
 from plans.bench.roads import (
-    CHECKS,
-    ENERGY,
-    LEVER,
-    TECHNIQUES,
     ForceGround,
     Ground,
     ground,
     prepared,
-    roads,
 )
 from plans.bench.truth import FORCE_KINDS, Truth, replay
 from plans.linkage.quantities import notches
@@ -55,11 +50,6 @@ def stood(count: int, text: str = "") -> Ground:
     return ground(asked, count, 12, sizes(prepared(asked, 360)))
 
 
-def judged(found: Ground) -> dict[str, Errors]:
-    ways = [road for road in roads(found) if set(road.judged) & set(TECHNIQUES)]
-    return {name: judge(road.run()) for road in ways for name, judge in road.judged.items()}
-
-
 def force_ground(found: Ground) -> ForceGround:
     assert found.statics is not None
     return ForceGround(found.study, found.statics, found.truth, found.largest)
@@ -76,15 +66,6 @@ def test_all_forces_are_constructed_to_a_few_roundings(count: int, text: str) ->
     assert 0 < error.largest <= GOAL * EPS * kappa
     if count == 360:
         assert told.judge(told.analysed()).largest <= ANALYSIS_GOAL * EPS * kappa
-
-
-def test_the_three_checks_give_the_balancing_moment() -> None:
-    found = judged(stood(12))
-    assert set(found) == set(TECHNIQUES)
-    assert all(set(found[name].kinds) == {"M"} and found[name].worst == "M_bal" for name in CHECKS)
-    assert found[LEVER].largest <= GOAL * EPS
-    assert found["check: power"].largest <= ANALYSIS_GOAL * EPS
-    assert found[ENERGY].largest <= EPS ** (1 / 3)  # five digits of a slope are all that it asks for
 
 
 def test_the_truth_is_the_worked_example() -> None:

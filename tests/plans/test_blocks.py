@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 
 from geometry.precision import condition
-from plans.analytic.blocks import triangular
 from plans.analytic.ends import least, sharpness
 from plans.analytic.kinematics import Analysis
-from plans.analytic.points import Constraints
 from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.margin import meeting
 from plans.linkage.sketch import assembly
@@ -21,23 +19,6 @@ from tests.plans import linkages
 
 FOUR_BAR = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
 PHI = np.linspace(0.1, 6.2, 9)
-
-
-@pytest.mark.parametrize(
-    ("mechanism", "links"),
-    [
-        (FOUR_BAR, [[1], [2, 3]]),
-        (linkages.slider_crank(0.1, 0.3), [[1], [2, 3]]),
-        (linkages.shaper(), [[1], [2, 3], [4, 5]]),
-    ],
-)
-def test_the_equations_fall_into_the_crank_and_its_groups(mechanism: Mechanism, links: list[list[int]]) -> None:
-    """Nobody told the analysis of structural groups: which link rests on which is in the equations."""
-    constraints = Constraints.of(mechanism)
-    blocks = triangular(constraints)
-    assert [[constraints.numbers[place] for place in block.links] for block in blocks] == links
-    rows = np.sort(np.concatenate([block.rows for block in blocks]))
-    assert rows.tolist() == list(range(len(constraints.pattern)))
 
 
 @pytest.mark.parametrize("make", [lambda: FOUR_BAR, lambda: linkages.slider_crank(0.1, 0.3), linkages.shaper])

@@ -148,14 +148,6 @@ def test_a_return_is_a_rise_turned_over(law: Law, road: str) -> None:
 
 
 @pytest.mark.parametrize("road", ROADS)
-def test_before_the_beginning_of_a_turn_is_the_end_of_the_last_one(road: str) -> None:
-    cam = law_cam((DWELL, 100, None), (RISE, 130, Law("cosine")), (RETURN, 130, Law("cosine")))
-    end = -LIFT / math.radians(130) ** 2 * math.pi**2 / 2 * math.cos(math.pi)
-    assert moved(cam, np.zeros(1), road, before=True)[2] == pytest.approx([end])
-    assert moved(cam, np.zeros(1), road)[2] == pytest.approx([0.0])
-
-
-@pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize(
     ("name", "orders", "sizes"),
     [

@@ -66,16 +66,6 @@ def test_sizes_that_are_found_keep_to_the_limits(case):
         assert "pressure" not in {flaw.kind for flaw in found.flaws} and found.advised is None
 
 
-def test_what_a_limit_permits():
-    """(5.30): in a groove both limits on both phases; a spring holds the rise to both sides, and the return to none."""
-    limits = Limits(0.3, 0.5)
-    assert limits.interval(RISE, GROOVE) == limits.interval(RETURN, GROOVE) == (-0.5, 0.3)
-    assert (limits.interval(RISE, FORCE), limits.interval(RETURN, FORCE)) == ((-0.3, 0.3), None)
-    assert limits.interval(DWELL, GROOVE) is None
-    alone = Limits(rise=0.3)
-    assert (alone.interval(RISE, GROOVE), alone.interval(RETURN, GROOVE)) == ((-0.3, 0.3), None)
-
-
 @BOTH
 @pytest.mark.parametrize("closure", some([GROOVE, FORCE], 2))
 def test_flaws_are_where_a_scan_leaves_the_interval(road, closure):

@@ -121,20 +121,9 @@ def test_parts_of_the_way_and_what_is_left_of_it() -> None:
     assert cam.angles[-1] == 360 - 280
 
 
-def test_a_cam_may_begin_at_its_top() -> None:
-    cam = cam_of(FOLLOWER, TOP, BACK, RISING, REST)
-    assert [one.level for one in cam.phases] == [0.03, 0.03, 0, 0.03]
-
-
 def test_a_dwell_of_no_angle_is_none() -> None:
     cam = cam_of(FOLLOWER, RISING, TOP.replace("30", "0"), BACK.replace("90", "240"), REST)
     assert ([one.kind for one in cam.phases], cam.angles) == ([RISE, RETURN], (120, 240))
-
-
-def test_a_follower_may_stand_still() -> None:
-    still = FOLLOWER.replace('"30 mm"', "0")
-    assert cam_of(still, PHASES).lift == 0
-    assert "no_lift" in kinds(notes(still, PHASES))
 
 
 @pytest.mark.parametrize("off", ["1e-6", "-1e-6", "1e-9"])
@@ -278,12 +267,6 @@ def test_all_that_is_wrong_with_all_cams_is_told_at_once() -> None:
         (1, "phases_short"),
         (1, "out_of_place"),
     ]
-
-
-def test_a_roller_is_smaller_than_the_least_radius() -> None:
-    sizes = '[cam.sizes]\nbase = "16 mm"\nroller = "15.9 mm"\n'
-    assert cam_of(FOLLOWER, sizes, PHASES).roller == 0.0159
-    assert kinds(refused(FOLLOWER, sizes.replace("15.9", "16"), PHASES)) == ["roller_beyond"]
 
 
 SIZED = '[cam.sizes]\nbase = "15 mm"\noffset = 0\n'

@@ -7,15 +7,12 @@ import pytest
 
 from plans.analytic.kinematics import Analysis
 from plans.linkage.extreme import ExtremePositions
-from plans.linkage.reading.linkage import mechanism_of
-from plans.linkage.study import LinkageStudy, NoExtreme
+from plans.linkage.study import NoExtreme
 from plans.model.mechanism import Mechanism
-from plans.scene.scene import parse_scene
 from tests import parts
 from tests.plans import linkages
 from tests.plans.digits import printed
-from tests.plans.scenes import scene
-from tests.plans.studies import driven, shown, study_of, value
+from tests.plans.studies import driven, shown, study_of
 
 CRANK_ROCKER = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
 SLIDER_CRANK = linkages.slider_crank(0.06, 0.20, 0.02)
@@ -120,39 +117,3 @@ def test_an_output_without_extremes(mechanism, why):
     assert study.extreme_positions is None
     with pytest.raises(NoExtreme, match=why):
         study.motion()
-
-
-OUTPUT_OF_A_POINT = scene(
-    frame="O = [1, 2]",
-    links="OA AB B",
-    lengths="OA = 0.06; AB = 0.20",
-    slides=["link = 3; along = { through = [1, 2.02], angle = 180 }"],
-    sketch="B = [1.2, 2.02]",
-    drive='link = 1; speed = "-60 rpm"; start = "extreme"',
-    output='point = "B"',
-)
-
-
-def test_extremes_of_a_scene_with_its_guide_drawn_backwards():
-    study = LinkageStudy(parse_scene(OUTPUT_OF_A_POINT))
-    assert study.extreme_positions is not None
-    reach = study.extreme_positions.extremes.reach
-    assert printed(*reach) == (-0.1385640646, -0.2592296279)
-    assert value(study.drafts().positions.point("B").point).real == pytest.approx(0.1385640646, abs=5e-11)
-    assert mechanism_of(study.scene).datum == (1, 2)
-
-
-ROD_LAST = scene(
-    frame="O = [0, 0]; C = [0.350, 0]",
-    links="OA CB AB",
-    lengths="OA = 0.1; AB = 0.4; CB = 0.3",
-    sketch="B = [0.39, 0.30]",
-    drive="link = 1; speed = 10",
-)
-
-
-def test_the_output_of_a_four_bar_is_its_rocker_whatever_its_number() -> None:
-    study = LinkageStudy(parse_scene(ROD_LAST))
-    assert study.output.link == 2
-    assert study.extreme_positions is not None
-    assert study.extreme_positions.extremes.stroke < np.pi

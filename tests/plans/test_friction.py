@@ -153,16 +153,6 @@ def test_twice_the_coefficient_loses_twice_the_power() -> None:
     assert more.wear["2-3"] == pytest.approx(0.4185536972, rel=DIGITS)
 
 
-def test_a_useful_moment_is_power_too_and_only_useful_loads_count() -> None:
-    def load(motion: Motion) -> Loading:
-        row = np.ones(len(motion.phi))
-        beside = Applied("F_0", 3, "B", 0.7 + 0j, 900 * row + 0j, useful=False)
-        return Loading((beside,), (Twist("M", 3, -30 * row), Twist("M_0", 3, 400 * row, useful=False)))
-
-    now = found(shaper(), SHAPER, load, 60, 1)
-    assert now.useful[0] == pytest.approx(30 * 2.421846089, rel=1e-9)  # omega_3 of M3.8
-
-
 def test_a_load_on_any_place_of_a_link_has_the_velocity_of_that_place() -> None:
     """On the line from C to B the velocity is omega_3 times the distance from C, square to it."""
 

@@ -80,15 +80,6 @@ def test_the_gallery_has_every_kind_of_group() -> None:
     assert kinds == {"RRR", "RRP", "RPR", "PRP", "RPP"}
 
 
-def test_the_gallery_has_sheets_of_both_languages_both_standards_and_every_format() -> None:
-    tables = [study(scene.stem).scene.sheet for scene in LINKAGES]
-    assert sum(table.language == "ru" for table in tables) >= 2
-    assert {table.standard for table in tables} == {"GOST", "ISO"}
-    assert {table.format for table in tables} == {"A1", "A2", "A3", "A4"}
-    assert "portrait" in {table.orientation for table in tables}
-    assert {table.notation for table in tables} == {"mu", "K"}
-
-
 def test_the_shaper_s_slotted_link_swings_by_the_angle_that_its_strokes_differ_by() -> None:
     found = study("shaper").extreme_positions
     assert found is not None

@@ -151,16 +151,6 @@ def test_overruns_the_point_of_the_stroke_and_what_is_no_purpose() -> None:
     assert both.overrun == (0.1, 0.1)
 
 
-def test_moments_in_newton_millimetres() -> None:
-    first, second = machine(
-        SHAPER
-        + '[[loads.moments]]\non = 3\nvalue = "-12000 N*mm"\n'
-        + '[[loads.moments]]\non = 3\nvalue = 5\nagainst = "motion"\nduring = "idle stroke"\nuseful = false\n'
-    ).moments
-    assert (first.name, first.link, first.size, first.against, first.during) == ("M_3", 3, -12.0, False, ALWAYS)
-    assert (second.name, second.size, second.against, second.during, second.useful) == ("M_31", 5.0, True, IDLE, False)
-
-
 def test_a_spring_joins_points_of_two_links_or_of_the_frame() -> None:
     springs = machine(
         SHAPER

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from plans.bench.trial import order
-from plans.cam.course import Course, positions
 from plans.cam.diagrams import law_diagrams, strips_of
-from plans.model.cam import DWELL, RETURN, RISE, SHAPE, TABLE, TURN, Cam, Law
+from plans.model.cam import DWELL, RETURN, RISE, SHAPE, TABLE, Cam, Law
 from plans.words.words import languages, said
 from tests.parts import some
 from tests.plans.digits import printed
@@ -67,18 +66,6 @@ def test_of_a_law_by_points_the_true_means_are_drawn(law: Law) -> None:
     found = law_diagrams(usual(law))
     assert found.slope_departure.share <= 1e-14
     assert found.travel.values[-1] == pytest.approx(found.travel.values[-2], abs=1e-16)
-
-
-@pytest.mark.parametrize("law", some(EVERY, 3), ids=titled)
-@pytest.mark.parametrize("slides", [False, True])
-def test_every_joint_that_matters_is_an_edge(law: Law, slides: bool) -> None:
-    cam = usual(law, translates=slides, divisions=5)
-    strips = strips_of(cam)
-    course = Course(cam)
-    assert {*course.corners, *(one.turned for one in course.shocks)} <= set(strips.edges.tolist())
-    assert np.diff(strips.edges).min() > 1e-6
-    numbered = [float(strips.edges[k]) for k, name in enumerate(strips.names) if name.isdigit()]
-    assert numbered == pytest.approx([*positions(cam).tolist(), *([] if slides else [TURN])])
 
 
 def test_edges_between_positions_have_primes_and_the_end_is_position_0() -> None:

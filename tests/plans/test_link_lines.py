@@ -71,15 +71,6 @@ def test_a_slot_runs_from_its_link_s_point_through_the_stone(angle: int, start: 
     assert same(np.exp(1j * slot), (found.points["A"].r + 0.2j) / abs(found.points["A"].r + 0.2j))
 
 
-def test_a_fixed_point_by_its_letter_is_its_place() -> None:
-    by_place = '{ through = [0, "-80 mm"], angle = 0 }'
-    text = YOKE.alone.replace("O = [0, 0]", 'O = [0.01, 0.02]\nD = [0.3, "-80 mm"]')
-    by_letter = text.replace(by_place, '{ through = "D", angle = 0 }')
-    assert by_letter != text
-    first, second = (mechanism_of(parse_scene(one)).slides[1].on_owner for one in (text, by_letter))
-    assert first == second
-
-
 FAULTS = {  # of the line, and what is told of it
     '{ through = "B", angle = 90 }': ("along.through", "add link = 3"),
     "{ link = 7, angle = 90 }": ("along.link", "there is no link 7"),

@@ -93,16 +93,6 @@ def test_the_shaper_cuts_between_the_overruns(by: str) -> None:
     assert loaded(text, by).force() == pytest.approx([0, 1500, 1500, 1500, 0, 0, 0], abs=1e-9)
 
 
-@pytest.mark.parametrize("by", ROADS)
-def test_position_0_at_the_extreme_is_of_the_working_stroke_against_the_motion_about_to_begin(by: str) -> None:
-    found = loaded(SHAPER + ON_D + 'value = 1500\nduring = "working stroke"\n' + AGAINST, by)
-    v = found.motion.points["D"].v
-    assert v is not None
-    assert abs(v[0]) < 1e-9 < abs(v[1])
-    # The working stroke takes 220.1 degrees: seven steps of thirty.
-    assert found.force() == pytest.approx([1500] * 8 + [0] * 4, abs=1e-9)
-
-
 def test_an_extreme_is_the_same_position_to_the_rounding_of_its_angle() -> None:
     stroke = Stroke(1.0, 4.5, 1, (0.0, 0.2), 3)
     rounding = 16 * np.pi * np.finfo(float).eps
@@ -139,20 +129,6 @@ def test_overruns_are_shares_at_the_start_and_at_the_end_of_the_working_stroke_o
     assert loaded(text + "[0.3, 0.4]\n").force().tolist() == [0, 0, 7j, 0, 7j, 0]
     assert loaded(text + "[0.2, 0.45]\n").force().tolist() == [0, 7j, 0, 0, 0, 7j]
     assert loaded(text + "0.29\n").force().tolist() == [0, 7j, 7j, 0, 7j, 7j]
-
-
-@pytest.mark.parametrize("by", ROADS)
-def test_a_constant_force_and_a_force_against_the_motion_act_always(by: str) -> None:
-    text = ENGINE + ON_B + "value = [3, -4]\n" + ON_B + "value = 8\nuseful = false\n" + AGAINST
-    found = loaded(text, by)
-    assert found.strokes == {}
-    assert found.force(0) == pytest.approx([3 - 4j] * 6, abs=1e-15)
-    assert found.force(1) == pytest.approx([8, 8, 8, -8, -8, -8], abs=1e-11)
-    assert [load.useful for load in found.loading.forces] == [True, False]
-    assert [(load.name, load.link, load.point, load.at) for load in found.loading.forces] == [
-        ("F_B", 3, "B", 0),
-        ("F_B1", 3, "B", 0),
-    ]
 
 
 def test_a_crank_at_rest_is_about_to_move_with_its_acceleration() -> None:

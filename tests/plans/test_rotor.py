@@ -180,15 +180,6 @@ def test_shift_along_the_shaft(road, rotor, by) -> None:
 
 @ROADS
 @examples(4)
-@given(rotor=rotors(), chance=st.randoms())
-def test_order_of_masses(road, rotor, chance) -> None:
-    mixed = list(rotor.masses)
-    chance.shuffle(mixed)
-    near(road(replace(rotor, masses=tuple(mixed))), road(rotor), rotor)
-
-
-@ROADS
-@examples(4)
 @given(rotor=rotors(), other=rotors())
 def test_superposition(road, rotor, other) -> None:
     """What balances two rotors' masses together is the sum of what balances each."""

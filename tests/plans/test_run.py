@@ -199,17 +199,6 @@ def test_a_motor_that_creeps_has_not_settled() -> None:
     assert found.failure.omega == pytest.approx(5.0 * 50 / 60, rel=1e-6)
 
 
-def test_breaks_follow_each_other_in_every_turn() -> None:
-    link = steady(1.0, breaks=(0.0, 2.0))
-    place, passed = -1e-3, []
-    for _ in range(2000):
-        edge = link.following(place)
-        assert edge is not None and edge > place
-        passed.append(edge)
-        place = edge
-    assert passed == [k // 2 * TURN + (2.0 if k % 2 else 0.0) for k in range(2000)]
-
-
 def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> None:
     """By itself the motion would take hundreds of turns to it: a change loses three hundredths in a turn."""
     found = run(slider_crank(300.0, force=2000.0), Motor(Linear(600.0, 20.0)), RunTask(12.0, 1)).steady

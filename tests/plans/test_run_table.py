@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from plans.bench.machine import by_steps, step_errors
-from plans.dynamics.loop import ANGLE, ROWS_MOST, SPEED, STOP, Acting, Ends, by_acceleration, by_energy
+from plans.dynamics.loop import ANGLE, ROWS_MOST, STOP, Acting, Ends, by_acceleration, by_energy
 from plans.dynamics.run import mean_resistance, run, step_of
 from plans.dynamics.study import curve
 from plans.model.dynamics import TURN
@@ -49,14 +49,6 @@ def test_textbook_run_down() -> None:
     assert half.reason == ANGLE
     assert half.rows[-1].omega == pytest.approx(8.485281374, abs=5e-10)
     assert by_energy(acting, start, 0.03, Ends(100.0, 1000)).rows[-1][:3] == pytest.approx((2.0, 12.0, 0.0), rel=1e-13)
-
-
-def test_the_last_step_is_shortened_to_the_speed_at_which_the_part_ends() -> None:
-    acting = Acting(steady(5.0), Motor(Constant(10.0)))
-    part = by_acceleration(acting, acting.row(0.0, 0.0, 0.0), 0.7, Ends(math.inf, 100, 3.0))
-    assert part.reason == SPEED
-    assert part.rows[-1][:3] == pytest.approx((1.5, 2.25, 3.0), rel=1e-14)
-    assert part.works.driving == pytest.approx(22.5, rel=1e-14)
 
 
 def test_works_are_taken_on_either_side_of_a_jump() -> None:

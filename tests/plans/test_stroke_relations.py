@@ -227,15 +227,6 @@ def test_solve_tells_the_way_of_the_slider_and_the_length_of_the_cylinder() -> N
         assert told == pytest.approx(np.linspace(way.begin, way.end, STEPS + 1).tolist(), rel=1e-12)
 
 
-def test_the_arm_of_a_cylinder_is_the_height_of_its_triangle() -> None:
-    """Twice the area of EOF by Heron's formula, over EF."""
-    linkage = cylinder()["linkage"]
-    sides = abs(0.3 - 0.05j), 0.4, np.linspace(LIFT.begin, LIFT.end, STEPS + 1)
-    half = sum(sides) / 2
-    area = np.sqrt(half * np.prod([half - side for side in sides], axis=0))
-    alike(ram.lever(linkage.mechanism, linkage.motion(0)), 2 * area / sides[2])
-
-
 def test_a_law_is_straight_between_its_places_and_at_a_corner_the_line_ahead_counts() -> None:
     """Two halves of the stroke: at its middle the second one's slope, gone back the first one's."""
     half, middle = (PUSH.end - PUSH.begin) / 2, (PUSH.end + PUSH.begin) / 2

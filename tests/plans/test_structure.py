@@ -7,7 +7,6 @@ from itertools import permutations
 
 import pytest
 
-from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import NUMBERS, decompose, formula, mechanism_class
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
@@ -33,15 +32,6 @@ def test_formula_of_the_shaper_for_any_order_of_tables(order, slides):
     study = LinkageStudy(parse_scene(lines))
     assert formula(study.mechanism, study.groups) == SHAPER
     assert mechanism_class(study.groups) == "II"
-
-
-def test_formula_for_any_order_of_links():
-    links = [line for line in TABLES["links"].splitlines() if "=" in line]
-    for order in permutations(links):
-        text = "".join(TABLES[name] for name in ("frame", "lengths", "sketch", "drive")) + SLOT + GUIDE
-        text += "[mechanism.links]\n" + "\n".join(order) + "\n"
-        mechanism = mechanism_of(parse_scene(text))
-        assert formula(mechanism, decompose(mechanism)) == SHAPER
 
 
 # Each dyad, links 2 and 3: where its outer leads hang on the crank 1 and on the frame, or on the moving link 4.

@@ -101,16 +101,6 @@ def test_the_limits_themselves_are_lengths() -> None:
     assert units.coordinate("-1e9 m") == Decimal("-1e9")
 
 
-def test_a_number_of_five_thousand_digits_is_rounded_to_a_hundred() -> None:
-    number = units.quantity(Decimal("0." + "3" * 5000), units.LENGTH)
-    assert len(number.as_tuple().digits) == units.DIGITS
-
-
-@given(st.decimals(min_value="-1e9", max_value="1e9", allow_nan=False, places=12))
-def test_millimetres_and_metres_agree_exactly(metres: Decimal) -> None:
-    assert units.quantity(f"{metres * 1000:f} mm", units.LENGTH) == units.quantity(f"{metres:f} m", units.LENGTH)
-
-
 @given(st.text(max_size=30))
 @examples(20)
 def test_any_text_is_a_decimal_or_a_refusal(text: str) -> None:
@@ -118,18 +108,6 @@ def test_any_text_is_a_decimal_or_a_refusal(text: str) -> None:
         assert units.quantity(text, units.LENGTH).is_finite()
     except Wrong as refused:
         assert f"fault.{refused.kind}.expected" in words(ENGLISH)
-
-
-@pytest.mark.parametrize("written", ["1e100 rad/s", "-1e10", "1e-200 rad/s", "1e11 rpm"])
-def test_a_speed_of_no_machine_is_refused(written: str) -> None:
-    value = written if " " in written else Decimal(written)
-    with pytest.raises(Wrong) as caught:
-        units.rate(value, units.SPEED)
-    assert caught.value.kind == "out_of_range"
-
-
-def test_a_machine_may_stand_still_or_turn_either_way() -> None:
-    assert [units.rate(Decimal(text), units.SPEED) for text in ("0", "-10", "1e9")] == [0, -10, Decimal("1e9")]
 
 
 # Each kind of quantity with a size above all of its machines, in a unit of its own.
