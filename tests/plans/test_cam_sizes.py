@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,14 +18,37 @@ from plans.analytic.cam.sizes import sizes
 from plans.cam.course import Course
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
-from plans.model.cam import FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSizes, Law, Limits
+from plans.model.cam import FLAT, FORCE, NO_LIMITS, RETURN, RISE, ROCKING, Cam, Follower, GivenSizes, Limits
 from plans.model.cam_motion import CamError, Sizes
 from tests.parts import examples
-from tests.plans.sized_cams import ARM, LIFT, degrees, flat, flat_rocker, phases, rocking, translating
+from tests.plans.textbook_cams import LENGTH, LIFT, rocker, usual
+from tests.plans.textbook_cams import cam as cam_of
 from tests.rows import over
 
 EXACT = 1e-13  # of the size: two roads, each a root and a few roundings of its own
 BOTH = (1, -1)
+
+
+def degrees(rise: float | None = None, back: float | None = None, curvature: float = 0.0) -> Limits:
+    """Give limits in degrees, and m."""
+    return Limits(*(None if one is None else math.radians(one) for one in (rise, back)), curvature)
+
+
+def translating(sense: int = 1, **more: Any) -> Cam:
+    return cam_of(sense=sense, **{"limits": degrees(30, 40), **more})
+
+
+def rocking(sense: int = 1, turns: int = 1, **more: Any) -> Cam:
+    return rocker(sense=sense, turns=turns, **{"limits": degrees(45, 45), **more})
+
+
+def flat(sense: int = 1, **more: Any) -> Cam:
+    return cam_of(end=FLAT, sense=sense, **{"limits": degrees(curvature=0.005), **more})
+
+
+def flat_rocker(sense: int = 1, turns: int = 1, face: float = 0.005, swing: float = 15, **more: Any) -> Cam:
+    follower = Follower(ROCKING, FLAT, 0.1, turns, face)
+    return flat(sense, parts=usual(math.radians(swing)), follower=follower, **more)
 
 
 def construction(cam: Cam) -> Sizing:
@@ -130,7 +154,7 @@ def test_rocker_by_the_chord() -> None:
     assert found is not None
     centre = complex(found.centre.point)
     assert printed(centre.real, "0.1296025795") and printed(centre.imag, "-0.06170273191")
-    start = ARM * np.exp(-1j * math.radians(12.5))
+    start = LENGTH * np.exp(-1j * math.radians(12.5))
     assert printed(abs(centre - start), "0.03783596984") and printed(abs(centre), "0.1435411291")
     given_ = GivenSizes(base=abs(centre - start), centre=abs(centre))
     cam = rocking(given=given_)
@@ -222,7 +246,7 @@ def test_both_roads_over_random_rockers(
     rise: float, back: float, swing: float, turns: int, law: str, force: bool
 ) -> None:
     limits = degrees(rise, None if force else back)
-    cam = rocking(1, turns, limits=limits, phases=phases(math.radians(swing), Law(law)))
+    cam = rocking(1, turns, limits=limits, parts=usual(math.radians(swing), law))
     cam = replace(cam, closure=FORCE) if force else cam
     try:
         own = construction(cam).sizes
@@ -231,7 +255,7 @@ def test_both_roads_over_random_rockers(
             sizes(cam)
         assert "no centre" in str(error)
         return
-    assert same(own, sizes(cam), 1e-11 * max(1.0, own.base / ARM))
+    assert same(own, sizes(cam), 1e-11 * max(1.0, own.base / LENGTH))
 
 
 def steep(most: float) -> Limits:
@@ -241,18 +265,18 @@ def steep(most: float) -> Limits:
 
 # What cannot be.
 FAULTS = [
-    ("no centre keeps", rocking(phases=phases(math.radians(200)))),
+    ("no centre keeps", rocking(parts=usual(math.radians(200)))),
     ("smaller than the least radius", translating(given=GivenSizes(0.01, 0.012))),
     ("between 70 and 170 mm", rocking(given=GivenSizes(base=0.05, centre=0.34))),
     ("L = 40 mm", rocking(given=GivenSizes(centre=0.04))),
     ("sizes.centre", flat_rocker()),
     ("base below 125 mm", flat_rocker(given=GivenSizes(base=0.3, centre=0.12))),
-    ("S' falls at once", flat(phases=phases(LIFT, Law("constant velocity")))),
+    ("S' falls at once", flat(parts=usual(LIFT, "constant velocity"))),
     ("as fast as the cam", flat_rocker(swing=100, given=GivenSizes(centre=0.12))),
     ("the cam vanishes", translating(limits=steep(89.9))),
     ("the cam vanishes", translating(limits=steep(89))),
     ("the cam vanishes", rocking(limits=steep(89.9))),
-    ("does not move", translating(phases=(phases()[1]._replace(angle=2 * math.pi, start=0.0, level=0.0),))),
+    ("does not move", translating(parts=(usual(LIFT)[1]._replace(angle=2 * math.pi, start=0.0, level=0.0),))),
 ]
 
 
@@ -266,7 +290,7 @@ def test_what_cannot_be_is_said_with_advice_by_both_roads(said: str, cam: Cam) -
 
 
 def test_a_cam_that_translates_has_no_sizes_but_may_be_too_short() -> None:
-    rail = phases()[0]._replace(angle=0.05, start=0.0)
+    rail = usual(LIFT)[0]._replace(angle=0.05, start=0.0)
     cam = replace(translating(), phases=(rail,), translates=True)
     found = construction(cam)
     steepest = 2 * LIFT / 0.05  # of the sine law
