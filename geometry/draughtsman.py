@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from geometry import meet as loci
 from geometry.board import Arc, Line, Mark
-from geometry.hand_error import EDGE, EVEN, Sizes, SlippingHand, Slopes, pricked_givens
+from geometry.hand_error import EDGE, EVEN, Sizes, SlippingHand, Slopes, is_nothing, pricked_givens
 from geometry.meet import cross
 from geometry.steps import behind
 
@@ -114,14 +114,14 @@ def _known(mark: Mark) -> Any:
 
 def _given(hand: Draughtsman, mark: Mark, place: bool) -> Any:
     """Prick a given point; a pole is where it is, and a given direction is drawn when it is used."""
-    if isinstance(mark.value, tuple) or not place or not np.any(mark.point):
+    if isinstance(mark.value, tuple) or not place or is_nothing(mark, hand.scales[mark.subject]):
         return mark.value
     return mark.point + hand.pricked(mark.subject)
 
 
 def _laid_off(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     start, vector = inputs
-    if not np.any(mark.step.inputs[1].point):  # nothing is laid off, whatever the slips before it would make of it
+    if is_nothing(mark.step.inputs[1], hand.scales[mark.subject]):  # whatever the slips before would make of it
         return start
     return start + vector + hand.pricked(mark.subject)
 

@@ -74,6 +74,8 @@ EVEN = 1 / np.sqrt(3.0)  # standard deviation of what is evenly within 1 to eith
 # Where the slips may change by more than this share what is divided by, such as the sine of a meeting, the error is no
 # longer in proportion to them: what is left out of it is the square of the share, a tenth. A dead centre is near.
 BENT = float(np.sqrt(0.1))
+# mm: a vector that is no longer is not laid off. Rounding makes some 1e-12 of a zero; a hand sees nothing of either.
+NOTHING = 1e-6
 
 # Which inputs of a verb are places on the paper, where a given point must have been pricked.
 PLACES: Mapping[str, tuple[int, ...]] = {
@@ -96,6 +98,11 @@ class SlippingHand(NamedTuple):
 def pricked_givens(marks: Sequence[Mark]) -> set[Mark]:
     """Give the marks whose places on the paper others are drawn from."""
     return {mark.step.inputs[k] for mark in marks for k in PLACES.get(mark.step.op, ())}
+
+
+def is_nothing(mark: Mark, scale: Sizes) -> bool:
+    """Tell whether a vector, or a place from its pole, is nothing at a scale but rounding, in every position."""
+    return bool(np.all(np.abs(mark.point) <= NOTHING * scale))
 
 
 def slopes(hand: SlippingHand, *marks: Mark) -> dict[Mark, Slopes]:
@@ -137,8 +144,8 @@ class _Drawing:
         if mark.subject not in self.hand.scales:
             self.done[mark] = _Moved(self.still())
         elif not mark.step.inputs:
-            pricked = place and not isinstance(mark.value, tuple) and np.any(mark.point)
-            self.done[mark] = _Moved(self.slip(mark.subject) if pricked else self.still())
+            free = isinstance(mark.value, tuple) or is_nothing(mark, self.hand.scales[mark.subject])
+            self.done[mark] = _Moved(self.slip(mark.subject) if place and not free else self.still())
         else:
             self.done[mark] = _RULES[mark.step.op](self, mark, [self.done[one] for one in mark.step.inputs])
 
@@ -163,7 +170,7 @@ class _Drawing:
 
 def _laid_off(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
     start, vector = inputs
-    if not np.any(mark.step.inputs[1].point):  # nothing is laid off
+    if is_nothing(mark.step.inputs[1], drawing.hand.scales[mark.subject]):
         return start
     return _Moved(start.place + vector.place + drawing.slip(mark.subject))
 

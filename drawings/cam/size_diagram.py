@@ -21,7 +21,7 @@ from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke, Text
-from drawings.paper.walk import stating
+from drawings.paper.walk import stating, tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading, point
@@ -270,7 +270,7 @@ def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
     kept: list[int] = []
     spots = [place.on(one) for one in view.ends.tolist()]
     for k, apart in enumerate(np.abs(view.ends - view.tips).tolist()):
-        if apart and all(abs(spots[k] - spots[other]) >= APART * hand.number for other in kept):
+        if tied(place.length(apart)) and all(abs(spots[k] - spots[other]) >= APART * hand.number for other in kept):
             kept.append(k)
     return tuple(kept)
 

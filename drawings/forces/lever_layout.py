@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.forces.letters import BALANCE, PAIR, letter_of
@@ -158,7 +158,9 @@ class LeverTerm(NamedTuple):
         return "+" if self.sense > 0 else "−", f"{self.letter}·{self.arm}"
 
 
-def terms(forces: Sequence[ShownVector], images: Mapping[complex, str], drafting: Drafting) -> tuple[LeverTerm, ...]:
+def terms(
+    forces: Sequence[ShownVector], images: Sequence[tuple[complex, str]], drafting: Drafting
+) -> tuple[LeverTerm, ...]:
     """Give the terms in the order of hanging, the balancing force first; what has no moment about the pole is none."""
     # What rounding leaves of the greatest force at the greatest speed is no moment, even where there are no others.
     greatest = max((abs(one.value) for one in forces), default=0.0) * max((abs(one.at) for one in forces), default=0.0)
@@ -192,7 +194,7 @@ def _couple(name: str, drafting: Drafting) -> str:
     return f"{letter_of(moment, drafting)}/l_{{{line}}}"
 
 
-def _line(own: Sequence[ShownVector], images: Mapping[complex, str], length: float) -> str:
+def _line(own: Sequence[ShownVector], images: Sequence[tuple[complex, str]], length: float) -> str:
     """Letter an arm that is a line between two images, or from the pole to one; "" where it is not."""
     places = [one.at for one in own]
     start = places[1] if len(places) > 1 else 0j
@@ -201,8 +203,11 @@ def _line(own: Sequence[ShownVector], images: Mapping[complex, str], length: flo
     return "".join(_image(place, images) for place in (start, places[0]))
 
 
-def _image(place: complex, images: Mapping[complex, str]) -> str:
-    return with_index(images[min(images, key=lambda true: abs(true - place))]) if place else POLE
+def _image(place: complex, images: Sequence[tuple[complex, str]]) -> str:
+    """Name the image nearest to a place; of those that fall on one place the last."""
+    if not place:
+        return POLE
+    return with_index(min(reversed(images), key=lambda one: tied(abs(one[0] - place) / abs(place)))[1])
 
 
 def statements(told: Sequence[LeverTerm]) -> Iterator[tuple[str, float]]:

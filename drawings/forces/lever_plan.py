@@ -135,7 +135,7 @@ class LeverFigure:
 
 def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
     """Give the terms of the lever's equation of moments."""
-    return terms(shown.forces, {true: letters.split(" ")[0] for _, letters, true in shown.images}, drafting)
+    return terms(shown.forces, [(true, letters.split(" ")[0]) for _, letters, true in shown.images], drafting)
 
 
 def measure(shown: Hanging, drafting: Drafting) -> Picture:

@@ -20,7 +20,7 @@ from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke
-from drawings.paper.walk import tied
+from drawings.paper.walk import tied, tied_spot
 from drawings.symbols.figure import Subject, around, heading, heading_width, point
 from drawings.symbols.symbols import arrowhead, pole
 
@@ -148,7 +148,7 @@ def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float
     middle = sum(spots, 0j) / max(len(spots), 1)
     strokes = []
     for one, (start, end), shift in sorted(arrows, key=lambda arrow: tied(abs(arrow.ends[1] - arrow.ends[0]))):
-        outward = shift or (start + end) / 2 - middle or 1j
+        outward = shift or tied_spot((start + end) / 2 - middle) or 1j
         strokes.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
     return strokes
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from drawings.paper.walk import tied, tied_spot
+from drawings.paper.walk import MARGIN, tied, tied_spot
 
 Segment: TypeAlias = tuple[complex, complex]
 Box: TypeAlias = tuple[float, float, float, float]  # left, bottom, right, top
@@ -105,8 +105,8 @@ def _roomy(segment: Segment, before: Sequence[Segment], room: float) -> bool:
 
 
 def _abreast(one: Segment, other: Segment, room: float) -> bool:
-    """Tell whether a line has another within a letter's room for most of its length."""
-    return tied(_beside(one, other, room) - abs(one[1] - one[0]) / 2) > 0
+    """Tell whether a line has another nearer than a letter's room for most of its length: one just so far is not."""
+    return tied(_beside(one, other, room - MARGIN) - abs(one[1] - one[0]) / 2) > 0
 
 
 def _left(one: Segment, other: Segment) -> bool:

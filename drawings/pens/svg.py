@@ -53,6 +53,7 @@ FONTS = "'GOST type B','osifont','DejaVu Sans',sans-serif"
 EM = 1.4  # a font's size over the height of its capitals: 1.37 to 1.43 in the usual ones
 WIDEST = Path(__file__).parent / "advances.json"  # of DejaVu Sans, one of the widest
 _RISES = {-1: -LOWERED, 1: RAISED}  # of levels, in sizes
+SURE = 9  # decimals of a place, mm, that all processors agree on: one on the edge of the last written stays there
 THOUSAND = 1000  # parts of a font's size in which its advances are counted
 
 
@@ -335,7 +336,7 @@ def _transforms(stroke: Text, place: Attributes, narrow: float) -> Iterator[str]
 
 
 def _at(names: tuple[str, str], point: complex, height: float) -> Attributes:
-    across, down = numbers("%s %s", (point.real, height - point.imag)).split()
+    across, down = numbers("%s %s", (round(point.real, SURE), round(height - point.imag, SURE))).split()
     return {names[0]: across, names[1]: down}
 
 
