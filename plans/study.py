@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from copy import copy
 from functools import cached_property
 from typing import Any
 
@@ -41,6 +42,14 @@ class Study:
         """The techniques that make what is asked for, each after those that it rests on."""
         asked = [name for name, row in TECHNIQUES.items() if not self.plans.isdisjoint(row.plans)]
         return resting(asked)
+
+    def anew(self, technique: str, constructed: bool = False) -> Study:
+        """Give this study with one technique to be made anew, or only compared anew, over what all others made."""
+        other = copy(self)
+        other._made = {name: own for name, own in self._made.items() if constructed or name != technique}
+        other._compared = {name: own for name, own in self._compared.items() if name != technique}
+        other._numbers = {key: own for key, own in self._numbers.items() if key[0] != technique}
+        return other
 
     def construct(self) -> None:
         """Make all that is asked for by construction."""

@@ -104,7 +104,7 @@ SHARED = (
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
-    "mpmath": ("geometry/replay.py", "plans/bench/truth.py"),
+    "mpmath": ("geometry/replay.py",),
     "matplotlib": ("drawings/bench/plot.py",),
     "pylinkage": ("plans/bench/peers.py",),
     "scipy": ("plans/analytic/dynamics/equation.py",),
@@ -185,8 +185,8 @@ def test_all_three_layers_are_examined() -> None:
         ("drawings/report/report.py", "def f():\n    from matplotlib.figure import Figure"),
         ("drawings/bench/plot.py", "from matplotlib.figure import Figure"),
         ("plans/bench/peers.py", "import mechanism"),
-        ("plans/bench/roads.py", "def f():\n    import pylinkage"),
-        ("plans/bench/roads.py", "from drawings.bench import sheet"),
+        ("plans/bench/motion.py", "def f():\n    import pylinkage"),
+        ("plans/bench/motion.py", "from drawings.bench import sheet"),
     ],
 )
 def test_a_planted_fault_is_seen(path: str, text: str) -> None:
@@ -207,7 +207,6 @@ def test_a_planted_fault_is_seen(path: str, text: str) -> None:
         ("drawings/layout/labels.py", "def f():\n    from shapely import geometry"),
         ("drawings/bench/plain_pen.py", "import svgwrite"),
         ("drawings/bench/plot.py", "def f():\n    from matplotlib.figure import Figure"),
-        ("plans/bench/truth.py", "def f():\n    import mpmath"),
         ("drawings/report/report.py", "from plans.linkage.study import LinkageStudy\nfrom geometry.board import at"),
     ],
 )

@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from dataclasses import asdict, fields
 from typing import Any
 
-from plans.bench.trial import Bench, Computer, Ratio, Row, Times
-from plans.bench.truth import KINDS
+from plans.bench.trial import Bench, Computer, Errors, Ratio, Row, Times
 
 WIDTH = 118
+MANY = 1e6  # roundings: so many are no measure of rounding
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "us"), (1e-9, "ns"))
 
 
@@ -30,29 +30,33 @@ def written(bench: Bench) -> str:
 
 def _rows(rows: list[Row], count: int | None, accepted: float) -> Iterator[str]:
     title = "any number of positions" if count is None else f"{count} positions"
-    yield _line(title, "error", "worst in", "accepted") + _timing("one run", "(quartiles)", "a position", "times")
+    yield _line(title, "worst, %", "median, %", "roundings", "accepted", _timing("one run", "(quartiles)", "times"))
     for row in rows:
-        error = "" if row.error is None else f"{row.error:.1e}"
-        verdict = "" if row.error is None else "yes" if row.error <= accepted else "no"
-        worst = f"({row.often:.1e})" if row.often is not None else row.errors.worst if row.errors else ""
-        line = _line(row.technique, error, worst, verdict)
+        found, timing = row.errors, ""
         if row.times:
-            each = seconds(row.each) if row.each else ""
-            line += _timing(seconds(row.times.median), _quartiles(row.times), each, str(len(row.times.seconds)))
-        yield f"{line}  {_note(row)}".rstrip()
+            spread = " ... ".join(seconds(time) for time in row.times.quartiles)
+            each = f"{seconds(row.each)} a position" if row.each and row.positions else ""
+            timing = _timing(seconds(row.times.median), f"({spread})", str(len(row.times.seconds)), each)
+        note = "; ".join(filter(None, (f"of {row.of} positions" if row.of else "", _worst(found), row.note)))
+        if found is None:
+            yield f"{_line(row.technique, '', '', '', '', timing)} {note}".rstrip()
+        else:
+            worst, typical = f"{100 * found.worst:.1e}", f"{100 * found.typical:.1e}"
+            few = short(found.roundings) if found.roundings < MANY else ""
+            verdict = "yes" if found.worst <= accepted else "no"
+            yield f"{_line(row.technique, worst, typical, few, verdict, timing)} {note}".rstrip()
 
 
-def _line(technique: str, error: str, worst: str, accepted: str) -> str:
-    return f"{technique:<28} {error:>9} {worst:<11} {accepted:<8} "
+def _line(technique: str, worst: str, typical: str, roundings: str, accepted: str, timing: str) -> str:
+    return f"{technique:<32} {worst:>8} {typical:>9} {roundings:>9} {accepted:<8} {timing}"
 
 
-def _timing(run: str, spread: str, each: str, times: str) -> str:
-    return f"{run:>9} {spread:<20} {each:>10} {times:>5}"
+def _timing(run: str, spread: str, times: str, each: str = "") -> str:
+    return f"{run:>9} {spread:<23} {times:>5} {each:<18}"
 
 
-def _note(row: Row) -> str:
-    part = f"{row.of} positions" if row.of not in (0, row.positions) else ""
-    return "; ".join(filter(None, (part, row.note)))
+def _worst(found: Errors | None) -> str:
+    return f"worst in {found.name}" if found and found.name else ""
 
 
 def _ratios(ratios: tuple[Ratio, ...]) -> Iterator[str]:
@@ -73,11 +77,7 @@ def _measured(ratio: Ratio) -> tuple[str, str, str]:
 
 def _ratio(name: str, positions: str, measured: tuple[str, str, str], goal: str, verdict: str) -> str:
     times, ratio, spread = measured
-    return f"{name:<50} {positions:>9} {times:>17} {ratio:>7} {spread:<17} {goal:<8} {verdict}".rstrip()
-
-
-def _quartiles(times: Times) -> str:
-    return f"({' ... '.join(seconds(time) for time in times.quartiles)})"
+    return f"{name:<62} {positions:>9} {times:>17} {ratio:>7} {spread:<17} {goal:<8} {verdict}".rstrip()
 
 
 def seconds(time: float) -> str:
@@ -136,12 +136,12 @@ def json_text(bench: Bench) -> str:
 
 
 def _row(row: Row, accepted: float) -> dict[str, Any]:
-    kinds = row.errors.kinds if row.errors else {}
+    found = row.errors
     return {
-        "technique": row.technique, "positions": row.positions, "of": row.of, "error": _finite(row.error),
-        "error_95": row.often, "worst": row.errors.worst if row.errors else None,
-        "accepted": None if row.error is None else bool(row.error <= accepted),
-        **{f"error_{kind}": _finite(kinds.get(kind)) for kind in KINDS},
+        "technique": row.technique, "positions": row.positions, "of": row.of,
+        "error": _finite(found and found.worst), "typical": _finite(found and found.typical),
+        "roundings": _finite(found and found.roundings), "worst": found.name if found else None,
+        "accepted": None if found is None else bool(found.worst <= accepted),
         **_times(row.times), "position_s": row.each, "note": row.note,
     }  # fmt: skip
 

@@ -1,34 +1,176 @@
-"""The bench of drawing a sheet: stages, sizes, cold start (время листа)."""
+"""The whole draw of any scene timed, its sheets judged as they are read back, its hands, its start-up (время листа)."""
 
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from drawings.bench import plain_pen
-from drawings.layout import value_table
+from drawings.checks import hold
+from drawings.checks.expected import Expected, subject
+from drawings.checks.readers import Read
+from drawings.checks.written import value as number
+from drawings.eye.sheet import SeenSheet, see
 from drawings.lettering.lettering import lettered
-from drawings.linkage import kinematics
-from drawings.measure.measure import Measured, measure
+from drawings.original.originals import leaves_of
+from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
-from plans.bench.error import Errors, errors
-from plans.bench.roads import Ground
-from plans.bench.trial import BUDGET, Road, Times, interleaved
-from plans.bench.truth import Exact, Truth, replay
-from plans.linkage.quantities import MotionComparison, compare
-from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS, POINT_ORDERS
+from drawings.sheets.table import SHEETS
+from plans.bench.quantities import quantities
+from plans.bench.trial import BUDGET, Errors, Road, Row, Times, interleaved
+from plans.checks.by_hand import SLIP
+from plans.forces.friction_quantities import forces_by_hand
+from plans.linkage.by_hand import MotionByHand
+from plans.scene.scene import Scene
+from plans.study import Study
+from plans.techniques import named
+
+MEASURED, NUMBERS = "sheets: measured back", "sheets: their numbers"
+BY_HAND = "{}: by hand to {:g} mm"
+SLIPS = (SLIP / 2, SLIP)  # mm: a good hand's and a fair one's
+ROUGH = 0.01  # of a number: one that may be so far off is told to two digits, or is nothing but rounding
+HAND_NOTE = "within which 95 of 100 drawings are"
+DEFINED = (
+    "sheets: one run constructs, compares, draws, writes, reads back. Measured back: vectors and points of the written "
+    "files against the analysis, in shares of the largest of their figure. Their numbers: what cells say, in shares "
+    "of the largest of their row, but for what is told to two digits and what rounding may make of nothing",
+    f"by hand: every mark on paper up to {' or '.join(f'{slip:g}' for slip in SLIPS)} mm out to either side in x and "
+    "in y, at the sheets' own scales; the worst and the median of all shown, in shares of the plan's largest",
+)
+
+
+class Drawn(NamedTuple):
+    """A scene whose sheets were drawn and read back, by their kinds."""
+
+    study: Study
+    sheets: tuple[tuple[str, Leaf, SeenSheet], ...]
+
+    @property
+    def scales(self) -> dict[str, float]:
+        """The scales of all figures, true units a mm."""
+        return {name: mu for _, leaf, _ in self.sheets for name, mu in leaf.metadata.get("scales", {}).items()}
+
+
+def draw(scene: Scene) -> Drawn:
+    """Draw the sheets of a scene as `plandraft draw` does, and read them back."""
+    study = Study(scene)
+    study.construct()
+    _ = study.comparisons
+    leaves = [(kind, leaf) for kind, own in leaves_of(study).items() for leaf in own]
+    return Drawn(study, tuple((kind, leaf, see(svg(lettered(leaf, scene.sheet.lettering)))) for kind, leaf in leaves))
+
+
+def road(scene: Scene, count: int | None, keep: Callable[[Drawn], None]) -> Road:
+    """Give the road of drawing all sheets, judged by what is measured back and by the numbers that are written."""
+
+    def measured(drawn: Drawn) -> Errors | None:
+        keep(drawn)
+        return errors(drawn, by_ruler)
+
+    judged = {MEASURED: measured, NUMBERS: lambda drawn: errors(drawn, by_cells)}
+    return Road(lambda: draw(scene), count, judged)
+
+
+Pairs = Iterator[tuple[str, str, float, float]]  # name, whose largest counts, how far off, size
+
+
+def errors(drawn: Drawn, read: Callable[[hold.Seen, Mapping[Any, Expected]], Pairs]) -> Errors | None:
+    """Judge what is read off the sheets of a scene."""
+    found: dict[str, float] = {}
+    for kind, leaf, seen in drawn.sheets:
+        alike = [own for other, own, _ in drawn.sheets if other == kind and subject(own) == subject(leaf)]
+        due = {row.key: row for row in named(SHEETS[kind].due)(drawn.study, alike)}
+        told = [*read(hold.seen(seen.measured, leaf), due)]
+        most: dict[str, float] = {}
+        for _, whole, _, size in told:
+            most[whole] = max(most.get(whole, 0.0), size)
+        for name, whole, off, _ in told:
+            found[name] = max(found.get(name, 0.0), off / most[whole] if most[whole] else 0.0)
+    return Errors.of(found)
+
+
+def by_ruler(seen: hold.Seen, due: Mapping[Any, Expected]) -> Pairs:
+    """Compare vectors and points with what they must be."""
+    for key, row, one in _judged(seen, due, (Kind.VECTOR, Kind.POINT)):
+        if isinstance(row.value, complex | float) and isinstance(one.value, complex | float):
+            off = abs(hold.even(complex(one.value - row.value), one))
+            yield f"{key[2]} ({key[1]})", key[1], off, abs(row.value)
+
+
+def by_cells(seen: hold.Seen, due: Mapping[Any, Expected]) -> Pairs:
+    """Compare numbers in cells with what they must say, without the signs that are in words."""
+    for key, row, one in _judged(seen, due, (Kind.NUMBER,)):
+        said = number(str(one.value).lstrip("±+"))
+        if said is not None and isinstance(row.value, complex | float | int):
+            true = abs(row.value) if isinstance(row.value, complex) else float(row.value)
+            if row.allowed > ROUGH * abs(true):
+                continue
+            turns = row.period * round((said - true) / row.period) if row.period else 0.0
+            yield key[2], f"{key[1]} {key[2].rpartition(' [')[0]}", abs(said - true - turns), abs(true)
+
+
+def _judged(
+    seen: hold.Seen, due: Mapping[Any, Expected], kinds: tuple[Kind, ...]
+) -> Iterator[tuple[Any, Expected, Read]]:
+    """Give what is read of some kinds, with what is due of it; what rounding alone decides is not judged."""
+    known = ((key, due[key], found) for key, found in seen.items() if key[0] in kinds and key in due)
+    yield from ((key, row, one) for key, row, found in known for one in found if np.isfinite(row.allowed))
+
+
+Hand = Callable[[Drawn], Mapping[tuple[str, int], float]]
+
+
+def _linkage(drawn: Drawn) -> Mapping[tuple[str, int], float]:
+    study = drawn.study["linkage"]
+    hand = MotionByHand(study, drawn.study.comparison("linkage"), {})
+    return hand.on_sheet(range(len(study.turn)), drawn.scales)
+
+
+def _forces(drawn: Drawn) -> Mapping[tuple[str, int], float]:
+    found: dict[tuple[str, int], float] = {}
+    for leaf in (leaf for kind, leaf, _ in drawn.sheets if kind == "forces"):
+        found |= forces_by_hand(drawn.study["forces"], int(leaf.metadata["position"]), leaf.metadata["scales"])
+    return found
+
+
+HANDS: Final[Mapping[str, Hand]] = {"linkage": _linkage, "forces": _forces}
+
+
+def by_hand(drawn: Drawn) -> Iterator[Row]:
+    """Give the rows of hands that slip, of the techniques whose figures are known to be drawn by hand."""
+    for technique in (one for one in drawn.study.techniques if one in HANDS):
+        largest = {one.name: one.largest for one in quantities(drawn.study, technique)}
+        found = ((name, off) for (name, _), off in HANDS[technique](drawn).items() if largest.get(name))
+        shares: dict[str, float] = {}
+        for name, off in found:
+            shares[name] = max(shares.get(name, 0.0), off / largest[name] if np.isfinite(off) else 0.0)
+        told = Errors.of(shares)
+        if told is not None:  # an error goes with the slip
+            for slip in SLIPS:
+                own = Errors(told.worst * slip / SLIP, told.typical * slip / SLIP, told.name)
+                yield Row(BY_HAND.format(technique, slip), None, own, note=HAND_NOTE)
+
+
+def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:
+    """Time svgwrite with its defaults and our pen on the same lettered leaf, in turns; letters are traced anew."""
+    ready = lettered(leaf)
+
+    def ours() -> bytes:
+        letters.forget()
+        return svg(ready)
+
+    plain, own = interleaved([lambda: plain_pen.svg(ready), ours], rounds, BUDGET)
+    return plain, own
+
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not
 DRAW = "from drawings.commands.process import run; run()"
@@ -60,119 +202,3 @@ def _process(folder: str, *arguments: str) -> Callable[[], object]:
             ended.check_returncode()
 
     return run
-
-
-MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
-NOTE = "of one run: drawn, written, measured back"
-
-_NAME = re.compile(r"(\w)_\{(.+?)\}")
-_KINDS = {told.symbol: told.key for order in ORDERS[1:] for told in (order.point, order.link)}
-
-
-@dataclass(frozen=True)
-class DrawnSheets:
-    """A scene's sheets drawn, written and measured together, and the comparison that their tables print."""
-
-    leaves: tuple[Leaf, ...]
-    comparison: MotionComparison
-    measured: Measured
-
-    @property
-    def plans(self) -> tuple[int, ...]:
-        """The positions whose plans are drawn."""
-        return tuple(k for leaf in self.leaves for k in leaf.metadata["plans"])
-
-    @property
-    def shown(self) -> int:
-        """The position drawn in full lines."""
-        return int(self.leaves[0].metadata["shown"])
-
-
-def read(leaves: Iterable[Leaf]) -> list[Measured]:
-    """Write sheets and measure them back."""
-    return [measure(svg(lettered(leaf))) for leaf in leaves]
-
-
-def draw(study: LinkageStudy) -> DrawnSheets:
-    """Draw a study's sheets, write them and measure them back."""
-    comparison = compare(study)
-    leaves = kinematics.sheets(study, comparison)
-    found = read(leaves)
-    vectors = tuple(vector for one in found for vector in one.vectors)
-    points = tuple(point for one in found for point in one.points)
-    return DrawnSheets(leaves, comparison, Measured(vectors, points, found[0].metadata))
-
-
-def road(found: Ground) -> Road:
-    """Give the road of drawing a sheet, judged by its vectors and by its table."""
-    judged = {MEASURED: _judge(found, by_ruler), PRINTED: _judge(found, by_table)}
-    return Road(lambda: draw(found.fresh()), len(found.study.turn), judged, NOTE)
-
-
-def _judge(
-    found: Ground, read: Callable[[LinkageStudy, DrawnSheets, Truth, Mapping[str, float]], Errors]
-) -> Callable[[Any], Errors]:
-    def judge(drawn: DrawnSheets) -> Errors:
-        truth = replay(found.study, sorted({drawn.shown, *drawn.plans})).truth()
-        return read(found.fresh(), drawn, truth, found.largest)
-
-    return judge
-
-
-def by_ruler(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
-    """Judge the points of the position in full lines and the vectors from the poles of the drawn plans."""
-    seen = {("r", one.name): {drawn.shown: one.value} for one in drawn.measured.points if one.position == drawn.shown}
-    drafts = study.drafts()
-    for order in ORDERS[1:]:
-        plan = drafts.plan(order.number)
-        names = {
-            f"{plan.pole.name} {plan.point(name).name}": name for key, name in truth.values if key == order.point.key
-        }
-        for one in drawn.measured.vectors:
-            if one.plan == plan.board.subject and one.position in drawn.plans and one.name in names:
-                seen.setdefault((order.point.key, names[one.name]), {})[one.position] = one.value
-    known = {key: values for key, values in seen.items() if key in truth.values}
-    held = Truth(truth.positions, {key: truth.of(key, list(values)) for key, values in known.items()})
-    return errors({key: np.array(list(values.values())) for key, values in known.items()}, held, largest)
-
-
-def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
-    """Judge the numbers of the table: sizes of v and a, and omega and epsilon with their signs; gaps have none."""
-    language = study.scene.sheet.language
-    known = [place for place, k in enumerate(drawn.plans) if not study.lost[k]]
-    found = {}
-    told = [(one,) for one in value_table.told(drawn.comparison)]
-    for row in value_table.rows(told, drawn.plans, language):
-        named = _NAME.match(row.name)
-        key = (_KINDS[named[1]], named[2]) if named else ("", "")
-        if key in truth.values:
-            found[key] = np.array([_number(str(row.cells[3 * place])) for place in known])
-    return errors(found, _sizes(truth.at([drawn.plans[place] for place in known])), largest)
-
-
-def _sizes(truth: Truth) -> Truth:
-    """Give a truth in which vectors are their sizes: the table has no directions."""
-    sized = {
-        key: Exact(np.abs(v.near), np.zeros(len(v.near))) if key[0] in POINT_ORDERS else v
-        for key, v in truth.values.items()
-    }
-    return Truth(truth.positions, sized)
-
-
-def _number(cell: str) -> float:
-    try:
-        return float(cell.replace("−", "-").replace(",", "."))
-    except ValueError:  # a dash for a gap
-        return float("nan")
-
-
-def pens(leaf: Leaf, rounds: int) -> tuple[Times, Times]:
-    """Time svgwrite with its defaults and our pen on the same lettered leaf, in turns; letters are traced anew."""
-    ready = lettered(leaf)
-
-    def ours() -> bytes:
-        letters.forget()
-        return svg(ready)
-
-    plain, own = interleaved([lambda: plain_pen.svg(ready), ours], rounds, BUDGET)
-    return plain, own

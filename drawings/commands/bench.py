@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from drawings.bench import plot, report, sessions
+from drawings.bench import plot, report, session
 from drawings.files import atomic_files
 from geometry.errors import LimitError
 from plans.bench.trial import ACCEPTED, DRAWN, Order
@@ -25,7 +25,7 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         plot.ready()
         atomic_files.prepare(options.output)
-    found = sessions.session(scene, order(options), _tell)
+    found = session.session(scene, order(options), _tell)
     print(report.json_text(found) if options.json else report.written(found))
     if options.output is not None:
         stem = options.output / f"{Path(scene.file).stem}-bench"

@@ -23,8 +23,6 @@ from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotio
 
 PYLINKAGE, MECHANISM = "pylinkage", "mechanism"
 NEEDED = {PYLINKAGE: ("pylinkage", "numba"), MECHANISM: ("mechanism",)}
-# mechanism calls fsolve three times a position, near a millisecond together: 10 000 positions would take ten seconds.
-MOST = {PYLINKAGE: 1_000_000, MECHANISM: 1000}
 NOT_FOUR_BAR = "left out: no four-bar (a crank and one RRR dyad on the frame)"
 GAPPED = "left out: some positions cannot be assembled, at which a peer stops"
 
@@ -89,8 +87,6 @@ def peers(study: LinkageStudy) -> tuple[list[Peer], dict[str, str]]:
     for name, make in ((PYLINKAGE, _pylinkage), (MECHANISM, _mechanism)):
         if not all(find_spec(library) for library in NEEDED[name]):
             out[name] = NOT_INSTALLED
-        elif len(study.turn) > MOST[name]:
-            out[name] = f"left out above {MOST[name]} positions, where it would take too long"
         else:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # theirs, at import

@@ -16,14 +16,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.errors import DraftError
-from plans.bench.error import Errors
-from plans.bench.truth import NotInstalled
+from geometry.meet import EPS
 
 BUDGET = 1.0  # seconds of a row, after which it is repeated no more: the whole stays within a minute
 DRAWN = 360  # positions: more cannot be told apart on any sheet, and no sheet shows them
 ACCEPTED = 1e-4  # of the plan's largest: the fifth digit, the last that a sheet's table prints
 NOT_INSTALLED = "not installed: python -m pip install '.[bench]'"
 LEAST_ROUNDS = 2  # the fewest that show whether a time can be trusted
+LONG = 5.0  # seconds of a first run, after which there is no other
 
 
 @dataclass(frozen=True)
@@ -88,31 +88,50 @@ def _timed(run: Callable[[], Any]) -> float:
             gc.enable()
 
 
+class Errors(NamedTuple):
+    """The errors of a technique over its quantities, each in shares of the largest of its plan."""
+
+    worst: float
+    typical: float  # the median of the quantities' own largest
+    name: str = ""  # the quantity that is worst
+
+    @classmethod
+    def one(cls, share: float) -> Errors:
+        """Judge what has one error alone."""
+        return cls(share, share)
+
+    @property
+    def roundings(self) -> float:
+        """The worst in roundings of float64."""
+        return self.worst / EPS
+
+    @classmethod
+    def of(cls, shares: Mapping[str, float]) -> Errors | None:
+        """Judge quantities by their largest errors; none where there are none.
+
+        >>> Errors.of({"v_A": 1e-3, "v_B": 4e-3, "v_C": 2e-3})
+        Errors(worst=0.004, typical=0.002, name='v_B')
+        """
+        if not shares:
+            return None
+        return cls(max(shares.values()), float(np.median([*shares.values()])), max(shares, key=shares.__getitem__))
+
+
 @dataclass(frozen=True)
 class Row:
-    """A technique at a number of positions: its error and its time; a row without either says why in its note.
-
-    `of` is the number of positions for which one run is. `often` is the error that 95 of 100 chance drawings keep
-    under, where there is chance.
-    """
+    """A technique at a number of positions: its errors and its time; a row without either says why in its note."""
 
     technique: str
     positions: int | None  # None: the same whatever the number of positions
-    of: int = 0
     errors: Errors | None = None
-    often: float | None = None
     times: Times | None = None
     note: str = ""
-
-    @property
-    def error(self) -> float | None:
-        """The largest error, None where nothing was measured."""
-        return self.errors.largest if self.errors else None
+    of: int | None = None  # positions for which one run is, where they are others
 
     @property
     def each(self) -> float | None:
-        """The median time for one position, seconds."""
-        return self.times.median / self.of if self.times and self.of else None
+        """The median time for one position, seconds; of what has no positions that of the run."""
+        return self.times.median / (self.of or self.positions or 1) if self.times else None
 
 
 @dataclass(frozen=True)
@@ -211,52 +230,47 @@ class Order:
     accepted: float = ACCEPTED
 
 
-class Found(NamedTuple):
-    """What the trials of a technique have found, and the words that make it mean something."""
-
-    rows: Sequence[Row]
-    words: Sequence[str]
-    ratios: Sequence[Ratio] = ()
-    gaps: bool = False  # whether some position could not be assembled
-
-
 @dataclass(frozen=True)
 class Road:
-    """A way to some numbers: what is run, for which number of positions, and how its result is judged.
+    """A way to some numbers: what is run, for how many positions, and how its result is judged, by what names.
 
-    One run may be judged in several ways: a drawn sheet by its vectors and by its table.
+    One run may be judged in several ways: a drawn sheet by its ink and by its numbers.
     """
 
     run: Callable[[], Any]
     positions: int | None
     judged: Mapping[str, Callable[[Any], Errors | None]]  # by the name of the technique
     note: str = ""
-    of: int | None = None  # positions of one run, where they are others
+    of: int | None = None
 
 
 def timed(roads: Sequence[Road], rounds: int, budget: float = BUDGET) -> list[Row]:
-    """Run every road once to judge what it gives, then time them in turns; a road that refuses says why."""
-    judged = [_judged(road) for road in roads]
-    runs = [road.run for road, found in zip(roads, judged, strict=True) if isinstance(found, dict)]
-    times = iter(interleaved(runs, rounds, budget))
+    """Run every road once to judge what it gives, then time them in turns; a road that refuses says why.
+
+    One whose first run takes longer than LONG is run no more: that is its time.
+    """
+    firsts = [_judged(road) for road in roads]
+    again = [road.run for road, (found, took) in zip(roads, firsts, strict=True) if took <= LONG]
+    times = iter(interleaved(again, rounds, budget))
     rows: list[Row] = []
-    for road, found in zip(roads, judged, strict=True):
+    for road, (found, took) in zip(roads, firsts, strict=True):
         if isinstance(found, str):
             rows += [Row(name, road.positions, note=found) for name in road.judged]
         else:
-            taken, of = next(times), (road.positions or 0) if road.of is None else road.of
-            rows += [Row(name, road.positions, of, e, times=taken, note=road.note) for name, e in found.items()]
+            taken = next(times) if took <= LONG else Times((took,))
+            rows += [Row(name, road.positions, own, taken, road.note, road.of) for name, own in found.items()]
     return rows
 
 
-def _judged(road: Road) -> dict[str, Errors | None] | str:
+def _judged(road: Road) -> tuple[dict[str, Errors | None] | str, float]:
+    """Judge a first run, which also fills caches and compiles; give the time it took, for ever where it refused."""
+    start = perf_counter()
     try:
-        result = road.run()  # the first run also fills caches and compiles: it is not timed
-    except NotInstalled:
-        raise
+        result = road.run()
+        took = perf_counter() - start
+        return {name: judge(result) for name, judge in road.judged.items()}, took
     except DraftError as error:
-        return f"left out: {error}"
-    return {name: judge(result) for name, judge in road.judged.items()}
+        return f"left out: {error}", math.inf
 
 
 def order(errors: Sequence[float], counts: Sequence[float]) -> float:
@@ -268,22 +282,14 @@ def order(errors: Sequence[float], counts: Sequence[float]) -> float:
     return math.log(errors[0] / errors[-1]) / math.log(counts[-1] / counts[0])
 
 
-def orders(rows: Sequence[Row], name: str, unit: str, rounding: float = 0.0) -> Iterator[str]:
-    """Say by which power of the number of positions each kind of error of a technique falls, where it does."""
-    own = [(row.positions, row.errors.kinds) for row in rows if row.technique == name and row.positions and row.errors]
-    counts = [count for count, _ in own]
-    for kind in own[0][1]:
-        errors = [kinds[kind] for _, kinds in own]
-        which = f"  {name}, {kind}" if len(own[0][1]) > 1 else f"  {name}"
-        if min(errors) > rounding:
-            yield f"{which}: order {order(errors, counts):.2f} from {counts[0]} to {counts[-1]} {unit}"
-        elif rounding:
-            yield f"{which}: from {errors[0]:.1e} to no more than rounding"
+def orders(rows: Sequence[Row], least: float = 1e-12) -> Iterator[str]:
+    """Say by which power of the number of positions the error of each technique falls, where it does.
 
-
-def terms(wanted: Order, share: str = "of the largest of its kind") -> tuple[str, str]:
-    """Say what is accepted and how it is timed."""
-    return (
-        f"accepted: an error of at most {wanted.accepted:.0e} {share}",
-        f"time: wall time of one run, techniques in turns, {wanted.rounds} times each; a first run is not timed",
-    )
+    What is `least` or under is rounding, and has no order.
+    """
+    for name in dict.fromkeys(row.technique for row in rows):
+        own = [(row.positions, row.errors.worst) for row in rows if row.technique == name and row.errors]
+        there = [(count, error) for count, error in own if count and error > least]
+        counts, errors = [count for count, _ in there], [error for _, error in there]
+        if len(set(counts)) > 1:
+            yield f"  {name}: order {order(errors, counts):.2f} from {counts[0]} to {counts[-1]}"

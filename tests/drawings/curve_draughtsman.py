@@ -15,7 +15,7 @@ from drawings.grading.drawn_plan import Arrow
 from drawings.grading.verdict import Verdict
 from geometry.board import Board
 from geometry.calculus import integral
-from geometry.draughtsman import Draughtsman, copies
+from tests.draughtsman import Draughtsman, copies
 
 NOWHERE = Arrow(0j, 0j)
 

@@ -16,8 +16,8 @@ from drawings.grading.graded import FAIL, PASS, REJECTED, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Line, Stroke, Text
-from geometry.draughtsman import Draughtsman, copies
 from tests import parts
+from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.gallery import LINKAGES
 from tests.mistakes import mistakes

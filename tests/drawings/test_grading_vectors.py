@@ -14,8 +14,8 @@ from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import UNGROUPED
 from drawings.paper.strokes import Arc, Fill, Group, Line, Stroke, Text
 from geometry.board import Mark
-from geometry.draughtsman import Draughtsman, copies
 from geometry.replay import redraw
+from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import Task, task
 from tests.drawings.test_grading import laid as as_a_whole
 from tests.drawings.vector_students import Laid, beside, free, laid, mark_of, sheet_of, turned, written

@@ -125,16 +125,6 @@ def test_a_drawn_sheet_is_measured(run: Run, tmp_path: Path) -> None:
     assert "G0.4" in report and "33,82300909" in report
 
 
-def test_the_bench_holds_both_roads_and_the_sheet_against_the_truth(run: Run) -> None:
-    pytest.importorskip("mpmath")
-    code, out, _ = run("bench", FAN, "--quick", "--json")
-    errors = [row["error"] for row in json.loads(out)["rows"]]
-    assert code == 0
-    assert len(errors) == 3
-    assert max(errors[:2]) < 4e-15
-    assert 1e-9 < errors[2] < 1e-5
-
-
 @pytest.mark.rest
 def test_a_rotor_is_begun_from_the_gallery(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)

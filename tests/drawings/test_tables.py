@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-from drawings.bench.sessions import SESSIONS
 from drawings.commands import cli
 from drawings.report.table import REPORTS
 from drawings.sheets.table import SHEETS
@@ -64,7 +63,7 @@ def texts(rows: Mapping[str, Any]) -> Iterator[str]:
         yield from (text for text in ([row] if isinstance(row, str) else row) if isinstance(text, str) and ":" in text)
 
 
-@pytest.mark.parametrize("table", [TECHNIQUES, SHEETS, REPORTS, SESSIONS], ids=lambda table: next(iter(table)))
+@pytest.mark.parametrize("table", [TECHNIQUES, SHEETS, REPORTS], ids=lambda table: next(iter(table)))
 def test_all_that_a_table_names_is_there(table: Mapping[str, Any]) -> None:
     names = list(texts(table))
     assert names
@@ -73,7 +72,7 @@ def test_all_that_a_table_names_is_there(table: Mapping[str, Any]) -> None:
 
 def test_every_sheet_of_a_technique_is_in_the_table_of_sheets() -> None:
     assert {sheet for row in TECHNIQUES.values() for sheet in row.sheets} == set(SHEETS)
-    assert set(TECHNIQUES) == set(REPORTS) == set(SESSIONS)
+    assert set(TECHNIQUES) == set(REPORTS)
 
 
 def trace_of(err: str) -> str:

@@ -15,8 +15,8 @@ from drawings.grading.judgement import Judge
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import QUANTUM
 from geometry.board import Mark
-from geometry.draughtsman import Draughtsman, copies
 from geometry.hand_error import SlippingHand, slopes
+from tests.draughtsman import Draughtsman, copies
 from tests.hands.shares import Slips, slips_of
 
 Key: TypeAlias = tuple[str, tuple[str, str]]  # a plan and the letters of a vector

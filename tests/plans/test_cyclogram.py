@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from plans.bench import machine as bench
 from plans.cyclogram import rows as r
 from plans.cyclogram.marks import marks
 from plans.cyclogram.quantities import compare_cyclogram
@@ -190,16 +189,6 @@ def test_a_change_of_the_load_in_the_overrun_is_noted() -> None:
         ("cyclogram", "breaks", 0),
         ("cyclogram", "breaks", 2),
     ]
-
-
-def test_the_bench_judges_all_roads_by_the_notches_in_many_digits() -> None:
-    study = cyclogram_of("shaper")
-    true = bench.truth(study)
-    assert len(true) == 5
-    for name, run in bench.ways(study):
-        assert bench.errors(run(), true).largest < 1e-15, name
-    assert bench.errors([one + 1e-9 for one in true], true).largest > 1e-10
-    assert bench.truth(cyclogram_of("walking-leg")) == []
 
 
 def test_explain_gives_the_notches_from_the_tool_to_the_crank() -> None:

@@ -9,9 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from geometry import draughtsman, hand_error
+from geometry import hand_error
 from geometry.board import between
-from geometry.draughtsman import Draughtsman, copies
 from geometry.steps import Reading, Span
 from plans.checks.by_hand import SLIP, Told
 from plans.forces.friction_quantities import forces_by_hand
@@ -21,6 +20,8 @@ from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats
 from plans.scene.scene import read_scene
+from tests import draughtsman
+from tests.draughtsman import Draughtsman, copies
 from tests.parts import some
 from tests.plans import linkages
 from tests.plans.pushed_machines import Picture, slider

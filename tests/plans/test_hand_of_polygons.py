@@ -8,8 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from geometry import draughtsman
-from geometry.draughtsman import Draughtsman, copies
 from geometry.hand_error import POINT
 from plans.bank.quantities import bank_by_hand
 from plans.cam.numbers import cam_by_hand
@@ -19,6 +17,8 @@ from plans.rotor.quantities import rotor_by_hand
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import read_scene
 from plans.study import Study
+from tests import draughtsman
+from tests.draughtsman import Draughtsman, copies
 from tests.parts import some
 from tests.plans.rotors import STATIC, masses
 
