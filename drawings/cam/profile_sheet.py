@@ -11,14 +11,13 @@ from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
 from drawings.cyclogram import bar_chart, circular_chart
 from drawings.cyclogram.bar_chart import Chart
 from drawings.cyclogram.notes import settings_of
-from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.page.page import page_of
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import compositions, lay_out_each
-from drawings.sheets.stated_scales import Draft, Exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
 from plans.cyclogram.rows import EVERY as ALL_CAMS
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
@@ -36,11 +35,8 @@ def drafts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
 
 
 def _shows(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
-    chart = Chart(rows_of_cams(cams))
-    room = bar_chart.measure(chart, drafting)
-    yield Exhibit(Panel(room), partial(bar_chart.draw, chart, room, drafting=drafting))
-    room = circular_chart.measure(chart, drafting)
-    yield Exhibit(Panel(room), partial(circular_chart.draw, chart, cams[0].sense, room, drafting=drafting))
+    chart = Chart(rows_of_cams(cams), cams[0].sense)
+    yield from (exhibit(one, chart, drafting) for one in (bar_chart, circular_chart))
 
 
 def _chart_facts(figures: Collection[str]) -> dict[str, Any]:
@@ -106,8 +102,7 @@ def _true(scene: Scene, draft: Draft) -> bool:
 
 def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
     title = drafting.word("cam profile sheet title") + (f" {shown.view.cam.name}" if several else "")
-    room = manufacturing.measure(shown, drafting)
-    figure = Exhibit(Panel(room), partial(manufacturing.draw, shown, room, drafting=drafting))
+    figure = exhibit(manufacturing, shown, drafting)
     table = manufacturing.radii(shown.table, every, drafting)
     return Draft(
         KIND,
@@ -116,7 +111,7 @@ def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> 
         (table,),
         tuple(manufacturing.notes(shown.table, drafting)),
         partial(_facts, shown, every),
-        room.name,
+        manufacturing.PLAN,
     )
 
 

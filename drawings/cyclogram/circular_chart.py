@@ -6,6 +6,8 @@ import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
 from drawings.cyclogram import course
 from drawings.cyclogram.bar_chart import LARGER, Chart
@@ -31,57 +33,6 @@ BESIDE = 0.8  # mm
 ARROW = (0.6, math.radians(20), math.radians(100))  # of the hub: radius; start and sweep of the arrow of rotation
 
 
-@dataclass(frozen=True)
-class CircleFigure:
-    """The circular chart placed on paper."""
-
-    chart: Chart
-    sense: int
-    place: Place
-    lines: tuple[Group, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole chart: positions numbered outside, what is too long for its ring lettered beside it."""
-        numbers, names = tuple(self._numbers(labels)), tuple(self._names(labels))
-        beside = [Group(names, BESIDE_RINGS)] if names else []
-        letters = (*numbers, *beside, *self._long(labels), *self._centre(labels))
-        return *self.lines, Group(letters, f"{NAME}-letters")
-
-    def _numbers(self, labels: Labels) -> Iterator[Stroke]:
-        outer = HUB + RING * len(self.chart.rows)
-        for number, turned in enumerate(self.chart.numbered):
-            ray = cmath.rect(1.0, self.sense * turned)
-            spot = self.place.on(outer * ray) + TICK * ray
-            yield labels.beside(spot, str(number), self.drafting.hand.number, BESIDE, self.sense * turned)
-
-    def _names(self, labels: Labels) -> Iterator[Stroke]:
-        """Name the rings that have no room for their names where they begin."""
-        for k, row in enumerate(self.chart.rows):
-            if _named(row, _radius(self.chart, k), self.place, self.drafting) is None:
-                turn = self.sense * row.spans[0].start
-                spot, name = (
-                    self.place.on(cmath.rect(_radius(self.chart, k), turn)),
-                    course.name(row, self.drafting),
-                )
-                yield labels.beside(spot, name, self.drafting.hand.number, BESIDE, turn)
-
-    def _long(self, labels: Labels) -> Iterator[Stroke]:
-        for k, row in enumerate(self.chart.rows):
-            for span in row.spans:
-                text = course.label(span, self.drafting)
-                shown = _told(row, span, _radius(self.chart, k), self.place, self.drafting)
-                if not _fits(shown, text, _radius(self.chart, k), self.place, self.drafting.hand):
-                    middle = self.sense * (span.start + span.end) / 2
-                    spot = self.place.on(cmath.rect(_radius(self.chart, k), middle))
-                    yield labels.beside(spot, text, self.drafting.hand.number, BESIDE, middle)
-
-    def _centre(self, labels: Labels) -> Iterator[Stroke]:
-        radius, start, sweep = ARROW
-        spot = self.place.on(cmath.rect(HUB * radius, self.sense * (start + sweep / 2)))
-        yield labels.beside(spot, "ω", self.drafting.hand.letter, BESIDE, self.sense * (start + sweep / 2))
-
-
 def measure(chart: Chart, drafting: Drafting) -> Picture:
     """Measure the room that it needs."""
     hand, outer = drafting.hand, HUB + RING * len(chart.rows)
@@ -93,85 +44,141 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)._replace(most=LARGER * least)
 
 
-def draw(chart: Chart, sense: int, room: Picture, spot: Spot, drafting: Drafting) -> CircleFigure:
-    """Draw it in its spot: circles, the rings' spans, where angles are counted from, the sense of rotation."""
-    place, hand = room.place(*spot), drafting.hand
-    title = heading(spot.box, drafting.word(TITLE), drafting.word("cyclogram counted"), hand)
-    rings = tuple(
-        Group(tuple(_ring(row, _radius(chart, k), sense, place, drafting)), f"{RING_NAME}-{k}")
-        for k, row in enumerate(chart.rows)
-    )
-    return CircleFigure(
-        chart, sense, place, (Group((title, *_still(chart, sense, place, hand), *rings), NAME),), drafting
-    )
+def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> CircleFigure:
+    """Draw it in its spot."""
+    title = heading(spot.box, drafting.word(TITLE), drafting.word("cyclogram counted"), drafting.hand)
+    return CircleFigure(chart, room.place(*spot), title, drafting)
 
 
-def _radius(chart: Chart, k: int) -> float:
-    """Give the middle radius of a row's ring; the first is the outermost."""
-    return HUB + RING * (len(chart.rows) - k - 0.5)
+class Ring(NamedTuple):
+    """A row as a ring of the chart: its middle radius; the part of its longest span that bears its name, if any."""
+
+    row: Row
+    radius: float
+    named: Span | None
+
+    def told(self, span: Span) -> Span:
+        """Give the part of a span that bears its angle: what the name of the ring leaves."""
+        return span if self.named is None or self.named.start != span.start else span._replace(start=self.named.end)
 
 
-def _fits(span: Span, text: str, radius: float, place: Place, hand: Hand) -> bool:
-    """Tell whether a text has room along its ring: between the ends of its span, straight though the ring is round."""
-    wide, far = text_width(Text(0j, text, hand.number, "middle", True)), place.length(radius)
-    room = 2 * far * math.sin(min(span.end - span.start, math.pi) / 2)
-    off = wide**2 / (8 * far)  # of the middle of a chord from its arc
-    return wide + 4 * BESIDE <= room and off + hand.number / 2 <= place.length(RING) / 2 - 2 * BESIDE
+@dataclass(frozen=True)
+class CircleFigure:
+    """The circular chart placed on paper."""
 
+    chart: Chart
+    place: Place
+    title: Group
+    drafting: Drafting
 
-def _named(row: Row, radius: float, place: Place, drafting: Drafting) -> Span | None:
-    """Give the part of the longest span that bears the name of its ring; None: it has no room for it."""
-    longest = max(row.spans, key=lambda span: span.end - span.start)
-    half = longest._replace(end=(longest.start + longest.end) / 2)
-    name = course.name(row, drafting)
-    return half if _fits(half, name, radius, place, drafting.hand) else None
+    @property
+    def hand(self) -> Hand:
+        """The hand that draws."""
+        return self.drafting.hand
 
+    @cached_property
+    def lines(self) -> tuple[Group, ...]:
+        """All that is drawn before any letter is placed: where angles are counted from, the sense, the rings."""
+        rings = (Group(tuple(self._ring(one)), f"{RING_NAME}-{k}") for k, one in enumerate(self._rings))
+        return (Group((self.title, *self._still(), *rings), NAME),)
 
-def _told(row: Row, span: Span, radius: float, place: Place, drafting: Drafting) -> Span:
-    """Give the part of a span that bears its angle: what the name of its ring leaves."""
-    named = _named(row, radius, place, drafting)
-    return span._replace(start=named.end) if named is not None and named.start == span.start else span
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole chart: positions numbered outside, what is too long for its ring lettered beside it."""
+        numbers, names = tuple(self._numbers(labels)), tuple(self._names(labels))
+        beside = [Group(names, BESIDE_RINGS)] if names else []
+        return *self.lines, Group((*numbers, *beside, *self._long(labels), self._speed(labels)), f"{NAME}-letters")
 
+    @cached_property
+    def _rings(self) -> tuple[Ring, ...]:
+        """The rings from the outermost one."""
+        count = len(self.chart.rows)
+        radii = (HUB + RING * (count - k - 0.5) for k in range(count))
+        return tuple(Ring(row, far, self._named(row, far)) for row, far in zip(self.chart.rows, radii, strict=True))
 
-def _still(chart: Chart, sense: int, place: Place, hand: Hand) -> Iterator[Stroke]:
-    centre, outer = place.on(0j), HUB + RING * len(chart.rows)
-    for k in range(len(chart.rows) + 1):
-        yield Circle(centre, place.length(HUB + RING * k), LineStyle(hand.construction))
-    yield Line(centre, place.on(complex(HUB)), hand.axis)
-    radius, start, sweep = ARROW
-    yield from turning_arrow(centre, place.length(HUB * radius), sense * start, sense * sweep, hand)
-    for turned in chart.numbered:
-        ray = cmath.rect(1.0, sense * turned)
-        yield Line(place.on(outer * ray) - TICK * ray, place.on(outer * ray) + TICK * ray, hand.other)
+    @property
+    def _outer(self) -> float:
+        return HUB + RING * len(self.chart.rows)
 
+    def _ray(self, turned: float) -> complex:
+        """Give the direction of a turn of the shaft on the sheet."""
+        return cmath.rect(1.0, self.chart.sense * turned)
 
-def _ring(row: Row, radius: float, sense: int, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Draw the spans of a ring: a line where each begins, the line of what is done, its letters along it."""
-    hand, centre = drafting.hand, place.on(0j)
-    inner = radius - RING / 2
-    for span in row.spans:
-        ray = cmath.rect(1.0, sense * span.start)
-        yield Line(place.on(inner * ray), place.on((inner + RING) * ray), hand.other)
-        low, high = sorted((sense * span.start, sense * span.end))
-        style = hand.result if course.moves(span) else hand.drafted
-        yield Arc(centre, place.length(inner + BAND * RING), low, high, style)
-        text, own = course.label(span, drafting), _told(row, span, radius, place, drafting)
-        if _fits(own, text, radius, place, hand):
-            yield _along(text, sense * (own.start + own.end) / 2, place.length(radius), centre, hand)
-    named = _named(row, radius, place, drafting)
-    if named is not None:
-        yield _along(
-            course.name(row, drafting),
-            sense * (named.start + named.end) / 2,
-            place.length(radius),
-            centre,
-            hand,
-        )
+    def _named(self, row: Row, radius: float) -> Span | None:
+        """Give the part of the longest span that bears the name of a row; None: it has no room for it."""
+        longest = max(row.spans, key=lambda span: span.end - span.start)
+        half = longest._replace(end=(longest.start + longest.end) / 2)
+        return half if self._fits(half, course.name(row, self.drafting), radius) else None
 
+    def _fits(self, span: Span, text: str, radius: float) -> bool:
+        """Tell whether a text has room along a ring: between the ends of a span, straight though the ring is round."""
+        size, far = self.hand.number, self.place.length(radius)
+        wide = text_width(Text(0j, text, size, "middle", True))
+        room = 2 * far * math.sin(min(span.end - span.start, math.pi) / 2)
+        off = wide**2 / (8 * far)  # of the middle of a chord from its arc
+        return wide + 4 * BESIDE <= room and off + size / 2 <= self.place.length(RING) / 2 - 2 * BESIDE
 
-def _along(text: str, turn: float, radius: float, centre: complex, hand: Hand) -> Text:
-    """Write along a ring, upright as it is read."""
-    up = tied(math.sin(turn)) >= 0
-    way = turn - math.pi / 2 if up else turn + math.pi / 2
-    spot = centre + cmath.rect(radius, turn) - cmath.rect(0.35 * hand.number, way + math.pi / 2)
-    return Text(spot, text, hand.number, "middle", True, math.degrees(way))
+    def _still(self) -> Iterator[Stroke]:
+        """Draw the circles, where angles are counted from, the arrow of rotation, the ticks of the positions."""
+        centre, hand, sense = self.place.on(0j), self.hand, self.chart.sense
+        for k in range(len(self.chart.rows) + 1):
+            yield Circle(centre, self.place.length(HUB + RING * k), LineStyle(hand.construction))
+        yield Line(centre, self.place.on(complex(HUB)), hand.axis)
+        radius, start, sweep = ARROW
+        yield from turning_arrow(centre, self.place.length(HUB * radius), sense * start, sense * sweep, hand)
+        for ray in map(self._ray, self.chart.numbered):
+            spot = self.place.on(self._outer * ray)
+            yield Line(spot - TICK * ray, spot + TICK * ray, hand.other)
+
+    def _ring(self, ring: Ring) -> Iterator[Stroke]:
+        """Draw the spans of a ring: a line where each begins, the line of what is done, its letters along it."""
+        inner, sense = ring.radius - RING / 2, self.chart.sense
+        for span in ring.row.spans:
+            ray = self._ray(span.start)
+            yield Line(self.place.on(inner * ray), self.place.on((inner + RING) * ray), self.hand.other)
+            low, high = sorted((sense * span.start, sense * span.end))
+            style = self.hand.result if course.moves(span) else self.hand.drafted
+            yield Arc(self.place.on(0j), self.place.length(inner + BAND * RING), low, high, style)
+            text, own = course.label(span, self.drafting), ring.told(span)
+            if self._fits(own, text, ring.radius):
+                yield self._along(text, own, ring.radius)
+        if ring.named is not None:
+            yield self._along(course.name(ring.row, self.drafting), ring.named, ring.radius)
+
+    def _along(self, text: str, span: Span, radius: float) -> Text:
+        """Write along a ring in the middle of a span, upright as it is read."""
+        turn, size = self.chart.sense * (span.start + span.end) / 2, self.hand.number
+        way = turn - math.pi / 2 if tied(math.sin(turn)) >= 0 else turn + math.pi / 2
+        spot = self.place.on(0j) + cmath.rect(self.place.length(radius), turn)
+        return Text(spot - cmath.rect(0.35 * size, way + math.pi / 2), text, size, "middle", True, math.degrees(way))
+
+    def _beside(self, labels: Labels, text: str, radius: float, turned: float, off: float = 0.0) -> Stroke:
+        """Letter a place of the chart outward."""
+        ray = self._ray(turned)
+        spot = self.place.on(radius * ray) + off * ray
+        return labels.beside(spot, text, self.hand.number, BESIDE, self.chart.sense * turned)
+
+    def _numbers(self, labels: Labels) -> Iterator[Stroke]:
+        for number, turned in enumerate(self.chart.numbered):
+            yield self._beside(labels, str(number), self._outer, turned, TICK)
+
+    def _names(self, labels: Labels) -> Iterator[Stroke]:
+        """Name the rings that have no room for their names where they begin."""
+        for ring in self._rings:
+            if ring.named is None:
+                name = course.name(ring.row, self.drafting)
+                yield self._beside(labels, name, ring.radius, ring.row.spans[0].start)
+
+    def _long(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the spans whose letters have no room along their ring."""
+        for ring in self._rings:
+            for span in ring.row.spans:
+                text = course.label(span, self.drafting)
+                if not self._fits(ring.told(span), text, ring.radius):
+                    yield self._beside(labels, text, ring.radius, (span.start + span.end) / 2)
+
+    def _speed(self, labels: Labels) -> Stroke:
+        """Letter the arrow of rotation."""
+        radius, start, sweep = ARROW
+        middle = self.chart.sense * (start + sweep / 2)
+        spot = self.place.on(cmath.rect(HUB * radius, middle))
+        return labels.beside(spot, "ω", self.hand.letter, BESIDE, middle)

@@ -16,7 +16,7 @@ from drawings.lettering.words import fixed
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
@@ -84,7 +84,7 @@ def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf
 def chart_of(study: CyclogramStudy) -> Chart:
     """Give what the charts show; the turn begins at the first extreme."""
     turned = tuple(one.turned for one in study.cyclogram.positions)
-    return Chart(rows_of(study.cyclogram, study.cams), turned, turned[0])
+    return Chart(rows_of(study.cyclogram, study.cams), study.cyclogram.sense, turned, turned[0])
 
 
 def _plan(study: CyclogramStudy, drafting: Drafting) -> Exhibit:
@@ -94,11 +94,8 @@ def _plan(study: CyclogramStudy, drafting: Drafting) -> Exhibit:
 
 
 def _charts(study: CyclogramStudy, drafting: Drafting) -> Iterator[Exhibit]:
-    chart, sense = chart_of(study), study.cyclogram.sense
-    room = bar_chart.measure(chart, drafting)
-    yield Exhibit(Panel(room), partial(bar_chart.draw, chart, room, drafting=drafting))
-    room = circular_chart.measure(chart, drafting)
-    yield Exhibit(Panel(room), partial(circular_chart.draw, chart, sense, room, drafting=drafting))
+    chart = chart_of(study)
+    yield from (exhibit(one, chart, drafting) for one in (bar_chart, circular_chart))
 
 
 def _table(comparison: CyclogramComparison, drafting: Drafting) -> Caption:
