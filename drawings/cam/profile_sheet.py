@@ -8,9 +8,9 @@ from typing import Any
 
 from drawings.cam import manufacturing
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
-from drawings.cyclogram import bar_chart, circular_chart
-from drawings.cyclogram.bar_chart import Chart
 from drawings.cyclogram.notes import settings_of
+from drawings.kinds import bar_chart, circular_chart
+from drawings.kinds.bar_chart import Chart
 from drawings.layout.picture import SMALLER, Picture
 from drawings.page.page import page_of
 from drawings.page.scale import Drafting, drafting_of

@@ -7,9 +7,10 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
-from drawings.cyclogram import bar_chart, characteristic_plan, circular_chart
-from drawings.cyclogram.bar_chart import Chart
+from drawings.cyclogram import characteristic_plan
 from drawings.cyclogram.notes import CyclogramNotes
+from drawings.kinds import bar_chart, circular_chart
+from drawings.kinds.bar_chart import Chart
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.words import fixed

@@ -1,1 +1,1 @@
-"""Kinds of figures that techniques share: axes, graphs over a turn, hodographs, rows of graphs (виды фигур)."""
+"""Kinds of figures that techniques share: graphs and rows of them, hodographs, polygons, vector plans, charts (виды)."""

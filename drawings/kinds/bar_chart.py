@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.cyclogram import course
-from drawings.cyclogram.course import Stretch, stretches
+from drawings.kinds import course
+from drawings.kinds.course import Stretch, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_reach, text_width

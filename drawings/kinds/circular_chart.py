@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.cyclogram import course
-from drawings.cyclogram.bar_chart import LARGER, Chart
+from drawings.kinds import course
+from drawings.kinds.bar_chart import LARGER, Chart
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
