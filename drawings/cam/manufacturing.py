@@ -5,8 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +13,7 @@ import numpy as np
 from drawings.cam.inversion import pushed
 from drawings.cam.profile_view import SHOWN, SYMBOL, UNIT, ProfileView, curves, lettered, profile_view
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Slot, joined
@@ -29,92 +28,38 @@ from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import pole, turning_arrow
 from plans.cam.course import Course, settled
 from plans.cam.profile.profile import profile
-from plans.model.cam import DWELL, GROOVE, Cam, Phase
-from plans.model.cam_motion import CamFound, Contour, Points
+from plans.model.cam import DWELL, Phase
+from plans.model.cam_motion import CamFound, ToldProfile, told_turns
 from plans.model.motion import Floats
 
 PLAN, QUANTITY = "manufacturing", "l"
-COUNT = 72  # tabled turns: every 5 degrees; of a cam that translates so many at most, and its end
-RAY = 6  # tabled turns from one drawn radius to the next: 30 degrees
-TRAVELS = 10  # from one drawn ordinate of a cam that translates to the next
-MANTISSAS = (1.0, 2.0, 2.5, 5.0, 10.0)  # of the travel in mm from one to the next
 
 
-def tabled(cam: Cam) -> Floats:
-    """Give the turns of the cam that a sheet tells radii at, rad: every 5 degrees, or by a round length of travel."""
-    if not cam.translates:
-        return settled(np.linspace(0.0, cam.turn, COUNT + 1)[:-1], Course(cam))
-    step = _step(cam.turn * 1000 / COUNT) / 1000
-    return settled(np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn), Course(cam))
+def zero(shown: ToldProfile) -> complex:
+    """Give the unit direction of the zero ray: from O to the first told point."""
+    first = complex(shown.spots[0])
+    return first / abs(first)
 
 
-def _step(least: float) -> float:
-    """Give the least round length that is not less than another, mm."""
-    power = 10.0 ** math.floor(math.log10(least))
-    return next(one * power for one in MANTISSAS if one * power >= least * (1 - 1e-12))
+def angles(shown: ToldProfile) -> Floats:
+    """Give the polar angles of the told points from the zero ray, against the rotation, rad, (N,)."""
+    return np.asarray(-shown.cam.sense * np.unwrap(np.angle(shown.spots / zero(shown))))
 
 
-class TabledProfile(NamedTuple):
-    """The profile at the tabled turns, by either road: what is found of the cam, its contour there."""
-
-    found: CamFound
-    at: Contour
-
-    @property
-    def cam(self) -> Cam:
-        """The cam that was asked for."""
-        return self.found.cam
-
-    @property
-    def grooved(self) -> bool:
-        """Whether a mill as broad as the groove makes it, so that the path of its centre is told."""
-        return self.cam.closure == GROOVE and self.found.roller > 0
-
-    @property
-    def told(self) -> Points:
-        """The tabled points, m, (N,): of the working profile, of a groove those of its middle."""
-        return self.at.pitch if self.grooved else self.at.profile
-
-    @property
-    def zero(self) -> complex:
-        """The unit direction of the zero ray: from O to the first tabled point."""
-        first = complex(self.told[0])
-        return first / abs(first)
-
-    @property
-    def radii(self) -> Floats:
-        """Polar radii of the tabled points, m, (N,)."""
-        return np.asarray(np.abs(self.told))
-
-    @property
-    def angles(self) -> Floats:
-        """Polar angles of the tabled points from the zero ray, against the rotation, rad, (N,)."""
-        return np.asarray(-self.cam.sense * np.unwrap(np.angle(self.told / self.zero)))
-
-    @property
-    def names(self) -> list[float]:
-        """The tabled turns, degrees; of a cam that translates its travels, mm."""
-        own = 1000 * self.at.turned if self.cam.translates else np.degrees(self.at.turned)
-        return [float(one) for one in own.round(9)]
-
-    def rays(self) -> Iterator[tuple[int, float]]:
-        """Give the tabled turns whose radii are drawn, with their names."""
-        every = TRAVELS if self.cam.translates else RAY
-        yield from ((k, self.names[k]) for k in range(every, len(self.names), every))
-
-    def dwells(self) -> Iterator[tuple[Phase, float]]:
-        """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
-        spots = self.found.contour.pitch if self.grooved else self.found.contour.profile
-        for one in self.cam.phases:
-            if one.kind == DWELL:
-                yield one, float(abs(spots[int(np.argmin(abs(self.found.contour.turned - one.start)))]))
+def dwells(shown: ToldProfile) -> Iterator[tuple[Phase, float]]:
+    """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
+    own = shown.found.contour
+    spots = own.pitch if shown.found.grooved else own.profile
+    for one in shown.cam.phases:
+        if one.kind == DWELL:
+            yield one, float(abs(spots[int(np.argmin(abs(own.turned - one.start)))]))
 
 
 class Manufacture(NamedTuple):
     """A cam to be made: its view, and the profile at the tabled turns."""
 
     view: ProfileView
-    table: TabledProfile
+    table: ToldProfile
 
     @property
     def corners(self) -> list[complex]:
@@ -127,8 +72,9 @@ class Manufacture(NamedTuple):
 
 def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
-    at = profile(Course(found.cam), found.sizes, found.roller, tabled(found.cam)).contour
-    return Manufacture(profile_view(found), TabledProfile(found, at))
+    course = Course(found.cam)
+    at = profile(course, found.sizes, found.roller, settled(told_turns(found.cam), course)).contour
+    return Manufacture(profile_view(found), ToldProfile(found, at))
 
 
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
@@ -139,50 +85,6 @@ PAST = 7.0  # mm that the zero ray and the axes go past the profile
 OUT, SWEEP = 6.0, 22.0  # mm from the profile to the arrow of rotation, and its length
 ROW = 0.5  # mm, radius of a tabled point
 ORIGIN = "O"
-
-
-@dataclass(frozen=True)
-class ManufacturingFigure:
-    """The profile placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: Manufacture
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure: datum and radii lettered."""
-        letters = (
-            *self._datum(labels),
-            *self._rays(labels),
-            *lettered(self.shown.view, self.place, self.drafting, labels),
-        )
-        return (Group((*self.lines, Group(letters)), PLAN),)
-
-    @cached_property
-    def _rotation(self) -> tuple[complex, float]:
-        return _arrow(self.shown, self.place, self.drafting.hand)
-
-    def _datum(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter O, the zero ray, the sense of rotation."""
-        hand, place = self.drafting.hand, self.place
-        yield labels.beside(place.on(0j), ORIGIN, hand.letter, BESIDE, -math.pi / 4)
-        if not self.shown.view.cam.translates:
-            end = _end(self.shown, place, hand)
-            text = self.drafting.word("zero ray")
-            yield labels.beside(end, text, hand.number, BESIDE, cmath.phase(end - place.on(0j)))
-            spot, turn = self._rotation
-            yield labels.beside(spot, "ω", hand.letter, BESIDE, turn)
-        else:
-            yield labels.along(*_straight(self.shown, place, hand), "v", hand.letter, BESIDE, math.pi / 2)
-
-    def _rays(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter each drawn radius with its turn, outside the profile."""
-        hand = self.drafting.hand
-        for k, name in self.shown.table.rays():
-            spot = self.place.on(complex(self.shown.table.told[k]))
-            towards = math.pi / 2 if self.shown.view.cam.translates else cmath.phase(spot - self.place.on(0j))
-            yield labels.beside(spot, label(self.shown, name, self.drafting), hand.number, BESIDE, towards)
 
 
 def label(shown: Manufacture, name: float, drafting: Drafting) -> str:
@@ -202,7 +104,7 @@ def measure(shown: Manufacture, drafting: Drafting) -> Picture:
     return room._replace(most=natural if natural >= room.least else LARGE * hand.letter)
 
 
-def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> ManufacturingFigure:
+def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the profile in its spot: radii thin, the path of the roller's centre dash-dot, the profile in main lines."""
     place, hand, view = room.place(*spot), drafting.hand, shown.view
     lines = (
@@ -214,13 +116,30 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> M
         *_rows(shown, place, hand),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
-    return ManufacturingFigure(shown, place, lines, drafting)
+    return LetteredFigure(PLAN, lines, partial(_letters, shown, place, drafting))
+
+
+def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter O, the sense of motion, the zero ray, each drawn radius with its turn outside the profile."""
+    hand, zero, translates = drafting.hand, place.on(0j), shown.view.cam.translates
+    yield labels.beside(zero, ORIGIN, hand.letter, BESIDE, -math.pi / 4)
+    if translates:
+        yield labels.along(*_straight(shown, place, hand), "v", hand.letter, BESIDE, math.pi / 2)
+    else:
+        end, (spot, turn) = _end(shown, place, hand), _arrow(shown, place, hand)
+        yield labels.beside(end, drafting.word("zero ray"), hand.number, BESIDE, cmath.phase(end - zero))
+        yield labels.beside(spot, "ω", hand.letter, BESIDE, turn)
+    for k, name in shown.table.rays():
+        spot = place.on(complex(shown.table.spots[k]))
+        towards = math.pi / 2 if translates else cmath.phase(spot - zero)
+        yield labels.beside(spot, label(shown, name, drafting), hand.number, BESIDE, towards)
+    yield from lettered(shown.view, place, drafting, labels)
 
 
 def _end(shown: Manufacture, place: Place, hand: Hand) -> complex:
     """Give the end of the zero ray, mm."""
     out = max(place.length(abs(complex(one[0]))) for one in shown.view.outlines)
-    return place.on(0j) + (out + PAST * hand.symbol) * shown.table.zero
+    return place.on(0j) + (out + PAST * hand.symbol) * zero(shown.table)
 
 
 def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -229,12 +148,9 @@ def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
         left, right = (place.on(complex(one.real)) for one in shown.view.body)
         yield Line(left, right, fit(hand.axis, abs(right - left)))
         return
-    zero, half = place.on(0j), PAST * hand.symbol
-    end = _end(shown, place, hand)
-    for start, stop in (
-        (zero - shown.table.zero * half, end),
-        (zero - 1j * shown.table.zero * half, zero + 1j * shown.table.zero * half),
-    ):
+    centre, end = place.on(0j), _end(shown, place, hand)
+    along = zero(shown.table) * PAST * hand.symbol
+    for start, stop in ((centre - along, end), (centre - 1j * along, centre + 1j * along)):
         yield Line(start, stop, fit(hand.axis, abs(stop - start)))
 
 
@@ -275,7 +191,7 @@ def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Gro
     """Draw the radii at even turns, or ordinates from the level of O; each can be measured."""
     hand = drafting.hand
     for number, (k, name) in enumerate(shown.table.rays()):
-        end = complex(shown.table.told[k])
+        end = complex(shown.table.spots[k])
         start = complex(end.real) if shown.view.cam.translates else 0j
         data = Subject(PLAN, QUANTITY, number).data("vector", "r", end - start, place.scale)
         yield Group((Line(place.on(start), place.on(end), hand.drafted),), "", data, label(shown, name, drafting))
@@ -283,18 +199,18 @@ def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Gro
 
 def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the points that the table tells."""
-    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.table.told)
+    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.table.spots)
 
 
 MM = 1000.0  # of a metre
 DIGITS = 5
 
 
-def notes(shown: TabledProfile, drafting: Drafting) -> Iterator[str]:
+def notes(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
     """Say what a workshop must know beside the curve."""
     cam = shown.cam
     yield drafting.word(_moves(shown))
-    curve = drafting.word("mill path" if shown.grooved else "profile told")
+    curve = drafting.word("mill path" if shown.found.grooved else "profile told")
     yield drafting.word("plane datum" if cam.translates else "polar datum", curve=curve)
     if shown.found.roller:
         yield drafting.letter(_roller(shown, drafting))
@@ -307,24 +223,24 @@ def notes(shown: TabledProfile, drafting: Drafting) -> Iterator[str]:
         yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
 
 
-def _moves(shown: TabledProfile) -> str:
+def _moves(shown: ToldProfile) -> str:
     """Name the sense in which the cam moves."""
     names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
     return names[shown.cam.sense < 0]
 
 
-def _roller(shown: TabledProfile, drafting: Drafting) -> str:
+def _roller(shown: ToldProfile, drafting: Drafting) -> str:
     radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
-    if not shown.grooved:
+    if not shown.found.grooved:
         return drafting.phrase("roller of cam", radius=radius)
     breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.found.roller, DIGITS)
     return drafting.phrase("groove of cam", radius=radius, breadth=breadth)
 
 
-def _dwells(shown: TabledProfile, drafting: Drafting) -> Iterator[str]:
+def _dwells(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
     """Tell the radii of the arcs, and between which turns they are."""
     told = []
-    for k, (one, radius) in enumerate(shown.dwells()):
+    for k, (one, radius) in enumerate(dwells(shown)):
         turns = (("r", MM * radius), ("start", math.degrees(one.start)), ("end", math.degrees(one.end)))
         size, *ends = (drafting.slot(Slot(f"{name} {k} {shown.cam.name}", value, DIGITS)) for name, value in turns)
         told.append(joined("", ("r = ", size, ", φ ", joined(" … ", ends), "°")))
@@ -337,22 +253,22 @@ PLACES = 3  # of a millimetre and of a degree: finer than any machine divides
 POLAR, PLANE = ("polar radius, mm", "polar angle, °"), ("abscissa, mm", "ordinate, mm")
 
 
-def radii(shown: TabledProfile, every: int, drafting: Drafting) -> RuledTable:
+def radii(shown: ToldProfile, every: int, drafting: Drafting) -> RuledTable:
     """Tell the profile, of a groove its middle, at every so many of the tabled turns."""
-    lines = [_row(shown, k, drafting) for k in range(0, len(shown.names), every)]
+    own, spots = shown.names, told(shown)
+    lines = [_row(own[k], *spots[k], drafting) for k in range(0, len(own), every)]
     words = PLANE if shown.cam.translates else POLAR
     first = drafting.word("x of cam, mm" if shown.cam.translates else "φ of cam, °")
     return table(lines, first, tuple(drafting.word(key) for key in words), drafting.hand.text)._replace(name=NAME)
 
 
-def _row(shown: TabledProfile, k: int, drafting: Drafting) -> TableRow:
-    cells = (fixed(value, drafting.language, PLACES) for value in told(shown, k))
-    return TableRow(drafting.number(shown.names[k], 5), tuple(cells))
+def _row(name: float, first: float, second: float, drafting: Drafting) -> TableRow:
+    cells = (fixed(value, drafting.language, PLACES) for value in (first, second))
+    return TableRow(drafting.number(name, 5), tuple(cells))
 
 
-def told(shown: TabledProfile, k: int) -> tuple[float, float]:
-    """Give what a row tells: polar radius mm and angle in degrees, or the coordinates of a cam that translates, mm."""
+def told(shown: ToldProfile) -> list[tuple[float, float]]:
+    """Give what the rows tell: polar radii mm and angles in degrees, or coordinates of a cam that translates, mm."""
     if shown.cam.translates:
-        spot = MM * complex(shown.told[k])
-        return spot.real, spot.imag
-    return MM * float(shown.radii[k]), math.degrees(float(shown.angles[k]))
+        return [(spot.real, spot.imag) for spot in (MM * shown.spots).tolist()]
+    return [*zip((MM * np.abs(shown.spots)).tolist(), np.degrees(angles(shown)).tolist(), strict=True)]

@@ -1,1 +1,1 @@
-"""Kinds of figures that techniques share: graphs and rows of them, hodographs, polygons, vector plans, charts (виды)."""
+"""Kinds of figures of all techniques: graphs, their rows, hodographs, polygons, vector plans, charts (виды фигур)."""
