@@ -89,9 +89,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
 def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:
     """Mark the place of a mechanism on the axis of the shaft; it can be measured."""
     spot = complex(float(one.place))
-    return point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK))._replace(
-        title=one.name
-    )
+    return point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK))
 
 
 def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:

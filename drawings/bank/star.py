@@ -239,4 +239,4 @@ def _pin(shown: BankView, one: Member, place: Place, hand: Hand) -> Group:
     circle = Circle(place.on(centre), PIN * hand.symbol, hand.body)
     if not shown.crank:
         return Group((circle,), "", {}, one.name)
-    return point(Subject(NAME, QUANTITY, None), one.name, centre, place, circle)._replace(title=one.name)
+    return point(Subject(NAME, QUANTITY, None), one.name, centre, place, circle)

@@ -285,7 +285,7 @@ def marks(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
             line = Line(place.on(spot), place.on(touch), hand.drafted)
             yield Group((line,), "", subject.data("vector", "Q", touch - spot, place.scale), letter)
         dot = Circle(place.on(spot), POINT * hand.symbol, INK)
-        yield _titled(point(subject, "P" if view.apart else "Q", spot, place, dot), letter)
+        yield point(subject, "P" if view.apart else "Q", spot, place, dot, title=letter)
 
 
 def pivots(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
@@ -294,8 +294,4 @@ def pivots(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
     for k, turned in view.positions[1:] if view.sizes.pivot else ():
         spot = view.back(view.sizes.pivot, turned)
         circle = Circle(place.on(spot), 0.8 * hand.symbol, style)
-        yield _titled(point(Subject(NAME, QUANTITY, k), "O_1", spot, place, circle), str(k))
-
-
-def _titled(group: Group, title: str) -> Group:
-    return Group(group.strokes, group.name, group.data, title)
+        yield point(Subject(NAME, QUANTITY, k), "O_1", spot, place, circle, title=str(k))

@@ -5,17 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
+from functools import partial
 from typing import NamedTuple
 
 from drawings.cam import inversion, profile_view, size_marks
-from drawings.cam import inversion as senses
-from drawings.cam import size_marks as phase_arcs
 from drawings.cam.inversion import BODY_GUIDE, CLEAR, GUIDE, POINT, Rings, around, beyond, face, highest
 from drawings.cam.profile_view import NAME, QUANTITY, SYMBOL, UNIT, ProfileView
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import telling
 from drawings.page.scale import Drafting
@@ -163,8 +160,7 @@ def graduated(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield tick(one.spot, _across(view, one, place), hand)
     for one in divisions(view, place, hand):
         dot = Circle(one.spot, POINT * hand.symbol, INK)
-        mark = point(Subject(NAME, QUANTITY, one.position), "K", one.true, place, dot)
-        yield Group(mark.strokes, "", mark.data, str(one.position))
+        yield point(Subject(NAME, QUANTITY, one.position), "K", one.true, place, dot, title=str(one.position))
 
 
 def _across(view: ProfileView, one: Division, place: Place) -> complex:
@@ -190,85 +186,6 @@ AXIS = 6.0  # mm that the axes of the shaft go past it
 ORIGIN = "O"
 
 
-@dataclass(frozen=True)
-class ProfileFigure:
-    """The profile placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    view: ProfileView
-    place: Place
-    lines: tuple[Stroke, ...]
-    drafting: Drafting
-
-    @cached_property
-    def rings(self) -> Rings:
-        """What lies how far out."""
-        return Rings(self.view, self.place, self.drafting.hand)
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure: phases, senses, sizes and points lettered, every position numbered."""
-        letters = (
-            *self._points(labels),
-            *self._phases(labels),
-            *self._sizes(labels),
-            *self._numbers(labels),
-            *self._divisions(labels),
-            *profile_view.lettered(self.view, self.place, self.drafting, labels),
-        )
-        return (Group((*self.lines, Group(letters)), NAME),)
-
-    def _points(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter O, a rocker's pivot, the senses."""
-        view, hand = self.view, self.drafting.hand
-        gap = BESIDE + (0.0 if view.cam.translates else HINGE * hand.symbol)
-        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, view.quiet)
-        if view.sizes.pivot:
-            yield labels.beside(self.place.on(view.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
-        for one in senses.senses(view, self.rings):
-            yield one.letter_beside(labels, hand)
-        for start, end in senses.straight(view, self.rings):
-            yield labels.along(start, end, "v", hand.letter, BESIDE, math.pi / 2)
-
-    def _phases(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        for arc in phase_arcs.phase_arcs(self.view, self.rings, self.drafting):
-            yield arc.letter_beside(labels, hand)
-        for angle in size_marks.rocking(self.view, self.place, self.drafting):
-            yield angle.letter_beside(labels, hand)
-        for one in phase_arcs.travels(self.view, self.rings, self.drafting):
-            yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, math.pi / 2))
-
-    def _sizes(self, labels: Labels) -> Iterator[Stroke]:
-        hand = self.drafting.hand
-        for one in size_marks.size_marks(self.view, self.place, self.drafting):
-            yield telling(NAME, labels.along(one.start, one.end, one.letter, hand.number, BESIDE, math.pi / 2))
-
-    def _numbers(self, labels: Labels) -> Iterator[Stroke]:
-        """Number the positions at the ends of their axes, and at the points of the curve."""
-        hand, view = self.drafting.hand, self.view
-        for k, spot, towards in self._ends():
-            yield labels.beside(spot, str(k), hand.number, END, towards)
-        for k in inversion.marked(view, self.place, hand):
-            spot, normal = self.place.on(complex(view.contour.pitch[k])), view.at(view.contour.turned[k])[1]
-            towards = math.atan2(normal.imag, normal.real)
-            yield labels.beside(spot, str(k), hand.number, BESIDE, towards)
-
-    def _ends(self) -> Iterator[tuple[int, complex, float]]:
-        """Give the ends of the turned axes with the directions outward."""
-        view, rings = self.view, self.rings
-        for k, turned in view.positions:
-            if view.cam.translates:
-                high = inversion.highest(view, self.place, self.drafting.hand)
-                yield k, complex(self.place.on(complex(view.contour.pitch[k])).real, high), math.pi / 2
-            else:
-                pivot = self.place.on(view.back(view.sizes.pivot, turned)) - self.place.on(0j)
-                off = pivot if view.cam.rocks and k else rings.crossing(turned, rings.ends)
-                yield k, self.place.on(0j) + off, math.atan2(off.imag, off.real)
-
-    def _divisions(self, labels: Labels) -> Iterator[Stroke]:
-        for one in divisions(self.view, self.place, self.drafting.hand):
-            yield labels.beside(one.spot, str(one.position), self.drafting.hand.number, BESIDE, one.towards)
-
-
 def measure(view: ProfileView, drafting: Drafting) -> Picture:
     """Measure the room that the profile needs: the cam, the ends of the axes around it, the arcs of the phases."""
     hand = drafting.hand
@@ -284,7 +201,7 @@ def measure(view: ProfileView, drafting: Drafting) -> Picture:
     )
 
 
-def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> ProfileFigure:
+def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the profile in its spot: the construction thin, the follower at the start, the curves over all."""
     place, hand = room.place(*spot), drafting.hand
     rings = Rings(view, place, hand)
@@ -303,22 +220,74 @@ def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> Pr
         *pivot_mark(view, place, hand),
         _origin(view, place, hand),
     )
-    return ProfileFigure(view, place, lines, drafting)
+    return LetteredFigure(NAME, lines, partial(_letters, view, rings, drafting))
+
+
+def _letters(view: ProfileView, rings: Rings, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Letter phases, senses, sizes and points, number every position."""
+    place, hand = rings.place, drafting.hand
+    yield from _points(view, rings, labels)
+    for arc in (*size_marks.phase_arcs(view, rings, drafting), *size_marks.rocking(view, place, drafting)):
+        yield arc.letter_beside(labels, hand)
+    for one in size_marks.travels(view, rings, drafting):
+        yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, math.pi / 2))
+    for size in size_marks.size_marks(view, place, drafting):
+        yield telling(NAME, labels.along(size.start, size.end, size.letter, hand.number, BESIDE, math.pi / 2))
+    yield from _numbers(view, rings, labels)
+    for division in divisions(view, place, hand):
+        yield labels.beside(division.spot, str(division.position), hand.number, BESIDE, division.towards)
+    yield from profile_view.lettered(view, place, drafting, labels)
+
+
+def _points(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke]:
+    """Letter O, a rocker's pivot, the inversion."""
+    place, hand = rings.place, rings.hand
+    gap = BESIDE + (0.0 if view.cam.translates else HINGE * hand.symbol)
+    yield labels.beside(place.on(0j), ORIGIN, hand.letter, gap, view.quiet)
+    if view.sizes.pivot:
+        yield labels.beside(place.on(view.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
+    for one in inversion.senses(view, rings):
+        yield one.letter_beside(labels, hand)
+    for start, end in inversion.straight(view, rings):
+        yield labels.along(start, end, "v", hand.letter, BESIDE, math.pi / 2)
+
+
+def _numbers(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke]:
+    """Number the positions at the ends of their axes, and at the points of the curve."""
+    place, size = rings.place, rings.hand.number
+    for k, turned in view.positions:
+        spot, towards = _end_of(view, rings, k, turned)
+        yield labels.beside(spot, str(k), size, END, towards)
+    for k in inversion.marked(view, place, rings.hand):
+        normal = view.at(view.contour.turned[k])[1]
+        spot = place.on(complex(view.contour.pitch[k]))
+        yield labels.beside(spot, str(k), size, BESIDE, math.atan2(normal.imag, normal.real))
+
+
+def _end_of(view: ProfileView, rings: Rings, k: int, turned: float) -> tuple[complex, float]:
+    """Give the end of a turned axis with the direction outward."""
+    place, zero = rings.place, rings.place.on(0j)
+    if view.cam.translates:
+        high = inversion.highest(view, place, rings.hand)
+        return complex(place.on(complex(view.contour.pitch[k])).real, high), math.pi / 2
+    pivot = place.on(view.back(view.sizes.pivot, turned)) - zero
+    off = pivot if view.cam.rocks and k else rings.crossing(turned, rings.ends)
+    return zero + off, math.atan2(off.imag, off.real)
 
 
 def _around(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[Stroke]:
-    """Draw the phases and the senses."""
+    """Draw the phases and the inversion."""
     hand = drafting.hand
-    for arc in (*phase_arcs.phase_arcs(view, rings, drafting), *size_marks.rocking(view, rings.place, drafting)):
+    for arc in (*size_marks.phase_arcs(view, rings, drafting), *size_marks.rocking(view, rings.place, drafting)):
         yield from arc.draw(hand)
     if not view.cam.translates:
-        yield from phase_arcs.bounds(view, rings, hand)
-    for one in phase_arcs.travels(view, rings, drafting):
+        yield from size_marks.bounds(view, rings, hand)
+    for one in size_marks.travels(view, rings, drafting):
         yield from one.draw(hand)
-    for sense in senses.senses(view, rings):
+    for sense in inversion.senses(view, rings):
         yield from sense.draw(hand)
-    for ends in senses.straight(view, rings):
-        yield senses.pushed(NAME, ends, hand)
+    for ends in inversion.straight(view, rings):
+        yield inversion.pushed(NAME, ends, hand)
 
 
 def _shaft(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
 
 from drawings.cam.size_marks import offset_seen, region, rulers
 from drawings.cam.size_view import NAME, QUANTITY, SizeView, direction
-from drawings.kinds.axes import Letter, arrow
+from drawings.kinds.axes import Letter, arrow, placed
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.lettering.extent import spaced
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import Phrase, Slot, joined, telling
 from drawings.page.scale import Drafting
@@ -40,28 +41,6 @@ SHOWN = 0.25  # rad to either side of O: of the arc of L
 SUBJECT = Subject(NAME, QUANTITY, None)
 
 
-@dataclass(frozen=True)
-class SizeFigure:
-    """The diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    view: SizeView
-    place: Place
-    lines: tuple[Stroke, ...]
-    letters: tuple[Letter, ...]
-    sizes: tuple[Dimension, ...]
-    drafting: Drafting
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure, its points numbered, its sizes and angles lettered."""
-        hand = self.drafting.hand
-        sizes = [
-            labels.along(*one.lines[0], one.letter, hand.number, BESIDE, cmath.phase(one.off)) for one in self.sizes
-        ]
-        ranked = sorted(self.letters, key=lambda one: -one.size)
-        letters = [labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked]
-        return (Group((*self.lines, Group(tuple(telling(NAME, one) for one in (*sizes, *letters)))), NAME),)
-
-
 def measure(view: SizeView, drafting: Drafting) -> Picture:
     """Measure the room that the diagram needs: its points, the tangents, the region below O."""
     hand = drafting.hand
@@ -73,7 +52,7 @@ def measure(view: SizeView, drafting: Drafting) -> Picture:
     return found._replace(most=MOST * hand.letter)
 
 
-def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> SizeFigure:
+def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the diagram in its spot: region and construction thin, the curve thick, rulers between, O over all."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, _title(view, drafting), drafting.scale(spot.scale), hand)
@@ -91,7 +70,14 @@ def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> SizeF
         *_points(view, place, hand),
     )
     letters = (*angles, *_letters(view, place, drafting), *_numbers(view, place, hand))
-    return SizeFigure(view, place, lines, letters, sizes, drafting)
+    return LetteredFigure(NAME, lines, partial(_lettered, sizes, letters, hand))
+
+
+def _lettered(sizes: Sequence[Dimension], letters: Sequence[Letter], hand: Hand, labels: Labels) -> Iterator[Stroke]:
+    """Letter the sizes along their lines, then points and angles, those of small numbers last."""
+    for one in sizes:
+        yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, cmath.phase(one.off)))
+    yield from placed(NAME, letters, labels)
 
 
 def _title(view: SizeView, drafting: Drafting) -> str:
@@ -153,7 +139,8 @@ def _points(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     numbered = _numbered(view, place, hand)
     for k, end in enumerate(view.ends.tolist()):
         dot = Circle(place.on(end), DOT * hand.symbol, INK)
-        yield _titled(point(SUBJECT._replace(position=k), "D", end, place, dot), str(k)) if k in numbered else dot
+        subject = SUBJECT._replace(position=k)
+        yield point(subject, "D", end, place, dot, title=str(k)) if k in numbered else dot
     for one in _touched(view, place):
         spot = complex(one.point.point)
         yield point(SUBJECT, one.point.name, spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
@@ -267,12 +254,8 @@ def _numbers(view: SizeView, place: Place, hand: Hand) -> Iterator[Letter]:
 
 def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
     """Give the positions whose numbers have room."""
-    kept: list[int] = []
-    spots = [place.on(one) for one in view.ends.tolist()]
-    for k, apart in enumerate(np.abs(view.ends - view.tips).tolist()):
-        if tied(place.length(apart)) and all(abs(spots[k] - spots[other]) >= APART * hand.number for other in kept):
-            kept.append(k)
-    return tuple(kept)
+    moved = [k for k, apart in enumerate(np.abs(view.ends - view.tips).tolist()) if tied(place.length(apart))]
+    return spaced([place.on(one) for one in view.ends.tolist()], APART * hand.number, moved)
 
 
 def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
@@ -280,7 +263,3 @@ def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
     for one in () if view.faced else view.sizing.tangents:
         if view.cam.rocks or place.length(abs(complex(one.point.point))) >= LEAST:
             yield one
-
-
-def _titled(group: Group, title: str) -> Group:
-    return group._replace(title=title)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from drawings.layout.labels import Labels
@@ -44,10 +44,13 @@ class Part(NamedTuple):
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give it whole, its letters placed among the lines of all figures."""
-        ranked = sorted(self.letters, key=lambda one: -one.size)
-        placed = (labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
-        letters = tuple(telling(self.name, one) for one in placed)
-        return (Group((*self.lines, Group(letters)), self.name),)
+        return (Group((*self.lines, Group(tuple(placed(self.name, self.letters, labels)))), self.name),)
+
+
+def placed(name: str, letters: Iterable[Letter], labels: Labels) -> Iterator[Stroke]:
+    """Place the letters of a figure, the largest first."""
+    for one in sorted(letters, key=lambda one: -one.size):
+        yield telling(name, labels.beside(one.at, one.text, one.size, one.gap, one.side))
 
 
 class Parts(NamedTuple):

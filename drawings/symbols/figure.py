@@ -47,9 +47,11 @@ def vector(
     return Group(strokes, "", subject.data("vector", name, ends[1] - ends[0], place.scale), name)
 
 
-def point(subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point") -> Group:
-    """Draw a point or a pole by its circle, and say what it is."""
-    return Group((circle,), "", subject.data(kind, name, value, place.scale), name)
+def point(
+    subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point", title: str = ""
+) -> Group:
+    """Draw a point or a pole by its circle, and say what it is; its title is its name, or another one."""
+    return Group((circle,), "", subject.data(kind, name, value, place.scale), title or name)
 
 
 def around(sizes: Margins, hand: Hand, side: float = 0.0, below: float = 0.0, above: float = 0.0) -> Margins:
