@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from drawings.cam.due_notes import PLAN as RADII
-from drawings.cam.due_notes import tabled
+from drawings.cam.due_notes import told_profile
 from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.cam.pressure_graph import NAME as ANGLES
 from drawings.cam.profile_view import NAME as PROFILE
@@ -267,8 +267,8 @@ class _Sheet:
 
     def radii(self) -> Iterator[FigureAsked]:
         """Give the radii of the finished profile, of a cam that translates its ordinates."""
-        exact = tabled(self.expected.found)
-        told = np.array([complex(exact.told[k]) for k, _ in exact.rays()])
+        exact = told_profile(self.expected.found)
+        told = np.array([complex(exact.spots[k]) for k, _ in exact.rays()])
         true = np.asarray(1j * told.imag if exact.cam.translates else told)
         yield from self._figure(RADII, RADII, {("r", k): k for k in range(len(told))}, true)
 
