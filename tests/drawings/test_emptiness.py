@@ -21,15 +21,18 @@ from tests.parts import first
 LARGEST, LAST = 0.15, 0.30  # shares of the field that an empty rectangle may take, on the last sheet of a set
 # Of a chain of cams a bar chart that stands with the notes alone leaves a strip on an A4 (0.169), beside the profile of
 # a flat-faced cam one is left on an A3 (0.155).
-# Where one plan alone fills a sheet, at a scale whose next larger one (1:1 after 1:2) would stand out of its frame, a
-# strip beside it is right: of a press the slim plan stands with the notes (0.172), of a slotted lever with its lengths
-# (0.171); their figures come in their order, so that no later one may fill it.
-NARROW, ALONE = 0.17, 0.175
+# Where one plan alone stands on a sheet, at a scale whose next larger one does not fit, a strip is left beside it: of a
+# press the slim plan with the notes (0.172), of a slotted lever the plan with its lengths (0.171), of a cam under a
+# spring its diagrams and its main sizes (0.174, 0.216). A load diagram, no longer than twenty letters, stands alone
+# between a pump's lever and its graph (0.231).
+NARROW, ALONE, SMALL = 0.17, 0.22, 0.24
 STRIPS = {
     ("automaton", "A3"): NARROW,
     ("automaton", "A4"): NARROW,
     ("press-cycle", "A3"): ALONE,
     ("slotted-lever", "A4"): ALONE,
+    ("spring-cam", "A4"): ALONE,
+    ("rocking-pump", "A4"): SMALL,
 }
 ROWS = [*product(SCENES, ("A2", "A3", "A1", "A4"))]
 ROWS.sort(key=lambda row: row[0].stem != "vee-four")  # a bank: it is laid out in the shortest time
