@@ -291,7 +291,7 @@ class _BalancingSheet:
 
     @property
     def _polygon(self) -> Exhibit:
-        return self._exhibit(polygon, self._moments)
+        return exhibit(polygon, self._moments, self.drafting, LARGEST)
 
     @property
     def _moments(self) -> Polygon:
@@ -304,7 +304,7 @@ class _BalancingSheet:
         states, whole = self.shown.states, self.balance.before.whole
         shown = hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
         if shown.vectors:
-            yield self._exhibit(hodograph, shown)
+            yield exhibit(hodograph, shown, self.drafting, LARGEST)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
@@ -320,7 +320,7 @@ class _BalancingSheet:
             best = shares.least_force if task.least == FORCE else shares.least_reaction
             taken = best.share if task.share is None else task.share
             letter = graphs.reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
-            yield self._exhibit(graphs, graphs.ShareGraph(shares, taken, letter, self._bare))
+            yield exhibit(graphs, graphs.ShareGraph(shares, taken, letter, self._bare), self.drafting, LARGEST)
 
     @property
     def _bare(self) -> float:
@@ -331,9 +331,6 @@ class _BalancingSheet:
             for key, one in state.forces.reactions.items()
             if (one.giver, one.taker) == (FRAME, crank)
         )
-
-    def _exhibit(self, figure: Any, shown: Any) -> Exhibit:
-        return exhibit(figure, shown, self.drafting, LARGEST)
 
     @cached_property
     def tables(self) -> tuple[RuledTable, ...]:

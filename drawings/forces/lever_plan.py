@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from drawings.forces.letters import BALANCE, LOAD, PAIR
@@ -24,7 +24,7 @@ from drawings.kinds.polygon import ShownVector
 from drawings.kinds.vector_plan import LEAST, letter_images
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.linkage.vector_plan import diagram
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
@@ -63,7 +63,7 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
     """Read the lever from its record, and from that of the velocity plan which lines join its images."""
     base = diagram(plan.velocities, column)
     rods = {(arrow.start, arrow.end): (_turned(arrow.ends), arrow.absolute) for arrow in base.arrows}
-    images = {mark.name: (_letters(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
+    images = {mark.name: (_letters_of(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
     joined = list(rods.values())
     for mark in (*(one.at for one in lever.loads), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
         place = at(mark.point, column)
@@ -82,7 +82,7 @@ def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -
     return None if name in images else name
 
 
-def _letters(plan: ForcePlan, image: Mark) -> str:
+def _letters_of(plan: ForcePlan, image: Mark) -> str:
     """Give all letters of an image, its own first."""
     own = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
     return " ".join(dict.fromkeys((image.name, *own)))
@@ -108,31 +108,6 @@ def _forces(lever: Lever, column: int) -> Iterator[ShownVector]:
     yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * reach)
 
 
-@dataclass(frozen=True)
-class LeverFigure:
-    """A lever placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: Hanging
-    place: Place
-    lines: tuple[Stroke, ...]
-    forces: tuple[ForceArrow, ...]
-    arms: tuple[Arm, ...]  # those that are drawn
-    terms: tuple[LeverTerm, ...]  # of the balancing force and all loads
-    hand: Hand
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure: letters of its images, its forces and their arms."""
-        letters = [*self._images(labels), *(force.letter_beside(labels, self.hand) for force in self.forces)]
-        letters += [arm.letter_beside(labels, self.hand) for arm in self.arms]
-        return (Group((*self.lines, Group(tuple(letters))), f"{PLAN}-{self.shown.column}"),)
-
-    def _images(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the pole and every image."""
-        images = [(0j, self.shown.pole), *((true, letters) for _, letters, true in self.shown.images)]
-        spots = ((self.place.on(true), letters.split(" ")) for true, letters in images)
-        return letter_images(spots, self.hand.number, labels, HINGE * self.hand.symbol + 1.0)
-
-
 def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
     """Give the terms of the lever's equation of moments."""
     return terms(shown.forces, [(true, letters.split(" ")[0]) for _, letters, true in shown.images], drafting)
@@ -155,7 +130,7 @@ def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:
             yield across * (one.at * across.conjugate()).real
 
 
-def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LeverFigure:
+def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
     place, hand = room.place(*spot), drafting.hand
     subject = Subject(PLAN, SYMBOL, shown.column)
@@ -163,8 +138,7 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lever
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = forces(shown.forces, place, taken, drafting)
-    told = balance(shown, drafting)
-    kept = tuple(arms(told, place, taken, shown.column))
+    kept = arms(balance(shown, drafting), place, taken, shown.column)
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     stand = fixed_hinge(
         place.on(0j), hand, HINGE * hand.symbol, downward([*taken.rods, *taken.forces], place.on(0j), hand)
@@ -176,7 +150,17 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lever
         Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
-    return LeverFigure(shown, place, lines, tuple(arrows), kept, told, hand)
+    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, (*arrows, *kept), hand))
+
+
+def _letters(
+    shown: Hanging, place: Place, marks: Iterable[ForceArrow | Arm], hand: Hand, labels: Labels
+) -> Iterator[Stroke]:
+    """Letter the pole and its images, then the forces and their arms."""
+    images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
+    spots = ((place.on(true), letters.split(" ")) for true, letters in images)
+    yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
+    yield from (one.letter_beside(labels, hand) for one in marks)
 
 
 def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:

@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import product
 
 from drawings.forces.fan import UNSIZED, coupled, fan, friction_circles, lengths, springs
@@ -19,7 +19,7 @@ from drawings.forces.scheme import Scheme, scheme
 from drawings.kinds.polygon import ShownVector
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.lettering.vector_letters import with_index
@@ -265,31 +265,11 @@ class Layout:
         yield from [Group(couples)] if couples else []
 
 
-__all__ = ["Leverage", "Scheme", "SchemeFigure", "draw", "leverages", "measure", "scheme"]
+__all__ = ["Leverage", "Scheme", "draw", "leverages", "measure", "scheme"]
 
 NEAR = 4.0  # mm beyond its letter: lines that end so near to a point are lines at it
 LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
 LETTERS, BESIDE = 1.6, 2.4  # letters' sizes below and above the lines of a scheme, and beside them
-
-
-@dataclass(frozen=True)
-class SchemeFigure:
-    """A scheme placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
-
-    shown: Scheme
-    layout: Layout
-    lines: tuple[Stroke, ...]
-    hand: Hand
-
-    @property
-    def place(self) -> Place:
-        """Where the scheme lies on paper."""
-        return self.layout.place
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure, its letters placed."""
-        letters = Group(tuple(_letters(self.layout, labels, self.hand)))
-        return (Group((*self.lines, letters), f"scheme-{self.shown.cut.label}-{self.shown.column}"),)
 
 
 def measure(shown: Scheme, drafting: Drafting) -> Picture:
@@ -319,17 +299,18 @@ def _title(shown: Scheme, drafting: Drafting) -> str:
     return f"{drafting.word(key, group=shown.cut.label)}, {drafting.word('position', position=shown.column)}"
 
 
-def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
+def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
     place, hand = room.place(*spot), drafting.hand
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
     laid = Layout(shown, place, drafting, box)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
     title = heading(spot.box, _title(shown, drafting), under, hand)
-    return SchemeFigure(shown, laid, (title, *laid.strokes()), hand)
+    name = f"scheme-{shown.cut.label}-{shown.column}"
+    return LetteredFigure(name, (title, *laid.strokes()), partial(_letters, laid, hand))
 
 
-def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
+def _letters(laid: Layout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
     for arm in laid.arms:
         yield arm.letter_beside(labels, hand)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -141,11 +140,8 @@ class _ForceSheet:
 
     def _scheme(self, cut: Cut) -> Exhibit:
         shown = loading_scheme.scheme(self.plan, cut, self.position)
-        room = loading_scheme.measure(shown, self.drafting)
-        if cut is self.plan.cuts[-1]:
-            room = room._replace(most=LARGEST * room.least or math.inf)
-        draw = partial(loading_scheme.draw, shown, room, drafting=self.drafting)
-        return Exhibit(Panel(room, together=cut.label), draw)
+        largest = LARGEST if cut is self.plan.cuts[-1] else 0.0
+        return exhibit(loading_scheme, shown, self.drafting, largest, together=cut.label)
 
     def _equations(self, cut: Cut) -> Caption:
         equations = Equations(self.plan, cut, self.position, self.drafting, self.forces.nothing_at(self.position))

@@ -53,7 +53,7 @@ def exhibit(
     It may be drawn so many times as large as it must be to be read, where a `largest` is named.
     """
     room = figures.measure(shown, drafting)
-    room = room._replace(most=largest * room.least) if largest else room
+    room = room._replace(most=largest * room.least or math.inf) if largest else room
     return Exhibit(Panel(room, **wants), partial(figures.draw, shown, room, drafting=drafting))
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from functools import cache, cached_property
 from math import radians
 from pathlib import Path
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
 from drawings.forces import lever_plan, polygon
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import LetteredFigure, Picture, Spot
+from drawings.layout.picture import LetteredFigure, Picture, Place, Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand, hand_of
@@ -26,7 +26,6 @@ from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.scene.scene import parse_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
-Figure: TypeAlias = LetteredFigure | lever_plan.LeverFigure
 GEARED = Transmission(GEAR, 0.18, radians(210), radians(20))
 RAM = {1: Body(1, 6, 0.25, 0j), 3: Body(3, 15, 0.6, 0.35 + 0j), 4: Body(4, 3, 0.01, 0.1 + 0j), 5: Body(5, 25, 0, 0j)}
 
@@ -114,16 +113,16 @@ def polygons(case: Forced, k: int, hand: Hand, language: str = "en", reactions: 
     return figures
 
 
-def hung(case: Forced, k: int, hand: Hand, language: str = "en") -> lever_plan.LeverFigure:
-    """Draw the lever below."""
+def hung(case: Forced, k: int, hand: Hand, language: str = "en") -> tuple[LetteredFigure, Place]:
+    """Draw the lever below; say where it lies."""
     shown = lever_plan.hanging(case.plan, case.lever, k)
     drafting = Drafting(hand, language)
     measure = lever_plan.measure(shown, drafting)
     placed = spot(measure, Field(10, 10, 300, 225))
-    return lever_plan.draw(shown, measure, placed, drafting)
+    return lever_plan.draw(shown, measure, placed, drafting), measure.place(*placed)
 
 
-def leaf(figures: list[Figure], hand: Hand) -> Leaf:
+def leaf(figures: list[LetteredFigure], hand: Hand) -> Leaf:
     """Put figures on one sheet: all lines first, then the letters."""
     ink = Ink(920, 460)
     ink.draw([stroke for one in figures for stroke in one.lines])
@@ -134,4 +133,4 @@ def leaf(figures: list[Figure], hand: Hand) -> Leaf:
 @cache
 def sheet(name: str, k: int, paper: str = "A1", language: str = "en") -> Leaf:
     case, hand = forced(name), hand_of(paper)
-    return leaf([*polygons(case, k, hand, language), hung(case, k, hand, language)], hand)
+    return leaf([*polygons(case, k, hand, language), hung(case, k, hand, language)[0]], hand)

@@ -8,9 +8,13 @@ from math import radians
 import pytest
 
 from drawings.forces.letters import BALANCE, LOAD, PAIR
-from drawings.forces.lever_plan import Hanging, hanging
+from drawings.forces.lever_plan import Hanging, balance, hanging
+from drawings.layout.picture import LetteredFigure
+from drawings.page.scale import Drafting
 from drawings.paper.hand import hand_of
-from drawings.symbols.force_arrow import ForceArrow
+from drawings.paper.statement import Kind
+from drawings.paper.strokes import Line
+from drawings.paper.walk import flat, stated
 from geometry.board import at
 from tests.drawings.force_cases import CASES, forced, hung
 from tests.parts import some
@@ -38,30 +42,37 @@ def test_the_lever_of_the_worked_example_needs_its_gear_force() -> None:
 def test_forces_by_their_arms_on_paper_balance_about_the_pole(name: str) -> None:
     """Each force, read off its arrow's direction, times the distance of its line from the pole; couples are pairs."""
     for k in range(0, len(forced(name).study.turn), 5):
-        drawn = hung(forced(name), k, A1)
-        pole, mu = drawn.place.on(0j), drawn.place.scale.mu
-        left = list(drawn.forces)
+        drawn, place = hung(forced(name), k, A1)
+        pole, mu = place.on(0j), place.scale.mu
+        left = shafts(drawn)
         total, greatest = 0.0, 0.0
         for one in shown(name, k).forces:
-            arrow = next(
-                a for a in left if abs(a.direction - one.direction) < 1e-9 and on_line(drawn.place.on(one.at), a)
-            )
+            arrow = next(a for a in left if abs(way(a) - one.direction) < 1e-9 and on_line(place.on(one.at), a))
             left.remove(arrow)
-            reach = ((arrow.start - pole).conjugate() * arrow.direction).imag * mu
+            reach = ((arrow.start - pole).conjugate() * way(arrow)).imag * mu
             total += abs(one.value) * reach
             greatest = max(greatest, abs(one.value * reach))
         assert left == []
         assert abs(total) <= 1e-9 * greatest
 
 
-def on_line(spot: complex, arrow: ForceArrow) -> bool:
-    return abs(((spot - arrow.start) * arrow.direction.conjugate()).imag) < 1e-9
+def shafts(drawn: LetteredFigure) -> list[Line]:
+    """Read the shafts of the forces off the lever."""
+    groups = (one for one in stated(drawn.lines) if one.states is not None and one.states.kind == Kind.DIRECTION)
+    return [next(stroke for stroke in flat([one]) if isinstance(stroke, Line)) for one in groups]
+
+
+def way(arrow: Line) -> complex:
+    return (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
+
+
+def on_line(spot: complex, arrow: Line) -> bool:
+    return abs(((spot - arrow.start) * way(arrow).conjugate()).imag) < 1e-9
 
 
 def test_a_force_square_to_its_ray_has_the_ray_for_its_arm() -> None:
     """The crank's balancing force is square to the crank, so its arm on the lever is pa itself."""
-    drawn = hung(forced("four-bar"), 2, A1)
-    (term,) = (one for one in drawn.terms if one.force == "P_bal")
+    (term,) = (one for one in balance(shown("four-bar", 2), Drafting(A1)) if one.force == "P_bal")
     assert term.arm == "pa"
     assert not term.dimensioned
 

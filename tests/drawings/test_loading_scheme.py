@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from drawings.forces.fan import LONG, SHORT, lengths
-from drawings.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
+from drawings.forces.loading_scheme import Scheme, draw, leverages, measure, scheme
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Spot
+from drawings.layout.picture import LetteredFigure, Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand, hand_of
@@ -85,7 +85,7 @@ class Drawn(NamedTuple):
     cut: Cut
     column: int
     shown: Scheme
-    figure: SchemeFigure
+    figure: LetteredFigure
     whole: Group
 
 
