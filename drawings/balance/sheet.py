@@ -311,7 +311,7 @@ class _BalancingSheet:
         bones, least = self.shown.bones, self.shown.nothing.moment
         curve = graphs.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if curve is not None:
-            yield self._exhibit(curve_graph, curve)
+            yield exhibit(curve_graph, curve, self.drafting, LARGEST)
 
     def _shares(self) -> Iterator[Exhibit]:
         """Show the choice of the share, where there is one."""

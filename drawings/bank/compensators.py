@@ -23,7 +23,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, POINT, hinge, turning_arrow
+from drawings.symbols.symbols import HINGE, POINT, TurnArrow, hinge
 from plans.bank.harmonics import letters, roman
 from plans.model.balance.bank import Compensator
 
@@ -102,7 +102,7 @@ def _gear(shown: Layout, one: Weight, place: Place, hand: Hand) -> Iterator[Stro
         radius = place.length(shown.gear)
         yield Circle(centre, radius, fit(hand.axis, math.tau * radius, True))
     begin = start if own > 0 else start + sweep
-    yield from turning_arrow(centre, arrow_radius(shown, place), begin, own * sweep, hand)
+    yield from TurnArrow(centre, arrow_radius(shown, place), begin, own * sweep).draw(hand)
     yield Circle(centre, POINT * hand.symbol, LineStyle(hand.main, fill="#ffffff"))
 
 

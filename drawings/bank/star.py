@@ -22,7 +22,7 @@ from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
 from drawings.rotor.along import AXIS, ORIGIN, SYMBOL, UNIT
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, hinge, turning_arrow
+from drawings.symbols.symbols import HINGE, hinge, rotation
 from plans.bank.harmonics import FORCE, MOMENT
 from plans.bank.polygons import Total
 from plans.model.balance.bank import BankBalance, BankTask, Member
@@ -165,15 +165,14 @@ def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) 
     for way, names in together((shown.crank_at(one), one) for one in shown.members).items():
         spot, gap = place.on(way * reach(shown)), PIN * hand.symbol + BESIDE
         yield labels.beside(spot, names, hand.letter, gap, cmath.phase(way))
-    far, guides = (
-        place.length(reach(shown)) + AXIS * hand.symbol,
-        together((shown.guide_at(one), one) for one in shown.members),
-    )
+    far = place.length(reach(shown)) + AXIS * hand.symbol
+    guides = together((shown.guide_at(one), one) for one in shown.members)
     for way, names in guides.items() if len(guides) > 1 else ():
         text = drafting.word("guide of", names=names)
         yield labels.beside(centre + far * way, text, hand.number, BESIDE, cmath.phase(way))
     yield labels.beside(centre, ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
-    yield labels.beside(centre + turned(shown, hand), "ω", hand.letter, BESIDE, TURN[1])
+    spot, _ = rotation(centre, shown.task.speed, TURN, hand).middle
+    yield labels.beside(spot, "ω", hand.letter, BESIDE, TURN[1])
 
 
 def together(pairs: Iterator[tuple[complex, Member]]) -> dict[complex, str]:
@@ -193,12 +192,6 @@ def reach(shown: BankView) -> float:
     return shown.crank or 1.0
 
 
-def turned(shown: BankView, hand: Hand) -> complex:
-    """Give the middle of the arrow of rotation from the shaft on paper."""
-    radius, start, sweep = TURN
-    return cmath.rect(radius * hand.symbol, start + math.copysign(sweep, shown.task.speed) / 2)
-
-
 def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the star needs: a circle about the shaft."""
     hand, far = drafting.hand, reach(shown)
@@ -214,9 +207,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) if shown.crank else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("star of cranks"), under, hand)
-    radius, start, sweep = TURN
-    arrow = turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.task.speed), hand)
-    lines = (title, *_axes(shown, place, hand), *arrow)
+    lines = (title, *_axes(shown, place, hand), *rotation(place.on(0j), shown.task.speed, TURN, hand).draw(hand))
     cranks = [Line(place.on(0j), place.on(shown.crank_at(one) * reach(shown)), hand.result) for one in shown.members]
     pins = (_pin(shown, one, place, hand) for one in shown.members)
     (circle,) = hinge(place.on(0j), hand)

@@ -16,7 +16,7 @@ from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyl
 from drawings.paper.walk import stating, tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, point
-from drawings.symbols.symbols import HATCH, HINGE, STAND, arrowhead, turning_arrow
+from drawings.symbols.symbols import HATCH, HINGE, STAND, TurnArrow, arrowhead
 from drawings.symbols.trimming import Mask, holds, trim
 
 CLEAR = 2.0  # mm between a follower at its highest and its guide
@@ -80,23 +80,19 @@ BESIDE = 1.2
 
 
 class Sense(NamedTuple):
-    """An arrow about O with its letter: the direction of its middle rad, its radius mm, how far it goes."""
+    """An arrow about O with its letter."""
 
     letter: str
-    centre: complex
-    radius: float
-    middle: float
-    sweep: float  # below 0 clockwise
+    arc: TurnArrow
 
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw it."""
-        arrow = turning_arrow(self.centre, self.radius, self.middle - self.sweep / 2, self.sweep, hand)
-        return (stating(Statement(Kind.DIRECTION, NAME, self.letter), *arrow),)
+        return (stating(Statement(Kind.DIRECTION, NAME, self.letter), *self.arc.draw(hand)),)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond its middle."""
-        spot = self.centre + cmath.rect(self.radius, self.middle)
-        return labels.beside(spot, self.letter, hand.letter, BESIDE, self.middle)
+        spot, away = self.arc.middle
+        return labels.beside(spot, self.letter, hand.letter, BESIDE, away)
 
 
 def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
@@ -107,7 +103,8 @@ def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
     inner = rings.place.length(abs(view.at((start + end) / 2)[0]) + view.found.roller)
     first, second = (inner + share * (rings.ends - inner) for share in WITHIN)
     aside, sweep = min(ASIDE * (end - start), MOST), view.cam.sense * min(SWEEP * (end - start), WIDE)
-    return Sense("ω", zero, first, view.quiet - aside, sweep), Sense("−ω", zero, second, view.quiet + aside, -sweep)
+    own = TurnArrow(zero, first, view.quiet - aside - sweep / 2, sweep)
+    return Sense("ω", own), Sense("−ω", TurnArrow(zero, second, view.quiet + aside + sweep / 2, -sweep))
 
 
 def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex]]:

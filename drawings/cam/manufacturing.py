@@ -25,7 +25,7 @@ from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.symbols import pole, turning_arrow
+from drawings.symbols.symbols import TurnArrow, pole
 from plans.cam.course import Course, settled
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, Phase
@@ -183,7 +183,7 @@ def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
         spot, turn = _arrow(shown, place, hand)
         radius = abs(spot - place.on(0j))
         sweep = shown.view.cam.sense * SWEEP * hand.symbol / radius
-        arrow = turning_arrow(place.on(0j), radius, turn - sweep / 2, sweep, hand)
+        arrow = TurnArrow(place.on(0j), radius, turn - sweep / 2, sweep).draw(hand)
         yield stating(Statement(Kind.DIRECTION, PLAN, "ω"), *arrow)
 
 

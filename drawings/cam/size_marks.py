@@ -25,7 +25,7 @@ from drawings.paper.walk import stating, tied_spot
 from drawings.symbols.dashes import fit, hatching
 from drawings.symbols.dimension import Dimension, arrows
 from drawings.symbols.figure import Subject
-from drawings.symbols.symbols import arrowhead, turning_arrow
+from drawings.symbols.symbols import TurnArrow, arrowhead
 from plans.cam.centre.bounds import PressureBound
 from plans.cam.sizing import Tangent
 from plans.model.cam import DWELL, Phase
@@ -36,30 +36,20 @@ BESIDE = 1.2  # mm from an arc to its letter
 
 
 class AngleArc(NamedTuple):
-    """The arc of an angle on paper: where it begins, rad, and how far it goes, below 0 clockwise."""
+    """The arc of an angle on paper, with the name and the letter of that."""
 
     name: str
     letter: str
-    centre: complex
-    radius: float
-    start: float
-    sweep: float
-
-    @property
-    def middle(self) -> float:
-        """The direction of its middle, rad."""
-        return self.start + self.sweep / 2
+    arc: TurnArrow
 
     def draw(self, hand: Hand) -> Iterator[Stroke]:
         """Draw it, an arrow at either end."""
-        ways = (way * self.sweep / 2 for way in (1, -1))
-        arrows = (turning_arrow(self.centre, self.radius, self.middle, way, hand, hand.drafted) for way in ways)
-        yield stating(Statement(Kind.ANGLE, PROFILE, self.name), *(stroke for arrow in arrows for stroke in arrow))
+        yield stating(Statement(Kind.ANGLE, PROFILE, self.name), *self.arc.angle(hand))
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond its middle."""
-        spot = self.centre + cmath.rect(self.radius, self.middle)
-        return telling(PROFILE, labels.beside(spot, self.letter, hand.number, BESIDE, self.middle))
+        spot, away = self.arc.middle
+        return telling(PROFILE, labels.beside(spot, self.letter, hand.number, BESIDE, away))
 
 
 def phase_arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[AngleArc, ...]:
@@ -73,7 +63,7 @@ def _arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[Angle
     for number, phase in enumerate(view.cam.phases):
         start = cmath.phase(rings.crossing(phase.start, rings.phases))
         text, sweep = phase_letter(view.cam, number, drafting), -view.cam.sense * min(phase.angle, TURN)
-        yield AngleArc(f"φ_{number}", text, rings.place.on(0j), rings.phases, start, sweep)
+        yield AngleArc(f"φ_{number}", text, TurnArrow(rings.place.on(0j), rings.phases, start, sweep))
 
 
 def bounds(view: ProfileView, rings: Rings, hand: Hand) -> Iterator[Stroke]:
@@ -310,4 +300,4 @@ def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[Ang
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))
         text = joined("", ("ψ_0 = ", drafting.slot(Slot("ψ_0", math.degrees(abs(off)), DIGITS)), "°"))
-        yield AngleArc("ψ_0", text, pivot, INITIAL * abs(tip - pivot), start, off)
+        yield AngleArc("ψ_0", text, TurnArrow(pivot, INITIAL * abs(tip - pivot), start, off))

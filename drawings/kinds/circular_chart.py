@@ -19,7 +19,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.figure import heading
-from drawings.symbols.symbols import TICK, turning_arrow
+from drawings.symbols.symbols import TICK, TurnArrow
 from plans.model.cyclogram import Row, Span
 
 NAME, TITLE, RING_NAME = "circle", "cyclogram circle", "ring"
@@ -124,7 +124,7 @@ class CircleFigure:
             yield Circle(centre, self.place.length(HUB + RING * k), LineStyle(hand.construction))
         yield Line(centre, self.place.on(complex(HUB)), hand.axis)
         radius, start, sweep = ARROW
-        yield from turning_arrow(centre, self.place.length(HUB * radius), sense * start, sense * sweep, hand)
+        yield from TurnArrow(centre, self.place.length(HUB * radius), sense * start, sense * sweep).draw(hand)
         for ray in map(self._ray, self.chart.numbered):
             spot = self.place.on(self._outer * ray)
             yield Line(spot - TICK * ray, spot + TICK * ray, hand.other)

@@ -14,7 +14,7 @@ from drawings.linkage.pairs import Joints, Pairs
 from drawings.linkage.skeleton import Skeletons
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, Stroke
-from drawings.symbols.symbols import BLOCK, MASS, ground, tick, turning_arrow
+from drawings.symbols.symbols import BLOCK, MASS, TurnArrow, ground, tick
 from drawings.symbols.trimming import trim
 from plans.model.mechanism import FRAME, Slide
 
@@ -34,33 +34,30 @@ class Turning(NamedTuple):
     """An arrow about the crank's pivot, with the letter of what it shows."""
 
     letter: str
-    centre: complex
-    radius: float
-    start: float
-    sweep: float
+    arc: TurnArrow
 
     @property
     def middle(self) -> tuple[complex, float]:
         """The middle of the arrow, and the direction away from the pivot there."""
-        turn = self.start + self.sweep / 2
-        return self.centre + cmath.rect(self.radius, turn), turn
+        return self.arc.middle
 
     @property
     def field(self) -> list[Stroke]:
         """Rays across the arrow and the place of its letter: no other arrow stands there."""
-        turns = [self.start + self.sweep * k / RAYS for k in range(RAYS + 1)]
-        return [Line(self.centre, self.centre + cmath.rect(self.radius + OUTER, turn)) for turn in turns]
+        centre, radius, start, sweep = self.arc
+        turns = [start + sweep * k / RAYS for k in range(RAYS + 1)]
+        return [Line(centre, centre + cmath.rect(radius + OUTER, turn)) for turn in turns]
 
     @property
     def room(self) -> list[Stroke]:
         """Arcs within, along and outside the arrow, a little longer than it is: what they cross comes too near."""
-        low, high = sorted((self.start, self.start + self.sweep))
-        radii = (self.radius - BESIDE, self.radius, self.radius + BESIDE)
-        return [Arc(self.centre, radius, low - LETTER, high + LETTER) for radius in radii]
+        centre, radius, start, sweep = self.arc
+        low, high = sorted((start, start + sweep))
+        return [Arc(centre, radius + off, low - LETTER, high + LETTER) for off in (-BESIDE, 0.0, BESIDE)]
 
     def strokes(self, pairs: Pairs) -> tuple[Stroke, ...]:
         """Draw it."""
-        return turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand)
+        return self.arc.draw(pairs.hand)
 
 
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later its letters stand beside them
@@ -83,7 +80,7 @@ def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:
     crank = cmath.phase(place.on(bones.drive_end(bones.shown)) - bones.pivot(place))
 
     def cost(turning: Turning) -> float:
-        away = abs(cmath.phase(cmath.rect(1.0, turning.start + turning.sweep / 2 - crank - 0.8 * sense)))
+        away = abs(cmath.phase(cmath.rect(1.0, turning.middle[1] - crank - 0.8 * sense)))
         return ink.crossed_by(turning.room) + APART * math.degrees(away)
 
     return min(_candidates(letter, sense, pairs), key=cost)
@@ -93,7 +90,7 @@ def _candidates(letter: str, sense: int, pairs: Pairs) -> Iterator[Turning]:
     centre, factor = pairs.bones.pivot(pairs.place), pairs.hand.symbol
     for radius in _radii(pairs.bones.crank(pairs.place), factor):
         for k in range(STARTS):
-            yield Turning(letter, centre, radius, 2 * math.pi * k / STARTS, sense * SWEEP)
+            yield Turning(letter, TurnArrow(centre, radius, 2 * math.pi * k / STARTS, sense * SWEEP))
 
 
 def _radii(crank: float, factor: float) -> list[float]:

@@ -23,13 +23,13 @@ from drawings.linkage.numbering import frame_number, link_numbers, numbers
 from drawings.linkage.pairs import Pairs
 from drawings.linkage.skeleton import Skeletons
 from drawings.linkage.tracks import Push, arrows, output_point, sliders
-from drawings.linkage.trajectories import Phase, Traced, phases, sized, traced
+from drawings.linkage.trajectories import Traced, phases, sized, traced
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY, SEEN
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Box, Group, Line, Stroke, Text
 from drawings.paper.walk import PLACES, stating, tied
-from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, arrowhead, tick, turning_arrow
+from drawings.symbols.symbols import ARROW_LENGTH, HEAD, TICK, TurnArrow, arrowhead, tick
 from drawings.symbols.trimming import trim
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME
@@ -227,24 +227,11 @@ class Swing(NamedTuple):
     """An arc about a rocker's pivot from one of its extreme positions to the other."""
 
     text: Phrase
-    centre: complex
-    radius: float
-    start: float
-    sweep: float
-
-    @property
-    def middle(self) -> tuple[complex, float]:
-        """The middle of the arc, and the direction away from the pivot there."""
-        turn = self.start + self.sweep / 2
-        return self.centre + cmath.rect(self.radius, turn), turn
+    arc: TurnArrow
 
     def strokes(self, pairs: Pairs) -> Iterator[Stroke]:
         """Draw it from its middle to both sides, each half with its arrow."""
-        turn, half = self.start + self.sweep / 2, self.sweep / 2
-        halves = [
-            turning_arrow(self.centre, self.radius, turn, k * half, pairs.hand, pairs.hand.drafted) for k in (-1, 1)
-        ]
-        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, LETTER), *halves[0], *halves[1])
+        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, LETTER), *self.arc.angle(pairs.hand, (-1, 1)))
 
 
 def swings(pairs: Pairs, language: str) -> tuple[Swing, ...]:
@@ -258,9 +245,9 @@ def swings(pairs: Pairs, language: str) -> tuple[Swing, ...]:
     arm, centre = own[tip] - own[pivot], pairs.place.on(bones.mechanism.links[FRAME].points[pivot])
     start, length = low + cmath.phase(arm), pairs.place.length(abs(arm))
     text = sized(LETTER, abs(high - low), language)
-    arcs = (Swing(text, centre, share * length, start, high - low) for share in SHARES)
+    arcs = (Swing(text, TurnArrow(centre, share * length, start, high - low)) for share in SHARES)
     least = LEAST * HEAD[0] * pairs.hand.symbol
-    roomy = [one for one in arcs if one.radius * abs(one.sweep) >= least]
+    roomy = [one for one in arcs if one.arc.radius * abs(one.arc.sweep) >= least]
     return tuple(roomy[:1])
 
 
@@ -280,14 +267,14 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
         if name in pairs.centres:
             strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
     strokes += [_on_arc(arrow, arrow.letter, labels, hand) for arrow in arrows(pairs)]
-    strokes += [_on_arc(phase, phase.text, labels, hand) for phase in phases(pairs, bones.study.language)]
-    strokes += [_on_arc(swing, swing.text, labels, hand) for swing in swings(pairs, bones.study.language)]
+    strokes += [_on_arc(phase.arc, phase.text, labels, hand) for phase in phases(pairs, bones.study.language)]
+    strokes += [_on_arc(swing.arc, swing.text, labels, hand) for swing in swings(pairs, bones.study.language)]
     strokes += numbers(pairs, labels)
     links = *link_numbers(pairs, bones.links, labels, hand), *frame_number(pairs, labels, hand)
     return Group((*strokes, Group(links, LINKS), Group(tuple(path_numbers(pairs, labels)), NUMBERS)))
 
 
-def _on_arc(arc: Turning | Push | Phase | Swing, text: str, labels: Labels, hand: Hand) -> Stroke:
+def _on_arc(arc: Turning | Push | TurnArrow, text: str, labels: Labels, hand: Hand) -> Stroke:
     """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
     middle, away = arc.middle
     return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away), text)

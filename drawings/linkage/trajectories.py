@@ -21,7 +21,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
 from drawings.paper.walk import stating
-from drawings.symbols.symbols import turning_arrow
+from drawings.symbols.symbols import TurnArrow
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -38,27 +38,17 @@ class Phase(NamedTuple):
     """An arc about the crank's pivot from where a stroke begins to where it ends, in the sense of rotation."""
 
     letter: str
-    centre: complex
-    radius: float
-    start: float
-    sweep: float
+    arc: TurnArrow
     crank: float  # radius of the crank circle
     text: Phrase  # the letter with the angle's size
 
-    @property
-    def middle(self) -> tuple[complex, float]:
-        """The middle of the arc, and the direction away from the pivot there."""
-        turn = self.start + self.sweep / 2
-        return self.centre + cmath.rect(self.radius, turn), turn
-
     def strokes(self, pairs: Pairs) -> Iterator[Stroke]:
         """Draw it with its arrow, and where it lies outside the crank circle the line that it begins at."""
-        arc = turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand, pairs.hand.drafted)
-        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, self.letter), *arc)
-        if self.radius > self.crank:
-            ray = cmath.rect(1.0, self.start)
-            reach = self.radius + PAST * pairs.hand.symbol
-            yield Line(self.centre + self.crank * ray, self.centre + reach * ray, pairs.hand.drafted)
+        drawn, (centre, radius, start, _) = self.arc.draw(pairs.hand, pairs.hand.drafted), self.arc
+        yield stating(Statement(Kind.ANGLE, POSITIONS.plan, self.letter), *drawn)
+        if radius > self.crank:
+            ray, reach = cmath.rect(1.0, start), radius + PAST * pairs.hand.symbol
+            yield Line(centre + self.crank * ray, centre + reach * ray, pairs.hand.drafted)
 
 
 def phases(pairs: Pairs, language: str) -> tuple[Phase, ...]:
@@ -71,7 +61,7 @@ def phases(pairs: Pairs, language: str) -> tuple[Phase, ...]:
     names = (f"φ_{{{word(language, index)}}}" for index in INDICES)
     told = zip(names, extremes.phi, extremes.angles, strict=True)
     return tuple(
-        Phase(name, centre, radius, phi, study.sense * arc, crank, sized(name, arc, language))
+        Phase(name, TurnArrow(centre, radius, phi, study.sense * arc), crank, sized(name, arc, language))
         for name, phi, arc in told
     )
 

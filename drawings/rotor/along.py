@@ -19,7 +19,7 @@ from drawings.paper.walk import stating
 from drawings.rotor.polygon import RotorView, ShownBody, letters_of
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
-from drawings.symbols.symbols import HINGE, hinge, turning_arrow
+from drawings.symbols.symbols import HINGE, hinge, rotation
 
 NAME = "along"
 MARGINS = Margins(4.0, 3.4, 3.4)  # paper around it for letters, in their sizes
@@ -66,9 +66,8 @@ def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels)
     yield labels.beside(place.on(0j), ORIGIN, hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
     yield labels.beside(place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
     if shown.turning:
-        radius, start, sweep = TURN
-        turned = cmath.rect(radius * hand.symbol, start + math.copysign(sweep, shown.turning) / 2)
-        yield labels.beside(place.on(0j) + turned, "ω", hand.letter, BESIDE, cmath.phase(turned))
+        spot, away = rotation(place.on(0j), shown.turning, TURN, hand).middle
+        yield labels.beside(spot, "ω", hand.letter, BESIDE, away)
 
 
 def _axes(shown: RotorView, place: Place, hand: Hand) -> list[Stroke]:
@@ -78,11 +77,8 @@ def _axes(shown: RotorView, place: Place, hand: Hand) -> list[Stroke]:
 
 
 def _turning(shown: RotorView, place: Place, hand: Hand) -> tuple[Stroke, ...]:
-    if not shown.turning:
-        return ()
-    radius, start, sweep = TURN
-    arrow = turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.turning), hand)
-    return (stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow),)
+    arrow = rotation(place.on(0j), shown.turning, TURN, hand).draw(hand)
+    return (stating(Statement(Kind.DIRECTION, NAME, "ω"), *arrow),) if shown.turning else ()
 
 
 def _spoke(one: ShownBody, place: Place, hand: Hand) -> Stroke:

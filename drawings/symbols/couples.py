@@ -12,7 +12,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.force_arrow import plain_name
-from drawings.symbols.symbols import turning_arrow
+from drawings.symbols.symbols import TurnArrow
 
 HALF, THREE_QUARTERS = math.pi, 1.5 * math.pi  # rad: the arcs of a couple
 RADIUS = 8.0  # mm, to the factor of the hand's symbols
@@ -46,7 +46,7 @@ class CoupleArc(NamedTuple):
     def draw(self, hand: Hand) -> Group:
         """Draw the arc and its head."""
         start = self.facing - self.sense * self.sweep / 2
-        arrow = turning_arrow(self.at, self.radius, start, self.sense * self.sweep, hand, hand.relative)
+        arrow = TurnArrow(self.at, self.radius, start, self.sense * self.sweep).draw(hand, hand.relative)
         data = {"kind": "couple", "name": plain_name(self.letter), "sense": f"{self.sense:+d}"}
         return Group(arrow, "", data, self.letter)
 

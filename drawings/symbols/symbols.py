@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Fill, Line, LineStyle, Polyline, Stroke
@@ -114,16 +116,41 @@ def tick(at: complex, direction: complex, hand: Hand) -> Line:
     return Line(at - across, at + across, hand.drafted)
 
 
-def turning_arrow(
-    centre: complex, radius: float, start: float, sweep: float, hand: Hand, style: LineStyle | None = None
-) -> tuple[Stroke, ...]:
-    """Draw an arc with an arrowhead at its end: the sense of rotation; a negative sweep is clockwise."""
-    length, half = (size * hand.symbol for size in HEAD)
-    neck = start + sweep - math.copysign(length / radius, sweep)
-    tip, back = centre + cmath.rect(radius, start + sweep), centre + cmath.rect(radius, neck)
-    wing = 1j * (tip - back) / abs(tip - back) * half
-    arc = Arc(centre, radius, min(start, neck), max(start, neck), style or hand.other)
-    return arc, Fill((tip, back + wing, back - wing), INK)
+class TurnArrow(NamedTuple):
+    """An arc about a centre on paper, mm and rad, that turns clockwise where its sweep is negative."""
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+
+    @property
+    def middle(self) -> tuple[complex, float]:
+        """Its middle, and the direction away from the centre there: so stands its letter."""
+        turn = self.start + self.sweep / 2
+        return self.centre + cmath.rect(self.radius, turn), turn
+
+    def draw(self, hand: Hand, style: LineStyle | None = None) -> tuple[Stroke, ...]:
+        """Draw it with an arrowhead at its end: the sense of rotation."""
+        length, half = (size * hand.symbol for size in HEAD)
+        end = self.start + self.sweep
+        neck = end - math.copysign(length / self.radius, self.sweep)
+        tip, back = self.centre + cmath.rect(self.radius, end), self.centre + cmath.rect(self.radius, neck)
+        wing = 1j * (tip - back) / abs(tip - back) * half
+        arc = Arc(self.centre, self.radius, min(self.start, neck), max(self.start, neck), style or hand.other)
+        return arc, Fill((tip, back + wing, back - wing), INK)
+
+    def angle(self, hand: Hand, ways: Sequence[int] = (1, -1)) -> Iterator[Stroke]:
+        """Draw it thin from its middle to both sides, with an arrowhead at either end: an angle."""
+        for way in ways:
+            half = TurnArrow(self.centre, self.radius, self.middle[1], way * self.sweep / 2)
+            yield from half.draw(hand, hand.drafted)
+
+
+def rotation(centre: complex, sense: float, sizes: tuple[float, float, float], hand: Hand) -> TurnArrow:
+    """Give the arrow of a rotation in a sense, by its sign; `sizes` are the radius mm, start and sweep rad."""
+    radius, start, sweep = sizes
+    return TurnArrow(centre, radius * hand.symbol, start, math.copysign(sweep, sense))
 
 
 def pole(at: complex) -> Circle:

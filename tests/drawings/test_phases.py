@@ -52,17 +52,17 @@ def test_the_arcs_span_the_angles_of_the_strokes_from_extreme_to_extreme(text: s
     pairs = pairs_of(text)
     working, idle = phases(pairs, "ru")
     assert (working.letter, idle.letter) == ("φ_{р}", "φ_{х}")
-    assert math.degrees(working.sweep) == pytest.approx(work, abs=1e-4)
-    assert working.sweep + idle.sweep == pytest.approx(math.copysign(2 * math.pi, work))
+    assert math.degrees(working.arc.sweep) == pytest.approx(work, abs=1e-4)
+    assert working.arc.sweep + idle.arc.sweep == pytest.approx(math.copysign(2 * math.pi, work))
     travel = pairs.bones.study.travel
     assert travel is not None
     for phase, begin, end in ((working, *travel.directions), (idle, *travel.directions[::-1])):
-        assert cmath.rect(1.0, phase.start) == pytest.approx(begin)
-        assert cmath.rect(1.0, phase.start + phase.sweep) == pytest.approx(end)
+        assert cmath.rect(1.0, phase.arc.start) == pytest.approx(begin)
+        assert cmath.rect(1.0, phase.arc.start + phase.arc.sweep) == pytest.approx(end)
     (group,) = arcs(pairs)
     strokes = [*flat((group,))]
     tips = [stroke.points[0] for stroke in strokes if isinstance(stroke, Fill)]
-    pivot, radius = pairs.bones.pivot(pairs.place), working.radius
+    pivot, radius = pairs.bones.pivot(pairs.place), working.arc.radius
     ends = [pivot + radius * complex(ray) for ray in travel.directions[::-1]]
     assert tips == pytest.approx(ends)
     assert [stroke.radius for stroke in strokes if isinstance(stroke, Arc)] == [radius] * 2
@@ -72,8 +72,8 @@ def test_a_small_crank_has_them_outside_its_numbers() -> None:
     large, small = (
         phases(pairs_of(JACK, hand), "en")[0] for hand in (Hand(0.7, 0.35, 0.25), Hand(0.7, 0.35, 0.25, symbol=4))
     )
-    assert large.radius < large.crank
-    assert small.radius > small.crank + 9
+    assert large.arc.radius < large.crank
+    assert small.arc.radius > small.crank + 9
 
 
 @pytest.mark.parametrize("text", [SHAPER, SHAPER + ON_D + "value = [1, 0]\n", SHAPER + CUT + 'stroke = "B"\n'])
