@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from functools import partial
 
 from drawings.bank.star import NEAR, BankView
+from drawings.kinds import view
+from drawings.kinds.view import BESIDE, FIRST, SHAFT, Sized
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
@@ -18,9 +20,6 @@ from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
-from drawings.rotor.across import END, FIRST, SHAFT
-from drawings.rotor.along import BESIDE, ORIGIN, SYMBOL, UNIT
-from drawings.rotor.polygon import dimension, extension, room_for, step
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import ARROW_LENGTH, pole
@@ -35,7 +34,6 @@ THROW = 12.0  # mm, a crank as it is drawn
 WEB = 2.2  # mm, half the breadth of a crank
 PIN = 1.0  # mm, radius of a pin that points to the eye
 GUIDE = 6.0  # mm that the axis of a guide goes past the cranks
-MOST = 9  # different places that are dimensioned: of more the report tells them
 
 
 def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
@@ -43,7 +41,7 @@ def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) 
     hand, gap = drafting.hand, BESIDE + SHAFT * drafting.hand.symbol
     for where, names in named(shown).items():
         yield labels.beside(place.on(complex(where)), names, hand.letter, gap, math.pi / 4)
-    yield labels.beside(place.on(0j), ORIGIN, hand.letter, gap, -3 * math.pi / 4)
+    yield labels.beside(place.on(0j), view.ORIGIN, hand.letter, gap, -3 * math.pi / 4)
 
 
 def named(shown: BankView) -> dict[float, str]:
@@ -65,11 +63,11 @@ def measure(shown: BankView, drafting: Drafting) -> Picture:
     hand, levels = drafting.hand, len(_dimensioned(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
     high = (THROW + GUIDE) * hand.symbol
-    under = high + FIRST * hand.symbol + levels * step(hand)
-    margins = around(MARGINS, hand, END * hand.symbol, under, high)
-    ends = [0j, *(complex(place) for place in named(shown))]
+    under = high + FIRST * hand.symbol + levels * view.step(hand)
+    margins = around(MARGINS, hand, view.END * hand.symbol, under, high)
+    spots = [0j, *(complex(place) for place in named(shown))]
     least = max(LETTERS * hand.letter, min(_roomy(shown, drafting), LONGEST * hand.letter / RANGE))
-    return picture(NAME, ends, (SYMBOL, UNIT), margins, title, least)._replace(most=LONGEST * hand.letter)
+    return picture(NAME, spots, (view.SYMBOL, view.UNIT), margins, title, least)._replace(most=LONGEST * hand.letter)
 
 
 def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -81,7 +79,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
         lines += [_guide(shown, one, place, hand), *_throw(shown, one, place, hand)]
     lines += _dimensions(shown, place, drafting)
     subject = Subject(NAME, QUANTITY, None)
-    lines.append(point(subject, ORIGIN, 0j, place, pole(place.on(0j)), "pole"))
+    lines.append(view.origin(NAME, 0j, place, pole(place.on(0j)), QUANTITY))
     lines += [_mark(subject, one, place, hand) for one in shown.members]
     return LetteredFigure(NAME, tuple(lines), partial(_letters, shown, place, drafting))
 
@@ -94,16 +92,13 @@ def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:
 
 def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the axis, and the shaft between the cranks."""
-    places = [0.0, *named(shown)]
-    first, last = (place.on(complex(end(places))) for end in (min, max))
-    start, stop = first - END * hand.symbol, last + END * hand.symbol
-    past = 3 * hand.symbol
-    yield Line(start - past, stop + past, fit(hand.axis, abs(stop - start) + 2 * past))
+    start, stop, axis = view.shaft([0.0, *named(shown)], place, hand)
+    yield axis
     webs = sorted(place.on(complex(one)).real for one in named(shown))
     edges = [start.real, *(x + side * WEB * hand.symbol for x in webs for side in (-1, 1)), stop.real]
     for left, right in zip(edges[::2], edges[1::2], strict=True):
         if right > left:
-            yield Line(complex(left, first.imag), complex(right, first.imag), hand.result)
+            yield Line(complex(left, start.imag), complex(right, start.imag), hand.result)
 
 
 def _datum(place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -138,7 +133,7 @@ def _guide(shown: BankView, one: Member, place: Place, hand: Hand) -> Line:
 def _dimensioned(shown: BankView) -> dict[float, str]:
     """Give the places that are dimensioned, the nearest to the plane of place 0 first."""
     found = {place: names for place, names in named(shown).items() if place}
-    return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= MOST else {}
+    return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= view.MOST else {}
 
 
 def _texts(shown: BankView, drafting: Drafting) -> dict[float, Phrase]:
@@ -161,7 +156,7 @@ def _roomy(shown: BankView, drafting: Drafting) -> float:
 
 def needs(text: str, hand: Hand) -> float:
     """Give the length of a dimension line that a text has room over, half of each arrowhead beside it, mm."""
-    return room_for(text, hand) + ARROW_LENGTH * hand.symbol
+    return view.room_for(text, hand) + ARROW_LENGTH * hand.symbol
 
 
 def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
@@ -172,12 +167,8 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
     hand, told, base = drafting.hand, _texts(shown, drafting), place.on(0j)
     if any(place.length(abs(where)) < needs(text, hand) for where, text in told.items()):
         return
-    bottom = level = base.imag - (THROW + GUIDE + FIRST) * hand.symbol
-    for number, (where, text) in enumerate(told.items()):
-        level = bottom - number * step(hand)
-        across = place.on(complex(where)).real
+    sizes = list[Sized]()
+    for where, text in told.items():
         states = Statement(Kind.LENGTH, NAME, _quantity(where), scale=place.scale.mu)
-        yield dimension(base.real, across, level, math.copysign(1.0, where), text, hand, states)
-        yield extension(across, base.imag, level, hand)
-    if told:
-        yield extension(base.real, base.imag, level, hand)
+        sizes.append((complex(place.on(complex(where)).real, base.imag), text, states))
+    yield from view.dimensions(base, base.imag - (THROW + GUIDE + FIRST) * hand.symbol, sizes, hand)

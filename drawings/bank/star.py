@@ -13,13 +13,13 @@ import numpy as np
 
 from drawings.bank.report import mirrored, slight_force, slight_left, slight_moment, slight_order, straight
 from drawings.kinds.polygon import RESULT, SIDE, ShownVector
+from drawings.kinds.view import AXIS, BESIDE, ORIGIN, QUANTITY, SYMBOL, UNIT, origin, square
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, Text
-from drawings.rotor.along import AXIS, ORIGIN, SYMBOL, UNIT
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, hinge, rotation
@@ -151,10 +151,8 @@ class BankView(NamedTuple):
 
 
 NAME = "star"
-QUANTITY = "r"
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
 LETTERS, MOST = 9.0, 23.4  # it is drawn at least so many letters large, and at most
-BESIDE = 1.0  # mm from a pin to its number
 PIN = 1.6  # mm, radius of a crank pin
 TURN = (10.0, math.radians(12), math.radians(60))  # radius mm, start and sweep of the arrow of rotation
 
@@ -194,11 +192,10 @@ def reach(shown: BankView) -> float:
 
 def measure(shown: BankView, drafting: Drafting) -> Picture:
     """Measure the room that the star needs: a circle about the shaft."""
-    hand, far = drafting.hand, reach(shown)
+    hand = drafting.hand
     title = text_width(Text(0j, drafting.word("star of cranks"), hand.title))
     margins = around(MARGINS, hand, *(AXIS * hand.symbol,) * 3)
-    corners = [complex(x, y) for x in (-far, far) for y in (-far, far)]
-    found = picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    found = picture(NAME, square(reach(shown)), (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
     return found._replace(most=MOST * hand.letter)
 
 
@@ -211,7 +208,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     cranks = [Line(place.on(0j), place.on(shown.crank_at(one) * reach(shown)), hand.result) for one in shown.members]
     pins = (_pin(shown, one, place, hand) for one in shown.members)
     (circle,) = hinge(place.on(0j), hand)
-    shaft = point(Subject(NAME, QUANTITY, None), ORIGIN, 0j, place, circle, "pole")
+    shaft = origin(NAME, 0j, place, circle)
     return LetteredFigure(NAME, (*lines, *cranks, *pins, shaft), partial(_letters, shown, place, drafting))
 
 

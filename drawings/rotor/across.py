@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from functools import partial
 
+from drawings.kinds import view
+from drawings.kinds.view import BESIDE, FIRST, SHAFT, Sized
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
@@ -15,8 +16,8 @@ from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Line, Stroke, Text
-from drawings.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
-from drawings.rotor.polygon import RotorView, ShownBody, dimension, extension, letters_of, step
+from drawings.rotor.along import BODY, body
+from drawings.rotor.polygon import RotorView, ShownBody, letters_of
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import around, heading
 from drawings.symbols.symbols import ground, pole
@@ -26,12 +27,8 @@ from plans.words.words import ALONE
 NAME = "across"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
 LETTERS = 24.0  # it is drawn at least so many letters large
-SHAFT = 2.2  # mm, half the thickness of the shaft
-END = 8.0  # mm that the shaft goes past what it bears
 SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
 ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
-FIRST = 9.0  # mm from the outermost mass to the first dimension
-MOST = 9  # different arms: of more the table tells them
 NEAR = 1e-9  # of the rotor's length: places that are one
 
 
@@ -39,10 +36,10 @@ def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the rotor, its ends, and the dimensions under it."""
     hand, levels = drafting.hand, len(_arms(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
-    under = FIRST * hand.symbol + levels * step(hand)
-    margins = around(MARGINS, hand, END * hand.symbol, under, ABOVE * hand.symbol)
+    under = FIRST * hand.symbol + levels * view.step(hand)
+    margins = around(MARGINS, hand, view.END * hand.symbol, under, ABOVE * hand.symbol)
     corners = [complex(x, y) for x in (min(shown.places), max(shown.places)) for y in (-shown.reach, shown.reach)]
-    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return picture(NAME, corners, (view.SYMBOL, view.UNIT), margins, title, LETTERS * hand.letter)
 
 
 def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -54,7 +51,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Let
     bodies = [body(shown, one, _side(one), place, NAME, drafting) for one in shown.bodies]
     arms = _dimensions(shown, place, drafting)
     base = complex(shown.planes[-1][1])
-    zero = origin(NAME, base, place, pole(place.on(base)))
+    zero = view.origin(NAME, base, place, pole(place.on(base)))
     return LetteredFigure(NAME, (title, *lines, *arms, zero, *bodies), partial(_letters, shown, place, drafting))
 
 
@@ -66,7 +63,7 @@ def _letters(shown: RotorView, place: Place, drafting: Drafting, labels: Labels)
         up = 1.2 if one.centre.imag >= 0 else -1.2
         yield labels.beside(place.on(_side(one)), text, size, BODY * hand.symbol + BESIDE, up)
     base = place.on(complex(shown.planes[-1][1]))
-    yield labels.beside(base, ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
+    yield labels.beside(base, view.ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
     for name, where in shown.planes:
         if name != ALONE:
             top = place.on(complex(where)) + 1j * _half(shown, place, hand)
@@ -87,10 +84,9 @@ def _half(shown: RotorView, place: Place, hand: Hand) -> float:
 
 
 def _shaft(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    first, last = (place.on(complex(end(shown.places))) for end in (min, max))
-    start, stop = first - END * hand.symbol, last + END * hand.symbol
+    start, stop, axis = view.shaft(shown.places, place, hand)
     rim = 1j * SHAFT * hand.symbol
-    yield Line(start - 3 * hand.symbol, stop + 3 * hand.symbol, fit(hand.axis, abs(stop - start) + 6 * hand.symbol))
+    yield axis
     for side in (rim, -rim):
         yield Line(start + side, stop + side, hand.result)
     for end in (start, stop):
@@ -124,23 +120,17 @@ def _arms(shown: RotorView) -> dict[float, list[ShownBody]]:
     for one in shown.bodies:
         if one.arm and not (one.added and one.name == shown.planes[-1][0]):
             found.setdefault(one.arm, []).append(one)
-    return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= MOST else {}
+    return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= view.MOST else {}
 
 
 def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     """Dimension the arms from the last plane, each on its level, the longest lowest; millimetres of the machine."""
-    hand, arms = drafting.hand, _arms(shown)
+    hand, sizes = drafting.hand, list[Sized]()
     base = place.on(complex(shown.planes[-1][1]))
-    bottom = base.imag - place.length(shown.reach) - FIRST * hand.symbol
-    level = bottom
-    for number, (arm, own) in enumerate(arms.items()):
-        level = bottom - number * step(hand)
-        across = place.on(complex(own[0].place)).real
+    for arm, own in _arms(shown).items():
         names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
         size = Slot(f"h_{own[0].name}", 1000 * abs(arm))
-        told = joined(" = ", (names, drafting.slot(size)))
         said = Statement(Kind.LENGTH, NAME, size.quantity, scale=place.scale.mu)
-        yield dimension(base.real, across, level, math.copysign(1.0, arm), told, hand, said)
-        yield extension(across, place.on(_side(own[0])).imag, level, hand)
-    if arms:
-        yield extension(base.real, base.imag - _half(shown, place, hand), level, hand)
+        sizes.append((place.on(_side(own[0])), joined(" = ", (names, drafting.slot(size))), said))
+    bottom = base.imag - place.length(shown.reach) - FIRST * hand.symbol
+    return view.dimensions(base - 1j * _half(shown, place, hand), bottom, sizes, hand)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from drawings.kinds.polygon import FEW
+from drawings.kinds.view import AXIS, BESIDE, ORIGIN, QUANTITY, SYMBOL, UNIT, origin, square
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
@@ -26,20 +27,15 @@ MARGINS = Margins(4.0, 3.4, 3.4)  # paper around it for letters, in their sizes
 LETTERS, EACH = 14.0, 1.5  # it is drawn at least so many letters large, and so many for each mass
 BODY = 2.4  # mm, radius of a mass
 DOT = 0.6  # mm, radius of one of many masses
-BESIDE = 1.0  # mm from a mass to its letter
-AXIS = 4.0  # mm that the axes go past the outermost mass
 TURN = (9.0, math.radians(25), math.radians(80))  # radius mm, start and sweep of the arrow that shows the turning
-SYMBOL, UNIT, QUANTITY = "l", "m", "r"
-ORIGIN = "O"  # the letter of the axis, and of the plane that arms are measured from
 
 
 def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: a circle about the axis."""
-    hand, reach = drafting.hand, shown.reach
+    hand = drafting.hand
     title = text_width(Text(0j, drafting.word("view along"), hand.title))
     least = hand.letter * max(LETTERS, EACH * min(len(shown.bodies), FEW))
-    corners = [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
-    return picture(NAME, corners, (SYMBOL, UNIT), around(MARGINS, hand), title, least)
+    return picture(NAME, square(shown.reach), (SYMBOL, UNIT), around(MARGINS, hand), title, least)
 
 
 def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -97,8 +93,3 @@ def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: 
         return Group((circle,), "", {}, one.mark)
     drawn = point(Subject(plan, QUANTITY, None), one.mark, centre, place, circle)
     return drawn._replace(title=letters_of(drafting).of(one.mark, len(shown.bodies), hand)[0])
-
-
-def origin(plan: str, zero: complex, place: Place, circle: Circle) -> Group:
-    """Draw the place that a view is measured from."""
-    return point(Subject(plan, QUANTITY, None), ORIGIN, zero, place, circle, "pole")
