@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from drawings.balance import graphs, hodograph, scheme, static_polygon
 from drawings.balance.report import notes_of
@@ -27,7 +27,7 @@ from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import EQUATION, lay_out
-from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit, figures_facts
 from geometry.board import at
 from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
@@ -256,7 +256,10 @@ class _BalancingSheet:
         """Title, figures, tables and notes of the sheets."""
         shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
         workings = captions(self._workings())
-        title, facts = self.drafting.word("balancing sheet title"), partial(_facts, self.shown.bones.shown)
+        title, facts = (
+            self.drafting.word("balancing sheet title"),
+            partial(figures_facts, position=self.shown.bones.shown),
+        )
         return Draft(
             "balancing", title, (*shows, *workings), self.tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION
         )
@@ -341,8 +344,3 @@ class _BalancingSheet:
         if not weights:
             return (table,)
         return table, counterweights(weights, shown.bones.mechanism, drafting)
-
-
-def _facts(position: int, names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which position and which figures it shows."""
-    return {"position": position, "figures": list(names)}

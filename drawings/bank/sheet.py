@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -18,9 +17,7 @@ from drawings.bank.turn_graph import LEFT, TurnCurve, TurnGraph
 from drawings.bank.turn_graph import MOMENT as MOMENTS
 from drawings.kinds import hodograph
 from drawings.kinds.hodograph import Hodograph
-from drawings.layout import value_table
-from drawings.layout.picture import Spot
-from drawings.layout.table import Later, RuledTable, TableRow, table
+from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.vector_letters import lowered_bank
@@ -28,7 +25,7 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
 from drawings.sheets.leaves import EQUATION, lay_out
-from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
 from plans.bank.harmonics import MOMENT as M
 from plans.bank.quantities import EQUILIBRIUM, bank_by_hand
@@ -154,19 +151,8 @@ def sheets(scene: Scene, bank: BankStudy, shown: BankView, comparison: Compariso
     notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(polygons))
     title = drafting.word("bank sheet title")
     there = tuple(one for one in tables if one is not None)
-    later = partial(_later, bank, drafting)
-    return lay_out(scene, [Draft("bank", title, shows, there, notes, _facts, narrow=EQUATION, later=later)])
-
-
-def _later(bank: BankStudy, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
-    """Write what a hand may be out in the polygons, at their scales."""
-    scales = {name: spot.scale.mu for name, spot in spots.items()}
-    return value_table.by_hand(bank_by_hand(bank, scales), drafting.language)
-
-
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+    later = partial(bank_by_hand, bank)
+    return lay_out(scene, [Draft("bank", title, shows, there, notes, figures_facts, narrow=EQUATION, later=later)])
 
 
 def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:

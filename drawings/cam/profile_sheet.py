@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import Any
 
 from drawings.cam import manufacturing
 from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
@@ -17,7 +16,7 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import compositions, lay_out_each
-from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.cyclogram.rows import EVERY as ALL_CAMS
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
@@ -31,16 +30,12 @@ def drafts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
     if len(turning) < 2:
         return []
     said, title = tuple(settings_of(turning, drafting)), drafting.word("cyclogram sheet title")
-    return [Draft("cam", title, tuple(_shows(turning, drafting)), (), said, _chart_facts)]
+    return [Draft("cam", title, tuple(_shows(turning, drafting)), (), said, partial(figures_facts, cam=ALL_CAMS))]
 
 
 def _shows(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
     chart = Chart(rows_of_cams(cams), cams[0].sense)
     yield from (exhibit(one, chart, drafting) for one in (bar_chart, circular_chart))
-
-
-def _chart_facts(figures: Collection[str]) -> dict[str, Any]:
-    return {"cam": ALL_CAMS, "figures": list(figures)}
 
 
 KIND = "profile"
@@ -110,11 +105,6 @@ def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> 
         (figure,),
         (table,),
         tuple(manufacturing.notes(shown.table, drafting)),
-        partial(_facts, shown, every),
+        partial(figures_facts, cam=shown.view.cam.name, every=every),
         manufacturing.PLAN,
     )
-
-
-def _facts(shown: Manufacture, every: int, names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which cam and which figures it shows, and every which tabled turn it tells."""
-    return {"cam": shown.view.cam.name, "figures": list(names), "every": every}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -12,9 +12,7 @@ from drawings.cam.notes import CamNotes
 from drawings.cam.pressure_graph import PressureView, pressure_view
 from drawings.cam.profile_view import profile_view
 from drawings.cam.size_view import SizeView
-from drawings.layout import value_table
-from drawings.layout.picture import Spot
-from drawings.layout.table import Later, RuledTable
+from drawings.layout.table import RuledTable
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.report import agreed
@@ -79,14 +77,8 @@ def _told(contents: _Contents, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
     shows = (*_shows(contents, way, drafting), contents.profile)
     title = drafting.word("cam sheet title", name=cam.name)
-    facts, later = partial(_facts, cam, way == JOINED), partial(_later, contents.drawing, drafting)
+    facts, later = partial(_facts, cam, way == JOINED), partial(cam_by_hand, contents.drawing)
     return Draft("cam", title, shows, (contents.table,), contents.notes, facts, later=later)
-
-
-def _later(drawing: CamDrawing, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
-    """Write what a hand may be out in the sizes, at the scale of their diagram."""
-    scales = {name: spot.scale.mu for name, spot in spots.items()}
-    return value_table.by_hand(cam_by_hand(drawing, scales), drafting.language)
 
 
 def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:

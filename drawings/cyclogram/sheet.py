@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from functools import partial
-from typing import Any
 
 from drawings.cyclogram import characteristic_plan
 from drawings.cyclogram.notes import CyclogramNotes
@@ -17,7 +16,7 @@ from drawings.lettering.words import fixed
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, exhibit, figures_facts
 from plans.cyclogram.quantities import CyclogramComparison
 from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
@@ -74,11 +73,7 @@ def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf
     figures = _plan(study, drafting), *_charts(study, drafting)
     said = CyclogramNotes(study.cyclogram, study.cams, drafting).all
     title = drafting.word("cyclogram sheet title")
-
-    def facts(names: Collection[str]) -> dict[str, Any]:
-        shown = characteristic_plan.shown_of(study.cyclogram)
-        return {"figures": list(names), "characteristic": shown}
-
+    facts = partial(figures_facts, characteristic=characteristic_plan.shown_of(study.cyclogram))
     return lay_out(study.scene, [Draft(CYCLOGRAM, title, (*figures, _table(comparison, drafting)), (), said, facts)])
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,7 +27,7 @@ from drawings.page.page import Page, page_of
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.run import Account
@@ -244,7 +244,7 @@ class _DynamicsSheet:
 
     def _drafted(self, way: Way) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
-        return Draft("dynamics", title, shows, (), self.machine.notes, partial(_facts, way.most))
+        return Draft("dynamics", title, shows, (), self.machine.notes, partial(figures_facts, positions=way.most))
 
     def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
@@ -341,8 +341,3 @@ class _DynamicsSheet:
         room = plate_frame.measure(shown, self.drafting)
         room = room if least is None else room._replace(least=least * SMALLER)
         return Exhibit(Panel(room), partial(plate_frame.draw, shown, drafting=self.drafting))
-
-
-def _facts(most: int, names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows, and how many positions its table tells at most."""
-    return {"figures": list(names), "positions": most}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -21,7 +21,7 @@ from drawings.kinds.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.table import Later, RuledTable, TableRow
+from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.value_table import row_by_hand
 from drawings.lettering.words import word
 from drawings.linkage import workings
@@ -104,8 +104,11 @@ class _ForceSheet:
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        shows = (*columns, *loose, *captions(self._workings()))
-        return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=self._later)
+        shows, later = (
+            (*columns, *loose, *captions(self._workings())),
+            partial(forces_by_hand, self.statics, self.position),
+        )
+        return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=later)
 
     @property
     def plan(self) -> ForcePlan:
@@ -249,11 +252,6 @@ class _ForceSheet:
         drafting = self.drafting
         lines = rows(self.comparison, self.position, drafting.language, drafting.reactions)
         return value_table.table(lines, (self.position,), drafting)
-
-    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
-        """Write what a hand may be out in the table, at the scales of the figures."""
-        scales = {name: spot.scale.mu for name, spot in spots.items()}
-        return value_table.by_hand(forces_by_hand(self.statics, self.position, scales), self.drafting.language)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet whose forces its figures show."""

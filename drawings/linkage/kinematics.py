@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -18,7 +18,7 @@ from drawings.kinds.working import Working
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.table import Later, RuledTable
+from drawings.layout.table import RuledTable
 from drawings.linkage import position_plan, vector_plan, workings
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import force_positions, plans, position
@@ -98,7 +98,8 @@ class _KinematicsSheet:
         figures: tuple[Exhibit, ...] = (self._main(), *self._plans(), *self._diagrams())
         shows: tuple[Exhibit | Caption, ...] = (*figures, *captions(self._workings()))
         tables, remarks = self._tables(), self._remarks if self.study.scene.sheet.scales == "common" else None
-        return Draft("kinematics", title, shows, tables, tuple(words), self._facts, later=self._later, remarks=remarks)
+        facts, later = self._facts, lambda scales: self.by_hand.on_sheet(self.positions, scales)
+        return Draft("kinematics", title, shows, tables, tuple(words), facts, later=later, remarks=remarks)
 
     @cached_property
     def shown(self) -> int:
@@ -199,11 +200,6 @@ class _KinematicsSheet:
         same = alike(told, self.study.mechanism, masses)
         lines = value_table.rows(same, self.positions, self.drafting.language)
         return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
-
-    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
-        """Write what a hand may be out in the table, at the scales of the plans."""
-        scales = {name: spot.scale.mu for name, spot in spots.items()}
-        return value_table.by_hand(self.by_hand.on_sheet(self.positions, scales), self.drafting.language)
 
     @cached_property
     def by_hand(self) -> MotionByHand:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from drawings.kinds import polygon
 from drawings.kinds.polygon import Polygon
-from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.picture import Spot
 from drawings.layout.table import Later, RuledTable, TableRow, table
 from drawings.layout.value_table import BY_HAND, row_by_hand
 from drawings.lettering.rotor_letters import index, lowered
@@ -23,7 +21,7 @@ from drawings.rotor.polygon import RotorView, rotor_view
 from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
 from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit
+from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
 from plans.checks.comparison import Comparison, Finding
 from plans.model.rotor import Balance, Correction, Rotor, Unbalance
 from plans.rotor.quantities import EQUILIBRIUM, rotor_by_hand
@@ -121,12 +119,9 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     tables = (masses(rotor.rotor, rotor.balance, drafting),)
     said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(compared(comparison), drafting)
     title = drafting.word("rotor sheet title")
-    return lay_out(scene, [Draft("rotor", title, shows, tables, said, _facts, later=partial(_later, rotor, drafting))])
-
-
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+    return lay_out(
+        scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=partial(rotor_by_hand, rotor))]
+    )
 
 
 def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -158,9 +153,3 @@ def _results(comparison: Comparison, drafting: Drafting) -> Caption:
 
 def _written(table: RuledTable, drafting: Drafting, box: Field, write: Callable[[Later], str]) -> Group:
     return table.filled(write).write(box, drafting)
-
-
-def _later(rotor: RotorStudy, drafting: Drafting, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
-    """Write what a hand may be out in the polygons, at their scales."""
-    scales = {name: spot.scale.mu for name, spot in spots.items()}
-    return value_table.by_hand(rotor_by_hand(rotor, scales), drafting.language)

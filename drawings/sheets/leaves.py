@@ -6,7 +6,7 @@ import math
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
@@ -19,7 +19,8 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import NARROW, SMALLER, Figure, Notes, Picture, Spot, TextBlock
 from drawings.layout.room import size_of_room
 from drawings.layout.slicing import Cuts
-from drawings.layout.table import RuledTable
+from drawings.layout.table import Later, RuledTable
+from drawings.layout.value_table import by_hand
 from drawings.lettering.lettering import text_width
 from drawings.lettering.phrase import SLOT, template_of
 from drawings.page.page import Field, Page, page_of
@@ -224,12 +225,18 @@ class _Leaves:
 
     def _told(self, composed: Composition) -> Composition:
         """Write the cells of the tables of a sheet."""
-        if self.draft.later is None:
+        if self._later is None:
             return composed
-        write = self.draft.later(self.spots)
-        return composed._replace(
-            tables=tuple(told._replace(table=told.table.filled(write)) for told in composed.tables)
-        )
+        filled = (told._replace(table=told.table.filled(self._later)) for told in composed.tables)
+        return composed._replace(tables=tuple(filled))
+
+    @cached_property
+    def _later(self) -> Callable[[Later], str] | None:
+        """What writes the cells that wait for the scales of the figures, if any do."""
+        if self.draft.later is None:
+            return None
+        errors = self.draft.later({name: spot.scale.mu for name, spot in self.spots.items()})
+        return by_hand(errors, self.drafting.language)
 
     def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""
@@ -309,8 +316,8 @@ class _Leaves:
         """Give what lettering is written by beside its box."""
         if one.of in composed.spots:
             yield composed.spots[one.of]
-        if one.waits and self.draft.later is not None:
-            yield self.draft.later(self.spots)
+        if one.waits and self._later is not None:
+            yield self._later
 
     def _figures(self, composed: Composition) -> Iterator[Figure]:
         for one in self.draft.shows:

@@ -13,7 +13,7 @@ from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Figure, Picture, Spot
 from drawings.layout.room import corner_of, room_of
 from drawings.layout.slicing import GAP, Size
-from drawings.layout.table import Later, RuledTable
+from drawings.layout.table import RuledTable
 from drawings.page.page import Page
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.strokes import Group, SheetError
@@ -83,8 +83,9 @@ class Draft(NamedTuple):
     `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
     `scaled` is the figure whose scale the title block states: the foremost one, unless it is named. The notes stand in
     no column of less than `narrow` mm. The drafts `instead` show the same in other ways, where that can be read better
-    or takes fewer sheets. `later` writes, by the spots of all figures, the cells that wait for them; `remarks` says, by
-    them, what follows the notes.
+    or takes fewer sheets. By the scales of all figures `later` gives what a hand may be out, which the cells that wait
+    tell, by the names and positions of their quantities; `remarks` says, by the spots of all figures, what follows the
+    notes.
     """
 
     kind: str
@@ -96,8 +97,13 @@ class Draft(NamedTuple):
     scaled: str = ""
     narrow: float = 0.0
     instead: tuple[Draft, ...] = ()
-    later: Callable[[Mapping[str, Spot]], Callable[[Later], str]] | None = None
+    later: Callable[[Mapping[str, float]], Mapping[tuple[str, int], float]] | None = None
     remarks: Callable[[Mapping[str, Spot]], tuple[str, ...]] | None = None
+
+
+def figures_facts(names: Collection[str], **others: Any) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows, with what else is said of it."""
+    return {**others, "figures": list(names)}
 
 
 GRAPHS = ("balancing",)  # their own scale is that of the angle: the key of such a figure governs its ordinates
