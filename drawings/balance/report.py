@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quantities, shape
 from drawings.balance.notes import BalanceNotes
 from drawings.dynamics.report_tables import plain
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
@@ -16,8 +15,7 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, row
 from plans.balance.study import BalanceStudy
-from plans.balance.weights import line_of
-from plans.model.balance.linkage import DISC, Counterweight, Shares, State
+from plans.model.balance.linkage import Counterweight, Shares, State
 from plans.model.motion import NOTHING
 from plans.study import Study
 from plans.words.words import Message, word
@@ -27,7 +25,6 @@ if TYPE_CHECKING:
 
 DIGITS = 10
 FEWER = 6  # of a share, which is no sharper where a curve is flat
-PER_CENT = 3  # digits of a change
 
 
 def mass_table(notes: BalanceNotes) -> Iterator[str]:
@@ -71,58 +68,22 @@ def counterweights(notes: BalanceNotes) -> Iterator[str]:
 
 def _sizes(one: Counterweight, notes: BalanceNotes) -> list[str]:
     if not one.needed:
-        return ["0", "0", *("—" for _ in range(6))]
-    place, drafting = one.place, notes.drafting
-    turned = one.moment / line_of(notes.mechanism, one.link, one.begin)
-    angle = math.degrees(cmath.phase(turned if abs(turned.imag) > NOTHING * abs(turned) else turned.real))
-    numbers = [abs(one.moment), one.mass, one.distance, angle, one.outer, place.thickness, one.inertia]
+        return ["0", "0", *(NONE for _ in range(6))]
+    drafting, sizes = notes.drafting, (one.outer, one.place.thickness, one.inertia)
+    numbers = [abs(one.moment), one.mass, one.distance, degrees(one, notes.mechanism), *sizes]
     cells = [drafting.number(value, DIGITS) for value in numbers]
-    whole = drafting.number(math.degrees(2 * place.half_angle))
-    return [
-        *cells[:4],
-        drafting.word("disc") if place.shape == DISC else drafting.word("sector", angle=whole),
-        *cells[4:],
-    ]
+    return [*cells[:4], shape(one, drafting), *cells[4:]]
 
 
 def costs(notes: BalanceNotes) -> Iterator[str]:
     """Tell what is largest over the turn before and after, and by how many per cent it changes."""
-    drafting, after = notes.drafting, notes.after
+    drafting, before, after = notes.drafting, notes.balance.before, notes.after
     keys = ("before column", *(("after column", "change column") if after is not None else ()))
-    heading = drafting.word("largest value", count=notes.balance.before.count)
+    heading = drafting.word("largest value", count=before.count)
     yield from header([heading, *map(drafting.word, keys)])
-    was = _largest(notes, notes.balance.before)
-    now = {} if after is None else _largest(notes, after)
-    for name, (value, least) in was.items():
-        cells = [_rounded(one, least, drafting) for one in (value, *((now[name][0],) if now else ()))]
-        yield row([name, *cells, *((_change(value, now[name][0], least, drafting),) if now else ())])
-
-
-def _largest(notes: BalanceNotes, state: State) -> dict[str, tuple[float, float]]:
-    """Give the largest values of a state by their names, each with what is but rounding of it."""
-    drafting, before = notes.drafting, notes.balance.before
-    newtons, moments = drafting.word("N"), drafting.word("N*m")
-    force, moment = before.forces.nothing
-    shaft = notes.mechanism.drive.pivot
-    found = {
-        drafting.word("path of S", unit=drafting.word("m")): (state.path, NOTHING * notes.equations.reach),
-        f"{FORCE}, {newtons}": (state.shaking, force),
-        drafting.word("moment about", letter=MOMENT, point=shaft, unit=moments): (state.rocking, moment),
-    }
-    for key, one in before.forces.reactions.items():
-        letter = notes.reaction(one.giver, one.taker).replace("{", "").replace("}", "")
-        found[f"{letter}, {newtons}"] = state.reactions[key], force
-    found[f"{notes.balancing.replace('{', '').replace('}', '')}, {moments}"] = state.balancing, moment
-    return found | {drafting.word("moving mass", unit=drafting.word("kg")): (state.centre.mass, 0.0)}
-
-
-def _change(was: float, now: float, least: float, drafting: Drafting) -> str:
-    """Write how much more it is, in per cent; of what was nothing there is no share."""
-    if abs(was) <= least:
-        return "—"
-    share = 100 * ((0.0 if abs(now) <= least else now) / was - 1)
-    told = drafting.number(share, PER_CENT) if abs(share) > 100 * NOTHING else "0"
-    return f"+{told}" if share > 100 * NOTHING else told
+    none = Nothing(*before.forces.nothing, NOTHING * notes.equations.reach)
+    for one in quantities(before, none, drafting, notes.mechanism.drive.pivot, METRES):
+        yield row([one.name.replace("{", "").replace("}", ""), *cells(one, before, after, drafting, DIGITS)])
 
 
 def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[str]:
@@ -137,10 +98,6 @@ def _unit(head: str, drafting: Drafting) -> str:
     """Write the unit of a head, if it has one, in the language of the report."""
     letter, comma, unit = head.partition(", ")
     return f"{letter}, {drafting.word(unit)}" if comma and unit != "°" else head
-
-
-def _rounded(value: float, least: float, drafting: Drafting) -> str:
-    return "0" if abs(value) <= least else drafting.number(value, DIGITS)
 
 
 def _cell(value: complex | float, drafting: Drafting) -> str:

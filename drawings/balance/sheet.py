@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import cmath
-import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import NamedTuple
 
 from drawings.balance import graphs, hodograph, scheme, static_polygon
+from drawings.balance.costs import Nothing, costs, counterweights, nothing
 from drawings.balance.report import notes_of
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
-from drawings.forces.letters import REACTION, letter_of
+from drawings.forces.letters import REACTION
 from drawings.kinds import curve_graph, polygon
 from drawings.kinds.polygon import Polygon, ShownVector
 from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
-from drawings.layout.table import RuledTable, TableRow, table
-from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
-from drawings.lettering.vector_letters import MOMENT, counterweight
+from drawings.layout.table import RuledTable
 from drawings.linkage import workings as link_working
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
@@ -31,136 +27,13 @@ from drawings.sheets.stated_scales import Draft, Exhibit, captions, exhibit, fig
 from geometry.board import at
 from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
-from plans.balance.weights import line_of
-from plans.forces.cut import indices
-from plans.forces.primary import BALANCING
 from plans.linkage.quantities import MotionComparison
-from plans.model.balance.linkage import DISC, FORCE, Balance, Counterweight, State
-from plans.model.mechanism import FRAME, Mechanism
+from plans.model.balance.linkage import FORCE, Balance, State
+from plans.model.mechanism import FRAME
 from plans.model.motion import NOTHING
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed
-
-
-class Nothing(NamedTuple):
-    """The force N, the moment N*m about the shaft and the way m that are no more than rounding."""
-
-    force: float
-    moment: float
-    way: float
-
-
-def nothing(states: Iterable[State], size: float) -> Nothing:
-    """Tell what is nothing in all states of a mechanism of some size, m: by its largest forces in any of them."""
-    largest = max(one.forces.largest for one in states)
-    return Nothing(NOTHING * largest, NOTHING * largest * size, NOTHING * size)
-
-
-WEIGHTS, COSTS = "counterweights", "costs"  # the names of the tables
-DIGITS = 5
-NONE = "—"
-MILLIMETRES = 1000.0
-SHARE_DIGITS, PLACES = 3, 3  # of a change in per cent: digits, and decimals, below which there is none
-
-
-def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, drafting: Drafting) -> RuledTable:
-    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes.
-
-    Its direction is counted from that of the link's line, from where the link begins on.
-    """
-    mm = drafting.word("mm")
-    heads = (
-        f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
-        f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
-    )  # fmt: skip
-    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
-    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
-
-
-def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
-    if not one.needed:
-        return "0", "0", *(NONE for _ in range(6))
-    place, number, along = one.place, drafting.number, line_of(mechanism, one.link, one.begin)
-    sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
-    return (
-        number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
-        number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment / along), DIGITS), _shape(one, drafting),
-        *(number(size, DIGITS) for size in sizes),
-    )  # fmt: skip
-
-
-def _degrees(moment: complex) -> float:
-    """Give a direction in degrees, without the noise of a rounding about 0 and 180."""
-    angle = math.degrees(cmath.phase(moment))
-    return abs(angle) if abs(moment.imag) <= NOTHING * abs(moment) else angle
-
-
-def _shape(one: Counterweight, drafting: Drafting) -> str:
-    if one.place.shape == DISC:
-        return drafting.word("disc")
-    return drafting.word("sector", angle=drafting.number(math.degrees(2 * one.place.half_angle)))
-
-
-class Quantity(NamedTuple):
-    """What counterweights change: its name with the unit, its value in a state; what is no more than `least` is 0."""
-
-    name: str
-    of: Callable[[State], float]
-    least: float = 0.0
-
-    def value(self, state: State) -> float:
-        """Give its value in a state."""
-        value = self.of(state)
-        return 0.0 if abs(value) <= self.least else value
-
-
-def costs(before: State, after: State | None, none: Nothing, drafting: Drafting, shaft: str) -> RuledTable:
-    """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
-    heads = ("before column", "after column", "change column")
-    told = quantities(before, none, drafting, shaft)
-    words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
-    lines = [TableRow(one.name, _cells(one, before, after, drafting)) for one in told]
-    heading = drafting.word("largest value", count=before.count)
-    return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
-
-
-def quantities(state: State, none: Nothing, drafting: Drafting, shaft: str) -> Iterator[Quantity]:
-    """List what is told of a state, every pair's reaction among it."""
-    word = drafting.word
-    way = word("path of S", unit=word("mm"))
-    yield Quantity(way, lambda one: MILLIMETRES * one.path, MILLIMETRES * none.way)
-    yield Quantity(f"{FORCE_LETTER}, {word('N')}", lambda one: one.shaking, none.force)
-    moment = word("moment about", letter=MOMENT, point=shaft, unit=word("N*m"))
-    yield Quantity(moment, lambda one: one.rocking, none.moment)
-    for key, pair in state.forces.reactions.items():
-        letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
-        yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
-    balancing = f"{letter_of(BALANCING, drafting)}, {word('N*m')}"
-    yield Quantity(balancing, lambda one: one.balancing, none.moment)
-    yield Quantity(word("moving mass", unit=word("kg")), lambda one: one.centre.mass)
-
-
-def _reaction(key: str, state: State) -> float:
-    return state.reactions[key]
-
-
-def _cells(one: Quantity, before: State, after: State | None, drafting: Drafting) -> tuple[str, ...]:
-    was = one.value(before)
-    if after is None:
-        return (drafting.number(was, DIGITS),)
-    now = one.value(after)
-    return drafting.number(was, DIGITS), drafting.number(now, DIGITS), change(was, now, drafting)
-
-
-def change(before: float, after: float, drafting: Drafting) -> str:
-    """Write how much more it is, in per cent; of what was nothing there is no share."""
-    if not before:
-        return NONE
-    share = round(100 * (after / before - 1), PLACES)
-    text = drafting.number(share, SHARE_DIGITS)
-    return f"+{text}" if share > 0 else text
-
 
 MAIN = "main"  # what a vector of a scheme is
 SCHEMES = "schemes"  # are drawn at one scale

@@ -275,7 +275,7 @@ class BankNotes(NamedTuple):
 
 
 DIGITS = 10
-HEADS = ("order", "one force", "bank force", "force left", "bank moment")
+ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
 
 
 def subject(study: Study) -> Subject:
@@ -314,15 +314,19 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
 
 
-def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
-    """Write the table of the orders."""
+def order_rows(balance: BankBalance, drafting: Drafting, digits: int) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Tell of each order the largest force of one mechanism, of the bank, what is left of it, and the moment."""
     answered = {one.asked.order for one in balance.compensators}
-    lines = header([plain(drafting.word(head)) for head in HEADS])
     for order, single in balance.single.items():
         force = balance.forces[order].size
         sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
-        lines.append(row([str(order), *(drafting.number(one, DIGITS) for one in sizes)]))
-    return lines
+        yield str(order), tuple(drafting.number(one, digits) for one in sizes)
+
+
+def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
+    """Write the table of the orders."""
+    rows = (row([order, *cells]) for order, cells in order_rows(balance, drafting, DIGITS))
+    return [*header([plain(drafting.word(head)) for head in ("order", *ORDER_HEADS)]), *rows]
 
 
 def _notes(study: Study) -> BankNotes:

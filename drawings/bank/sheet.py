@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.bank import compensators, polygon, shaft, star, turn_graph
 from drawings.bank.compensators import COUPLED, MASS, Layout
-from drawings.bank.report import BankNotes, crank_of, direction, straight
+from drawings.bank.report import ORDER_HEADS, BankNotes, crank_of, direction, order_rows, straight
 from drawings.bank.star import BankView
 from drawings.bank.turn_graph import FORCE as ACTING
 from drawings.bank.turn_graph import LEFT, TurnCurve, TurnGraph
@@ -37,20 +37,14 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 ORDERS, COMPENSATORS, RESULTS = "orders", "compensators", "results"  # the names of the tables
-ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
 COMPENSATOR_HEADS = ("m·r, kg·m", "m, kg", "r, mm", "shaft speed", "φ, °")
 DIGITS = 5
 NOTHING = "—"
 
 
 def orders(balance: BankBalance, drafting: Drafting) -> RuledTable:
-    """Tell of each order the largest force of one mechanism, of the bank, what is left of it, and the moment."""
-    answered = {one.asked.order for one in balance.compensators}
-    lines = []
-    for order, single in balance.single.items():
-        force = balance.forces[order].size
-        sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
-        lines.append(TableRow(str(order), tuple(drafting.number(one, DIGITS) for one in sizes)))
+    """Tell of each order what one mechanism and the bank come to."""
+    lines = [TableRow(*told) for told in order_rows(balance, drafting, DIGITS)]
     heads = tuple(drafting.word(head) for head in ORDER_HEADS)
     return table(lines, drafting.word("order"), heads, drafting.hand.text)._replace(name=ORDERS)
 

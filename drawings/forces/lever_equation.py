@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from drawings.forces.letters import letter_of
@@ -54,8 +54,7 @@ class Equations:
 
     def statement(self, name: str, value: float, unit: str) -> Phrase:
         """Write what a quantity is: R_34 = 1644.1 N."""
-        number = self.drafting.slot(Slot(name, value, DIGITS))
-        return joined("", (f"{self.letter(name)} = ", number, f" {self.drafting.word(unit)}"))
+        return _statement(name, self.letter(name), value, unit, self.drafting)
 
     def _size(self, mark: Mark) -> float:
         return abs(self._value(mark))
@@ -77,8 +76,7 @@ class Equations:
         arms = {arm.letter: arm.length for arm in self.arms}
         if arms:
             slots = {letter: self.drafting.slot(Slot(letter, 1000 * arm, DIGITS)) for letter, arm in arms.items()}
-            *parts, last = (joined(" = ", pair) for pair in slots.items())
-            yield listed(*parts, joined(" ", (last, self.drafting.word("mm"))))
+            yield _lengths(slots, "mm", self.drafting)
 
     def _slotted(self) -> Iterator[WrittenEquation]:
         """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
@@ -157,6 +155,17 @@ class Equations:
         yield listed(*statements)
 
 
+def _statement(name: str, letter: str, value: float, unit: str, drafting: Drafting) -> Phrase:
+    """Write what a quantity is, by its letter."""
+    return joined("", (f"{letter} = ", drafting.slot(Slot(name, value, DIGITS)), f" {drafting.word(unit)}"))
+
+
+def _lengths(arms: Mapping[str, str], unit: str, drafting: Drafting) -> WrittenEquation:
+    """Tell arms by their letters, with one unit behind all."""
+    *parts, last = (joined(" = ", pair) for pair in arms.items())
+    return listed(*parts, joined(" ", (last, drafting.word(unit))))
+
+
 NAME = "equations-lever"
 ARM = 4  # digits of an arm
 NARROWEST = 20.0  # sizes of the letters: in a narrower column every term has a line of its own
@@ -188,16 +197,11 @@ class LeverEquation(NamedTuple):
         figure = f"{NAME}-{self.column}"
         said = [Statement(Kind.LETTER, figure, one.letter) for one in self.told]
         letters = moments(POLE, [one.written for one in self.told], states=said)
-        lines = (self._arms(arms, unit), letters, self._numbers(arms), *self._found())
+        lines = (_lengths(arms, unit, self.drafting), letters, self._numbers(arms), *self._found())
         return Passage(NAME, lines, self.drafting.hand.text, figure=figure)
 
     def _arm(self, letter: str, length: float, mu: float | None) -> str:
         return WIDEST if mu is None else self.drafting.slot(Slot(letter, length / mu, ARM))
-
-    def _arms(self, arms: dict[str, str], unit: str) -> WrittenEquation:
-        """Tell all arms once."""
-        *parts, last = (joined(" = ", pair) for pair in arms.items())
-        return listed(*parts, joined(" ", (last, self.drafting.word(unit))))
 
     def _numbers(self, arms: dict[str, str]) -> WrittenEquation:
         """Write the equation with its numbers: newtons by arms."""
@@ -208,11 +212,8 @@ class LeverEquation(NamedTuple):
     def _found(self) -> Iterator[WrittenEquation]:
         """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
         drafting, driving = self.drafting, [one for one in self.told if one.force == DRIVING]
-        parts = [self._statement(one.letter, one.size, "N") for one in driving]
+        parts = [_statement(one.letter, one.letter, one.size, "N", drafting) for one in driving]
         if self.moment is not None:
-            parts.append(self._statement(letter_of(BALANCING, drafting), self.moment, "N*m"))
+            letter = letter_of(BALANCING, drafting)
+            parts.append(_statement(letter, letter, self.moment, "N*m", drafting))
         yield listed(*parts)
-
-    def _statement(self, letter: str, value: float, unit: str) -> Phrase:
-        number = self.drafting.slot(Slot(letter, value, DIGITS))
-        return joined("", (f"{letter} = ", number, f" {self.drafting.word(unit)}"))

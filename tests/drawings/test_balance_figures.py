@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import pytest
 
-from drawings.balance.sheet import change, leaves
+from drawings.balance.costs import change
+from drawings.balance.sheet import leaves
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure
 from drawings.page.scale import drafting_of

@@ -1,0 +1,146 @@
+"""Counterweights by their sizes, and what they cost, as sheet and report table them (цена уравновешивания)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from drawings.forces.letters import letter_of
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.vector_letters import FORCE, MOMENT, counterweight
+from drawings.page.scale import Drafting
+from plans.balance.weights import line_of
+from plans.forces.cut import indices
+from plans.forces.primary import BALANCING
+from plans.model.balance.linkage import DISC, Counterweight, State
+from plans.model.mechanism import Mechanism
+from plans.model.motion import NOTHING
+
+
+class Nothing(NamedTuple):
+    """The force N, the moment N*m about the shaft and the way m that are no more than rounding."""
+
+    force: float
+    moment: float
+    way: float
+
+
+def nothing(states: Iterable[State], size: float) -> Nothing:
+    """Tell what is nothing in all states of a mechanism of some size, m: by its largest forces in any of them."""
+    largest = max(one.forces.largest for one in states)
+    return Nothing(NOTHING * largest, NOTHING * largest * size, NOTHING * size)
+
+
+WEIGHTS, COSTS = "counterweights", "costs"  # the names of the tables
+DIGITS = 5
+NONE = "—"
+MILLIMETRES = 1000.0
+MM, METRES = ("mm", MILLIMETRES), ("m", 1.0)
+SHARE_DIGITS, PLACES = 3, 3  # of a change in per cent: digits, and decimals, below which there is none
+
+
+def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, drafting: Drafting) -> RuledTable:
+    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes.
+
+    Its direction is counted from that of the link's line, from where the link begins on.
+    """
+    mm = drafting.word("mm")
+    heads = (
+        f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
+        f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
+    )  # fmt: skip
+    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
+    return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
+
+
+def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
+    if not one.needed:
+        return "0", "0", *(NONE for _ in range(6))
+    place, number = one.place, drafting.number
+    sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
+    return (
+        number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
+        number(MILLIMETRES * one.distance, DIGITS), number(degrees(one, mechanism), DIGITS), shape(one, drafting),
+        *(number(size, DIGITS) for size in sizes),
+    )  # fmt: skip
+
+
+def degrees(one: Counterweight, mechanism: Mechanism) -> float:
+    """Give the direction of a counterweight from its link's line in degrees, without noise about 0 and 180."""
+    moment = one.moment / line_of(mechanism, one.link, one.begin)
+    angle = math.degrees(cmath.phase(moment))
+    return abs(angle) if abs(moment.imag) <= NOTHING * abs(moment) else angle
+
+
+def shape(one: Counterweight, drafting: Drafting) -> str:
+    """Say what shape a counterweight has."""
+    if one.place.shape == DISC:
+        return drafting.word("disc")
+    return drafting.word("sector", angle=drafting.number(math.degrees(2 * one.place.half_angle)))
+
+
+class Quantity(NamedTuple):
+    """What counterweights change: its name with the unit, its value in a state; what is no more than `least` is 0."""
+
+    name: str
+    of: Callable[[State], float]
+    least: float = 0.0
+
+    def value(self, state: State) -> float:
+        """Give its value in a state."""
+        value = self.of(state)
+        return 0.0 if abs(value) <= self.least else value
+
+
+def costs(before: State, after: State | None, none: Nothing, drafting: Drafting, shaft: str) -> RuledTable:
+    """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
+    heads = ("before column", "after column", "change column")
+    told = quantities(before, none, drafting, shaft)
+    words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
+    lines = [TableRow(one.name, cells(one, before, after, drafting)) for one in told]
+    heading = drafting.word("largest value", count=before.count)
+    return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
+
+
+def quantities(
+    state: State, none: Nothing, drafting: Drafting, shaft: str, length: tuple[str, float] = MM
+) -> Iterator[Quantity]:
+    """List what is told of a state, every pair's reaction among it; lengths by a unit and how many make a metre."""
+    word, (unit, parts) = drafting.word, length
+    yield Quantity(word("path of S", unit=word(unit)), lambda one: parts * one.path, parts * none.way)
+    yield Quantity(f"{FORCE}, {word('N')}", lambda one: one.shaking, none.force)
+    moment = word("moment about", letter=MOMENT, point=shaft, unit=word("N*m"))
+    yield Quantity(moment, lambda one: one.rocking, none.moment)
+    for key, pair in state.forces.reactions.items():
+        letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
+        yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
+    balancing = f"{letter_of(BALANCING, drafting)}, {word('N*m')}"
+    yield Quantity(balancing, lambda one: one.balancing, none.moment)
+    yield Quantity(word("moving mass", unit=word("kg")), lambda one: one.centre.mass)
+
+
+def _reaction(key: str, state: State) -> float:
+    return state.reactions[key]
+
+
+def cells(
+    one: Quantity, before: State, after: State | None, drafting: Drafting, digits: int = DIGITS
+) -> tuple[str, ...]:
+    """Write a quantity before and after, and how it changes."""
+    was = one.value(before)
+    if after is None:
+        return (drafting.number(was, digits),)
+    now = one.value(after)
+    return drafting.number(was, digits), drafting.number(now, digits), change(was, now, drafting)
+
+
+def change(before: float, after: float, drafting: Drafting) -> str:
+    """Write how much more it is, in per cent; of what was nothing there is no share."""
+    if not before:
+        return NONE
+    share = round(100 * (after / before - 1), PLACES)
+    text = drafting.number(share, SHARE_DIGITS)
+    return f"+{text}" if share > 0 else text
