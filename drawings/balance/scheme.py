@@ -25,6 +25,7 @@ from drawings.linkage.numbering import link_numbers
 from drawings.linkage.outlines import outlines
 from drawings.linkage.pairs import Pairs
 from drawings.linkage.skeleton import Skeletons
+from drawings.linkage.trajectories import STILL, length
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
@@ -179,7 +180,6 @@ SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
 LETTERS = 22.0  # it is drawn at least so many of its letters large
 PATH, RIM = "path-", "rim-"  # before a state, before a link: how names of groups of lines end
-STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +236,7 @@ class SchemeFigure:
 
     def _line(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
         runs = ([self.place.on(complex(path[k])) for k in run] for run in stretches(path.real))
-        lines = [Polyline(tuple(spots), False, style) for spots in runs if _length(spots) > STILL]
+        lines = [Polyline(tuple(spots), False, style) for spots in runs if length(np.array(spots)) > STILL]
         yield from fit_dashes(trim(lines, self.pairs.masks))
 
     def _dots(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
@@ -273,18 +273,11 @@ class SchemeFigure:
         for name, value in self.shown.named.items():
             at = self.place.on(value)
             data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
-            yield Group(self._symbol(name, at), "", data, name)
+            yield Group(self.pairs.symbol(name, at), "", data, name)
         for one in self.shown.weights:
             at, letter = self.place.on(one.centre), counterweight(one.weight.link, self.drafting.language)
             data = self.subject.data("point", plain_name(counterweight(one.weight.link, "en")), one.centre, scale)
             yield Group((Circle(at, POINT * hand.symbol, INK), *cross(at, hand)), "", data, letter)
-
-    def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:
-        if name in self.pairs.hinges:
-            return self.pairs.hinges[name]
-        if name in self.pairs.centres:
-            return mass_centre(at, self.pairs.hand)
-        return (Circle(at, POINT * self.pairs.hand.symbol, INK),)
 
     @cached_property
     def arrows(self) -> tuple[LaidVector, ...]:
@@ -336,10 +329,6 @@ class SchemeFigure:
     def _heading(self) -> Group:
         title = title_of(self.shown, self.drafting)
         return heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand)
-
-
-def _length(spots: list[complex]) -> float:
-    return float(np.abs(np.diff(np.array(spots))).sum())
 
 
 def title_of(shown: BalanceScheme, drafting: Drafting) -> str:

@@ -24,7 +24,7 @@ from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, pole
 from plans.cam.course import Course, settled
 from plans.cam.profile.profile import profile
@@ -97,9 +97,7 @@ def measure(shown: Manufacture, drafting: Drafting) -> Picture:
     """Measure the room that the profile needs: it is drawn at its own size, enlarged only where it is small."""
     hand = drafting.hand
     title = text_width(Text(0j, drafting.word("working profile"), hand.title))
-    side, below, above = (share * hand.letter for share in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    room = picture(PLAN, shown.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    room = picture(PLAN, shown.corners, (SYMBOL, UNIT), around(MARGINS, hand), title, LETTERS * hand.letter)
     natural = max(room.wide, room.high) * TRUE
     return room._replace(most=natural if natural >= room.least else LARGE * hand.letter)
 

@@ -25,7 +25,7 @@ from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stro
 from drawings.paper.walk import stating, tied
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, TICK, hinge, pole
 from plans.cam.sizing import Tangent
 
@@ -45,8 +45,7 @@ def measure(view: SizeView, drafting: Drafting) -> Picture:
     """Measure the room that the diagram needs: its points, the tangents, the region below O."""
     hand = drafting.hand
     title = text_width(Text(0j, _title(view, drafting), hand.title))
-    side, below, above = (share * hand.letter for share in MARGINS)
-    margins = Margins(side + AXIS, below, above + AXIS + 2 * hand.title + hand.text)
+    margins = around(MARGINS, hand, AXIS, above=AXIS)
     corners = [*view.box, *(end for one in view.sizing.tangents for end in view.ruler(one))]
     found = picture(NAME, corners, ("l", "m"), margins, title, LETTERS * hand.letter)
     return found._replace(most=MOST * hand.letter)

@@ -5,21 +5,19 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from drawings.layout.ink import Ink
-from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
-from drawings.linkage import position_letters, position_plan
+from drawings.linkage import position_plan
 from drawings.linkage.pairs import Pairs
 from drawings.linkage.position_letters import clearest, length, stroke
+from drawings.linkage.position_plan import PositionFigure
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.scale import Drafting
-from drawings.paper.formats import Field
 from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.dashes import fit_dashes
@@ -40,18 +38,6 @@ DOT = 0.8  # mm, radius of a crank pin
 LETTERS = 30.0  # it is drawn at least so many of its letters large: its angles are read from it
 
 
-@dataclass(frozen=True)
-class CharacteristicFigure:
-    """The plan placed on paper: its lines, and the letters and numbers still to be placed."""
-
-    pairs: Pairs
-    lines: tuple[Group, ...]
-
-    def letter(self, labels: Labels) -> tuple[Group, ...]:
-        """Give the whole figure, its points lettered and its positions numbered."""
-        return *self.lines, position_letters.letters(self.pairs, labels)
-
-
 def bones_of(study: CyclogramStudy) -> Skeletons:
     """Gather the poses of the characteristic positions; that where the tool meets the work is in full lines."""
     pictured = study.pictured
@@ -70,9 +56,7 @@ def measure(bones: Skeletons, drafting: Drafting) -> Picture:
     return room._replace(heading=heading, least=LETTERS * drafting.hand.letter)
 
 
-def draw(
-    study: CyclogramStudy, bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting
-) -> CharacteristicFigure:
+def draw(study: CyclogramStudy, bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> PositionFigure:
     """Draw it in its spot, its title and its scale over it."""
     pairs = Pairs(bones, room.place(*spot), drafting.hand)
     layers = [one for one in position_plan.layers(pairs, drafting.language) if one.name not in (NOTCHES, STROKE)]
@@ -83,15 +67,7 @@ def draw(
     whole = Group(tuple(stroke(bones, pairs.place, pairs.hand, drafting.language, ink)), STROKE)
     pins = Group(tuple(_pins(bones, pairs)), PINS)  # under the hinges
     lines = Group((own, pins, *layers, overruns, whole), NAME)
-    return CharacteristicFigure(pairs, (_heading(spot.box, spot, drafting), lines))
-
-
-def _heading(box: Field, spot: Spot, drafting: Drafting) -> Group:
-    hand = drafting.hand
-    at = complex(box.centre.real, box.top - hand.heading)
-    under = at - 1j * (0.6 * hand.heading + hand.title)
-    title = Text(at, drafting.word(TITLE), hand.heading, "middle", True)
-    return Group((title, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
+    return PositionFigure(pairs, (position_plan.headed(TITLE, spot, drafting), lines))
 
 
 def _notches(study: CyclogramStudy, pairs: Pairs) -> Iterator[Stroke]:

@@ -30,14 +30,14 @@ from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc, Gear
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Arm, Dimension, to_scale
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
-from drawings.symbols.symbols import BLOCK, MASS, POINT, mass_centre
+from drawings.symbols.symbols import BLOCK, MASS
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
 RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
@@ -93,13 +93,7 @@ class Layout:
         """Hinges, mass centres and other points, each under its letter."""
         symbols: list[Stroke] = []
         for name, value in self.shown.named.items():
-            at = self.place.on(value)
-            if name in self.joints.hinges:
-                symbol: tuple[Stroke, ...] = self.joints.hinges[name]
-            elif name in self.shown.centres or name in self.joints.centres:
-                symbol = mass_centre(at, self.hand)
-            else:
-                symbol = (Circle(at, POINT * self.hand.symbol, INK),)
+            symbol = self.joints.symbol(name, self.place.on(value), name in self.shown.centres)
             symbols.append(Group(symbol, "", {}, name))
         zero = Statement(Kind.AXIS, self._plan, ZERO, self.shown.column, self.place.scale.mu)
         return [stating(zero, symbols[0]), *symbols[1:]] if symbols else []
@@ -198,20 +192,20 @@ class Layout:
     @cached_property
     def coupling(self) -> tuple[Group, ...]:
         """The coupling that drives the crank, among what is there."""
+        return tuple(coupled(self.shown, self.place, self.hand, self._felt()))
+
+    def _felt(self) -> Ink:
+        """Ink what is there, the forces among it."""
         ink = Ink()
         for stroke, weight in self._around:
             ink.draw([stroke], weight)
         ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
-        return tuple(coupled(self.shown, self.place, self.hand, ink))
+        return ink
 
     @cached_property
     def couples(self) -> list[CoupleArc]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
-        ink = Ink()
-        for stroke, weight in self._around:
-            ink.draw([stroke], weight)
-        ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
-        arcs: list[CoupleArc] = []
+        ink, arcs = self._felt(), list[CoupleArc]()
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
             before = [other for other in arcs if abs(other.at - at) < RADIUS]

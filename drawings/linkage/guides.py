@@ -63,16 +63,26 @@ class Turning(NamedTuple):
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later its letters stand beside them
 def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε, of each that is not zero."""
-    bones, drive = pairs.bones, pairs.bones.mechanism.drive
+    ink, arrows = felt(pairs), list[Turning]()
+    for symbol, sense in senses("ωε", pairs.bones):
+        arrows.append(_best(f"{symbol}_{pairs.bones.mechanism.drive.link}", sense, pairs, ink))
+        ink.draw(arrows[-1].field, THICK)
+    return tuple(arrows)
+
+
+def felt(pairs: Pairs) -> Ink:
+    """Ink the shown position: what an arrow keeps clear of."""
     ink = Ink()
     ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
     ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
-    arrows = list[Turning]()
-    for symbol, rate in zip("ωε", bones.study.rates.at(bones.shown), strict=True):
-        if rate:  # at rest at the end of a stroke there is no ω
-            arrows.append(_best(f"{symbol}_{drive.link}", int(math.copysign(1, rate)), pairs, ink))
-            ink.draw(arrows[-1].field, THICK)
-    return tuple(arrows)
+    return ink
+
+
+def senses(symbols: str, bones: Skeletons) -> Iterator[tuple[str, int]]:
+    """Give the rates of the primary link by their symbols with their signs; at rest at the end of a stroke has none."""
+    for symbol, rate in zip(symbols, bones.study.rates.at(bones.shown), strict=True):
+        if rate:
+            yield symbol, int(math.copysign(1, rate))
 
 
 def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:

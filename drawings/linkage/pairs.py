@@ -213,17 +213,18 @@ class Joints:
             if value is not None:
                 kind = "pole" if name == reference(bones.mechanism) else "point"
                 data = subject.data(kind, name, value, self.place.scale)
-                yield Group(self._symbol(name, self.place.on(value)), "", data, name)
+                yield Group(self.symbol(name, self.place.on(value)), "", data, name)
         for name in bones.masses:
             if name in self.centres:
                 value = complex(bones.numbered.of(*bones.masses[name])[bones.shown])
                 data = subject.data("point", name, value, self.place.scale)
                 yield Group(symbols.mass_centre(self.centres[name], self.hand), "", data, name)
 
-    def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:
+    def symbol(self, name: str, at: complex, centre: bool = False) -> tuple[Stroke, ...]:
+        """Draw a named place on paper: a hinge, a mass centre, or a point that is neither."""
         if name in self.hinges:
             return self.hinges[name]
-        if name in self.centres:
+        if centre or name in self.centres:
             return symbols.mass_centre(at, self.hand)
         return (Circle(at, POINT * self.hand.symbol, INK),)
 

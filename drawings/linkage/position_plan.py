@@ -69,16 +69,16 @@ def draw(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> Pos
     """Draw the plan of positions in its spot, with its title and its written scale above it."""
     pairs = Pairs(bones, room.place(*spot), drafting.hand)
     lines = Group(tuple(layers(pairs, drafting.language)), NAME)
-    return PositionFigure(pairs, (_heading(spot, drafting), lines))
+    return PositionFigure(pairs, (headed(NAME, spot, drafting), lines))
 
 
-def _heading(spot: Spot, drafting: Drafting) -> Group:
-    """Write the title and the scale of the largest figure above it."""
+def headed(title: str, spot: Spot, drafting: Drafting) -> Group:
+    """Write the title of the largest figure, by its word, and its scale above it."""
     hand = drafting.hand
     at = complex(spot.box.centre.real, spot.box.top - hand.heading)
     under = at - 1j * (0.6 * hand.heading + hand.title)
-    title = Text(at, drafting.word(NAME), hand.heading, "middle", True)
-    return Group((title, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
+    above = Text(at, drafting.word(title), hand.heading, "middle", True)
+    return Group((above, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
 
 
 def layers(pairs: Pairs, language: str) -> list[Group]:

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.layout.ink import Ink
 from drawings.layout.picture import Place
-from drawings.linkage.guides import Turning, turnings
+from drawings.linkage.guides import BESIDE, THICK, Turning, felt, senses, turnings
 from drawings.linkage.pairs import Pairs
 from drawings.linkage.skeleton import Skeletons
 from drawings.paper.hand import Hand
@@ -28,8 +26,6 @@ from plans.model.motion import Complexes
 
 LENGTH = 14.0  # mm of an arrow
 OFFS = (9.0, 12.0, 16.0, 21.0, 27.0)  # mm from the guide to an arrow
-BESIDE = 1.6  # mm that an arrow keeps from a line beside it
-THICK = 12.0  # thin lines that a bar or a symbol of the shown position counts as
 
 
 class Push(NamedTuple):
@@ -88,27 +84,15 @@ def arrows(pairs: Pairs) -> tuple[Turning | Push, ...]:
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later their letters stand beside them
 def pushes(pairs: Pairs) -> tuple[Push, ...]:
     """Place the arrow of the slider's velocity where it crosses the fewest lines, and that of its acceleration."""
-    return tuple(_pushes(pairs))
+    ink, arrows = felt(pairs), list[Push]()
+    for symbol, sense in senses("va", pairs.bones):
+        places = _candidates(f"{symbol}_{pushed(pairs.bones.mechanism).point}", sense, pairs)
+        arrows.append(min(places, key=lambda push: ink.crossed_by(push.room)))
+        ink.draw(arrows[-1].room, THICK)
+    return tuple(arrows)
 
 
-def _pushes(pairs: Pairs) -> Iterator[Push]:
-    bones = pairs.bones
-    ink = Ink()
-    ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
-    ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
-    point = pushed(bones.mechanism).point
-    for symbol, rate in zip("va", bones.study.rates.at(bones.shown), strict=True):
-        if rate:
-            push = _clearest(f"{symbol}_{point}", math.copysign(1.0, rate), pairs, ink)
-            ink.draw(push.room, THICK)
-            yield push
-
-
-def _clearest(letter: str, sense: float, pairs: Pairs, ink: Ink) -> Push:
-    return min(_candidates(letter, sense, pairs), key=lambda push: ink.crossed_by(push.room))
-
-
-def _candidates(letter: str, sense: float, pairs: Pairs) -> Iterator[Push]:
+def _candidates(letter: str, sense: int, pairs: Pairs) -> Iterator[Push]:
     """Give the places of an arrow beside the shown block, the nearest to it first."""
     bones, factor = pairs.bones, pairs.hand.symbol
     along, away = pushed(bones.mechanism).way(FRAME).direction, aside(bones)

@@ -147,13 +147,14 @@ def _swing(bones: Skeletons, name: str, place: Place, hand: Hand) -> Arc | None:
 def _path(spots: Complexes, hand: Hand) -> list[Stroke]:
     """Draw a path, broken at its gaps, each stretch of it once."""
     kept: list[Complexes] = []
-    for stretch in sorted(_stretches(spots), key=_length, reverse=True):
-        if _length(stretch) > STILL and not (kept and _lies_on(stretch, kept, SAME * hand.thin)):
+    for stretch in sorted(_stretches(spots), key=length, reverse=True):
+        if length(stretch) > STILL and not (kept and _lies_on(stretch, kept, SAME * hand.thin)):
             kept.append(stretch)
     return [_line(stretch, hand.path, SAME * hand.thin) for stretch in kept]
 
 
-def _length(stretch: Complexes) -> float:
+def length(stretch: Complexes) -> float:
+    """Give the length of a chain of places."""
     return float(np.abs(np.diff(stretch)).sum())
 
 
