@@ -17,7 +17,7 @@ from drawings.report.formula import DIRECTION, FULL, Chapters, Formula, display,
 from drawings.report.table import chapter, header, row
 from geometry.board import Mark, at
 from geometry.meet import cross
-from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, Cut, Equation, ForcePlan, Side
+from plans.forces.cut import CLOSING, LOAD, REACTION, Couple, Cut, Equation, ForcePlan
 from plans.forces.lever import Lever
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
@@ -29,40 +29,6 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 
-class ForceValues:
-    """What the forces, moments and places of a force plan are in one position, read off its record."""
-
-    def __init__(self, plan: ForcePlan, column: int) -> None:
-        self.plan, self.column = plan, column
-
-    @property
-    def rate(self) -> float:
-        """The angular velocity of the crank, rad/s."""
-        arm, turning = self.plan.velocities.readings[self.plan.mechanism.drive.link]
-        along, across = at(arm.point, self.column), at(turning.point, self.column)
-        return float(cross(along, across)) / abs(along) ** 2
-
-    def force(self, name: str, mark: Mark) -> complex:
-        """Give a force, N."""
-        return at(mark.point, self.column)
-
-    def side(self, side: Side) -> complex:
-        """Give a side of a polygon, N."""
-        return at(side.end.point, self.column) - at(side.start.point, self.column)
-
-    def moment(self, name: str, mark: Mark) -> float:
-        """Give a moment, N*m."""
-        return at(mark.point, self.column).real
-
-    def power(self, name: str, mark: Mark) -> float:
-        """Give the moment that a force or a couple has on the turned velocity plan: its power, W."""
-        return at(mark.point, self.column).real
-
-    def arm(self, arm: Leverage) -> float:
-        """Give the arm of a force about the point of its equation, m."""
-        return arm.length
-
-
 @dataclass(frozen=True)
 class CutEquations:
     """Writes what a cut gives in one position: `nothing` are the force N and the moment N*m below which there is none.
@@ -70,16 +36,27 @@ class CutEquations:
     `scale` is that of the cut's force plan, N/mm; None where it is not drawn.
     """
 
-    values: ForceValues
+    plan: ForcePlan
+    column: int
     formula: Formula
     nothing: tuple[float, float]
     usual: tuple[float, float] = (0.0, 0.0)  # N, N*m: below it what is given is none, also beside a jam
     scale: float | None = None
 
+    @property
+    def rate(self) -> float:
+        """The angular velocity of the crank, rad/s."""
+        arm, turning = self.plan.velocities.readings[self.plan.mechanism.drive.link]
+        along, across = self.value(arm), self.value(turning)
+        return float(cross(along, across)) / abs(along) ** 2
+
+    def value(self, mark: Mark) -> complex:
+        """Give a force N, or a moment N*m or W as a real number."""
+        return at(mark.point, self.column)
+
     def lines(self, cut: Cut) -> Iterator[str]:
         """Write the equations of moments with what they give, the equation of forces, and the reactions."""
-        plan, k = self.values.plan, self.values.column
-        arms = leverages(plan, cut, k)
+        arms = leverages(self.plan, cut, self.column)
         for equation in cut.equations:
             yield from self._moments(equation, arms, cut)
         yield from self._slotted(cut)
@@ -89,7 +66,7 @@ class CutEquations:
     def given(self, cut: Cut) -> Iterator[str]:
         """Write the weights, inertia forces and couples of a cut's links, and its loads."""
         for load in (load for load in cut.loads if load.kind != REACTION):
-            size = abs(self.values.force(load.name, load.force))
+            size = abs(self.value(load.force))
             size = size if size > self.usual[0] else 0.0
             if size or load.kind != LOAD:
                 source = self._source(load.name, load.link, size)
@@ -105,7 +82,7 @@ class CutEquations:
 
     def _source(self, name: str, link: int, value: float) -> Iterator[str]:
         """Write from what a weight, an inertia force or couple comes, in letters and numbers: G_3 = m_3 g."""
-        letter, number, machine = self.formula.letter, self.formula.number, self.values.plan.machine
+        letter, number, machine = self.formula.letter, self.formula.number, self.plan.machine
         body = machine.bodies.get(link)
         if body is None:
             return
@@ -128,7 +105,7 @@ class CutEquations:
         armed = [arm for arm in arms if arm.about == about and arm.name in named]
         own = next((arm for arm in armed if arm.name == unknown), None)
         loads = {load.name: load.force for load in one.loads}
-        seen = {name for name, mark in loads.items() if self._sized(abs(self.values.force(name, mark)))}
+        seen = {name for name, mark in loads.items() if self._sized(abs(self.value(mark)))}
         others = [arm for arm in armed if arm.name in seen]
         couples = [pair for pair in one.couples if self._value(pair)]
         letters = [_signed(arm.sense, f"{self.letter(arm.name)} {formula.letter(arm.letter)}") for arm in others]
@@ -142,31 +119,31 @@ class CutEquations:
         yield rf"$$\sum M_{{{where}}} = {total([first, *letters])} = 0$$"
         sign = -1 if own is None else -own.sense
         numbers = [_signed(sign * arm.sense, self._product(arm, one)) for arm in others]
-        moments = [sign * self.values.moment(couple.name, couple.moment) for couple in couples]
+        moments = [sign * self.value(couple.moment).real for couple in couples]
         numbers += [formula.number(value) for value in moments]
         yield f"- {inline(found, self._solved(numbers, own), self._found(one))}"
 
     def _product(self, arm: Leverage, one: Equation) -> str:
         load = next(load for load in one.loads if load.name == arm.name)
-        size = abs(self.values.force(load.name, load.force))
-        return rf"{self.formula.number(size)} \cdot {self.formula.number(self.values.arm(arm))}"
+        size = abs(self.value(load.force))
+        return rf"{self.formula.number(size)} \cdot {self.formula.number(arm.length)}"
 
     def _solved(self, numbers: list[str], own: Leverage | None) -> str:
         whole = total(numbers)
         if own is None:
             return whole
-        return f"({whole}) / {self.formula.number(self.values.arm(own))}"
+        return f"({whole}) / {self.formula.number(own.length)}"
 
     def _found(self, one: Equation) -> str:
         if one.line is None:
-            value = self._turned(self.values.moment(one.found.name, one.found))
+            value = self._turned(self.value(one.found).real)
             return self.formula.quantity(value, "N*m")
-        return self.formula.quantity(self._sized(abs(self.values.force(one.found.name, one.found))), "N")
+        return self.formula.quantity(self._sized(abs(self.value(one.found))), "N")
 
     def _slotted(self, cut: Cut) -> Iterator[str]:
         """Write the part along a slot, which holds nothing along it."""
         for part in (part for one in cut.supports for part in one.parts if part.name.startswith("R^u")):
-            size = self._sized(abs(self.values.force(part.name, part)))
+            size = self._sized(abs(self.value(part)))
             known = rf"-{self.formula.letter('Σ')} {self.formula.letter('F_u')}"
             yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
 
@@ -177,7 +154,7 @@ class CutEquations:
         terms = [
             self.formula.vector(letter_of(side.name, self.formula.drafting), known if side.kind == CLOSING else FULL)
             for side in cut.sides
-            if side.kind == CLOSING or self._sized(abs(self.values.side(side)))
+            if side.kind == CLOSING or self._sized(abs(self.value(side.end) - self.value(side.start)))
         ]
         if len(terms) > 1:
             yield f"$${' + '.join(terms)} = 0$$"
@@ -186,13 +163,13 @@ class CutEquations:
         """Write the reactions: their lengths on the force plan by its scale, the moments of sliding pairs."""
         formula = self.formula
         for one in cut.reactions:
-            size = self._sized(abs(self.values.force(one.force.name, one.force)))
+            size = self._sized(abs(self.value(one.force)))
             measured = []
             if self.scale is not None and size:
                 measured = [rf"{formula.number(size / self.scale)} \cdot {formula.number(self.scale)}"]
             yield f"- {inline(self.letter(one.force.name), *measured, formula.quantity(size, 'N'))}"
             if one.moment is not None:
-                value = self._turned(self.values.moment(one.moment.name, one.moment))
+                value = self._turned(self.value(one.moment).real)
                 if value:
                     yield f"- {inline(self.letter(one.moment.name), formula.quantity(value, 'N*m'))}"
 
@@ -201,7 +178,7 @@ class CutEquations:
 
     def _value(self, couple: Couple) -> float:
         """Give the moment of a couple; what is given is none only where it usually would be."""
-        value = self.values.moment(couple.name, couple.moment)
+        value = self.value(couple.moment).real
         return self._turned(value) if couple.kind == REACTION or abs(value) <= self.usual[1] else value
 
     def _turned(self, moment: float) -> float:
@@ -217,7 +194,7 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
 
     `mu` is the lever's scale, (m/s)/mm: the moments on paper, N*mm, times the scale are powers, W.
     """
-    formula, drive = written.formula, written.values.plan.mechanism.drive
+    formula, drive = written.formula, written.plan.mechanism.drive
     language, sigma = formula.drafting.language, formula.letter("Σ")
     powers = _powers(lever, written)
     yield word(language, "report.lever")
@@ -226,7 +203,7 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
     forces = {one.name: one.force for one in lever.loads}
     for name, power in powers.items():
         yield _row(name, power / mu, forces.get(name), written)
-    whole, omega = _sum(powers), written.values.rate
+    whole, omega = _sum(powers), written.rate
     yield row([f"${sigma}$", "", "", f"${formula.number(whole / mu)}$"])
     yield ""
     letters = f"-{formula.letter('μ_v')} {sigma} M_{{p}} / {formula.letter(f'ω_{drive.link}')}"
@@ -237,8 +214,8 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
 
 def _powers(lever: Lever, written: CutEquations) -> dict[str, float]:
     """Give the powers of all forces and couples, W; one of a moment on the shaft that is none is none either."""
-    powers = {name: written.values.power(name, mark) for name, mark in lever.moments}
-    least = written.nothing[1] * abs(written.values.rate)
+    powers = {name: written.value(mark).real for name, mark in lever.moments}
+    least = written.nothing[1] * abs(written.rate)
     return {name: power if abs(power) > least else 0.0 for name, power in powers.items()}
 
 
@@ -251,7 +228,7 @@ def _sum(powers: Mapping[str, float]) -> float:
 def _row(name: str, moment: float, force: Mark | None, written: CutEquations) -> str:
     """Write a force with its arm, mm; a couple has its moment alone."""
     formula = written.formula
-    size = 0.0 if force is None else abs(written.values.force(name, force))
+    size = 0.0 if force is None else abs(written.value(force))
     cells = ["", ""]
     if size > written.nothing[0]:
         cells = [f"${formula.number(size)}$", f"${formula.number(abs(moment) / size)}$"]
@@ -274,22 +251,16 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, fl
     return found
 
 
-def equations(
-    statics: Statics,
-    comparison: ForceComparison,
-    scales: Scales,
-    drafting: Drafting | None = None,
-) -> Iterator[str]:
+def equations(statics: Statics, comparison: ForceComparison, scales: Scales) -> Iterator[str]:
     """Write the equations of forces in the positions of the force sheets."""
     language, plans = statics.study.language, statics.drafts().plans
-    formula = Formula(drafting or drafting_of_forces(statics))
+    formula = Formula(drafting_of_forces(statics))
     if scales:
         yield chapter(language, "force_equations")
         yield word(language, "report.underlines")
     for k, own in sorted(scales.items()):
-        told = ForceValues(plans.plan, k)
         force, moment = (float(one.min()) for one in comparison.construction.nothing_over)
-        written = CutEquations(told, formula, comparison.construction.nothing_at(k), (force, moment))
+        written = CutEquations(plans.plan, k, formula, comparison.construction.nothing_at(k), (force, moment))
         yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))
