@@ -105,8 +105,8 @@ def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> BarFigu
 
 
 @dataclass(frozen=True)
-class BarFigure:
-    """The chart placed on paper."""
+class ChartFigure:
+    """A chart placed on paper."""
 
     chart: Chart
     place: Place
@@ -117,6 +117,10 @@ class BarFigure:
     def hand(self) -> Hand:
         """The hand that draws."""
         return self.drafting.hand
+
+
+class BarFigure(ChartFigure):
+    """The bar chart placed on paper."""
 
     @cached_property
     def lines(self) -> tuple[Group, ...]:

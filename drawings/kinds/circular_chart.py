@@ -5,17 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 from drawings.kinds import course
-from drawings.kinds.bar_chart import LARGER, Chart
+from drawings.kinds.bar_chart import LARGER, Chart, ChartFigure
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Margins, Picture, Place, Spot, picture
+from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
-from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied
 from drawings.symbols.figure import heading
@@ -62,19 +60,8 @@ class Ring(NamedTuple):
         return span if self.named is None or self.named.start != span.start else span._replace(start=self.named.end)
 
 
-@dataclass(frozen=True)
-class CircleFigure:
+class CircleFigure(ChartFigure):
     """The circular chart placed on paper."""
-
-    chart: Chart
-    place: Place
-    title: Group
-    drafting: Drafting
-
-    @property
-    def hand(self) -> Hand:
-        """The hand that draws."""
-        return self.drafting.hand
 
     @cached_property
     def lines(self) -> tuple[Group, ...]:

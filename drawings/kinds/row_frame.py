@@ -162,8 +162,8 @@ class RowPlate(ABC, Generic[Shown]):
         """Give the room of the figure; its scale is that of its axis."""
         high = self.length * self.proportions.high
         margins, least = Margins(self.beside, self.below, self.top), LONG * self.hand.letter
-        wide = max(heading, self.heading)
-        return Picture(name, self.length, high, complex(self.length, high) / 2, *axis, margins, wide, least)
+        middle, heading = complex(self.length, high) / 2, max(heading, self.heading)
+        return Picture(name, self.length, high, middle, *axis, margins, heading, least)
 
 
 class RowFrame(ABC, Generic[Shown]):

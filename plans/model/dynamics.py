@@ -248,8 +248,24 @@ class Flywheel:
         return max(self.needed, 0.0)
 
 
+class Fluctuating:
+    """A motion whose speed goes to and fro between two values."""
+
+    extremes: tuple[float, float]  # rad/s: least and greatest
+
+    @property
+    def mean(self) -> float:
+        """The mean of the least and the greatest speed, rad/s (6.13)."""
+        return sum(self.extremes) / 2
+
+    @property
+    def delta(self) -> float:
+        """The coefficient of fluctuation of speed (6.13)."""
+        return (self.extremes[1] - self.extremes[0]) / self.mean
+
+
 @dataclass(frozen=True)
-class Speeds:
+class Speeds(Fluctuating):
     """The crank's motion over a steady turn (закон движения): rad/s at the edges, rad/s2 on either side of them.
 
     `inertia` kg*m2 and `energy` J are those of the whole machine at position 0.
@@ -262,13 +278,3 @@ class Speeds:
     extremes: tuple[float, float]  # rad/s: least and greatest
     inertia: float
     energy: float
-
-    @property
-    def mean(self) -> float:
-        """The mean of the least and the greatest speed, rad/s (6.13)."""
-        return sum(self.extremes) / 2
-
-    @property
-    def delta(self) -> float:
-        """The coefficient of fluctuation that is achieved (6.13)."""
-        return (self.extremes[1] - self.extremes[0]) / self.mean

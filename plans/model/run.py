@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from plans.model.dynamics import TURN, Cycle, Flywheel, Reduced, Speeds
+from plans.model.dynamics import TURN, Cycle, Fluctuating, Flywheel, Reduced, Speeds
 from plans.model.motion import Floats, Gap
 from plans.model.motor import Motor
 from plans.words.words import Message, message
@@ -108,7 +108,8 @@ class Stage(NamedTuple):
         return self.energies[1] - self.energies[0] - self.works.gained
 
 
-class SteadyTurn(NamedTuple):
+@dataclass(frozen=True)
+class SteadyTurn(Fluctuating):
     """A turn of the motion that the machine settles to (цикл установившегося движения).
 
     `closing` is the change of speed rad/s from its beginning to its end: what is left of a change that dies away.
@@ -124,16 +125,6 @@ class SteadyTurn(NamedTuple):
     def repeats(self) -> bool:
         """Whether it repeats itself: what is left of the change is lost in the range of its speeds."""
         return abs(self.closing) <= LEFT * (self.extremes[1] - self.extremes[0])
-
-    @property
-    def mean(self) -> float:
-        """The mean of the least and the greatest speed, rad/s (6.13)."""
-        return sum(self.extremes) / 2
-
-    @property
-    def delta(self) -> float:
-        """The coefficient of fluctuation of speed (6.13)."""
-        return (self.extremes[1] - self.extremes[0]) / self.mean
 
 
 class Method(NamedTuple):
