@@ -7,7 +7,7 @@ from itertools import cycle
 from pathlib import Path
 from typing import NamedTuple
 
-from tests.drawings import balance_scenes, bank_scenes
+from tests.drawings import balance_scenes, bank_scenes, mechanisms
 from tests.gallery import GALLERY
 from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import PLANING, text
@@ -133,6 +133,7 @@ CYCLOGRAMS = ("crank-rocker", "walking-leg", "press", "jaw-crusher", "scotch-yok
 
 
 def linkages() -> Iterator[Odd]:
+    yield from (Odd(name, text) for name, text in mechanisms.ALL.items())
     yield from (Odd(f"cyclogram of {name}", scene_text(name)) for name in CYCLOGRAMS)
     yield from (Odd(f"dyad of {name}", text_of(name)) for name in DYADS)
     for path in sorted((CASES / "strokes").glob("*.toml")):

@@ -2,38 +2,31 @@
 
 from __future__ import annotations
 
-import cmath
-import itertools
-import math
-from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 import pytest
+import shapely
+from shapely.geometry.base import BaseGeometry
 
-from drawings.layout.ink import Ink
-from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Place, picture
 from drawings.linkage.kinematics import position
 from drawings.linkage.pairs import Pairs
-from drawings.linkage.position_letters import LINKS, NUMBERS, letters
 from drawings.linkage.position_plan import layers
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke
+from drawings.paper.walk import flat
 from plans.linkage.quantities import Comparison, compare
 from plans.linkage.study import LinkageStudy
-from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from tests import parts
 from tests.drawings import mechanisms
+from tests.drawings.collisions import ink
 from tests.gallery import LINKAGES
-from tests.parts import first, several
 from tests.rows import over
-
-shapely = pytest.importorskip("shapely")
 
 NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
 SHOWN = NAMES if parts.whole else NAMES[12::36]
@@ -47,10 +40,9 @@ class Figure(NamedTuple):
     place: Place
     hand: Hand
     groups: dict[str, Group]
-    letters: Group
 
     def strokes(self, *names: str) -> list[Stroke]:
-        return [stroke for name, group in self.groups.items() if not names or name in names for stroke in flat(group)]
+        return [*flat(group for name, group in self.groups.items() if not names or name in names)]
 
     def circle(self, name: str) -> Circle:
         marks = (mark for mark in self.groups["pairs"].strokes if isinstance(mark, Group) and mark.title == name)
@@ -75,54 +67,16 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     bones = skeletons(study, comparison.construction, position(study, comparison))
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.place(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
-    pairs = Pairs(bones, place, hand)
-    groups = layers(pairs, "en")
-    ink = Ink(440, 440)
-    ink.draw(groups)
-    return Figure(
-        bones,
-        place,
-        hand,
-        {group.name: group for group in groups},
-        letters(pairs, Labels(ink, hand.drafted)),
-    )
+    groups = layers(Pairs(bones, place, hand), "en")
+    return Figure(bones, place, hand, {group.name: group for group in groups})
 
 
-def flat(stroke: Stroke) -> Iterator[Stroke]:
-    if isinstance(stroke, Group):
-        for inner in stroke.strokes:
-            yield from flat(inner)
-    else:
-        yield stroke
-
-
-def chain(stroke: Stroke) -> list[complex]:
-    match stroke:
-        case Line(start, end):
-            return [start, end]
-        case Polyline(points, closed):
-            return [*points, points[0]] if closed else list(points)
-        case Fill(points):
-            return [*points, points[0]]
-        case Circle(centre, radius):
-            return [centre + cmath.rect(radius, 2 * math.pi * k / 180) for k in range(181)]
-        case Arc():
-            return [stroke.at(k / 180) for k in range(181)]
-    raise AssertionError(f"{stroke} is no line")
-
-
-def shape(stroke: Stroke) -> object:
-    return shapely.LineString([(point.real, point.imag) for point in chain(stroke)])
+def shape(stroke: Stroke) -> BaseGeometry:
+    return ink(stroke).line
 
 
 def disc(circle: Circle) -> object:
     return shapely.Point(circle.centre.real, circle.centre.imag).buffer(circle.radius, quad_segs=90)
-
-
-def length(stroke: Stroke) -> float:
-    if isinstance(stroke, Arc):
-        return stroke.radius * stroke.sweep
-    return sum(abs(b - a) for a, b in itertools.pairwise(chain(stroke)))
 
 
 def hinges(found: Figure) -> dict[str, Circle]:
@@ -155,7 +109,7 @@ def test_no_thin_line_runs_inside_a_hinge(name: str) -> None:
     lines = found.strokes("paths", "all-positions", "extremes", "guides", "notches")
     area = shapely.union_all([disc(circle) for circle in hinges(found).values()])
     for line in lines:
-        assert shape(line).intersection(area).length < 0.02, line  # type: ignore[attr-defined]
+        assert shape(line).intersection(area).length < 0.02, line
 
 
 @pytest.mark.part
@@ -173,20 +127,6 @@ def test_every_bar_of_the_shown_position_reaches_its_hinges(name: str) -> None:
                 assert any(abs(abs(end - circle.centre) - circle.radius) < HAIR for end in ends), (link, letter)
 
 
-@pytest.mark.parametrize("name", first(["whitworth", "tangent", "shaper"]))
-def test_a_slotted_link_reaches_its_stone_in_every_position(name: str) -> None:
-    found = drawn(name)
-    slide = next(slide for slide in found.bones.mechanism.slides if slide.owner != FRAME)
-    poses, k = found.bones.numbered, found.bones.shown
-    bars = shapely.union_all([shape(bar).buffer(1e-3) for bar in thick(found)])  # type: ignore[attr-defined]
-    blocks = [shapely.Polygon(shape(s)) for s in found.strokes("shown-position") if isinstance(s, Polyline)]  # type: ignore[call-overload]
-    covered = shapely.union_all([bars, *blocks, *(disc(circle) for circle in hinges(found).values())])
-    for along in poses.along(slide):
-        stone = slide.on_owner.through + along * slide.on_owner.direction
-        spot = found.place.on(complex(poses.of(slide.owner, stone)[k]))
-        assert math.isnan(along) or covered.contains(shapely.Point(spot.real, spot.imag))
-
-
 @pytest.mark.parametrize(("name", "pin"), [("offset stone", "D"), ("offset block", "B")])
 def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pin: str) -> None:
     found = drawn(name)
@@ -201,9 +141,9 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
         and min(abs(abs(end - circle.centre) - circle.radius) for end in (bar.start, bar.end)) < HAIR
         and abs(((bar.end - bar.start) * line.conjugate()).real) < HAIR * abs(bar.end - bar.start)
     ]
-    assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR  # type: ignore[attr-defined]
+    assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR
     fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
-    assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2  # type: ignore[attr-defined]
+    assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2
     offset = found.place.length(abs(float(found.bones.study.form.mechanism.slides[0].offset)))
     assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
 
@@ -222,60 +162,11 @@ def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
     found = drawn("toggle press")
     path = found.place.origin + (found.bones.way.points["K"] - found.place.zero) / found.place.scale.mu
     whole = float(np.abs(np.diff(path)).sum())
-    fully = [s for s in found.strokes("paths") if shape(s).distance(shapely.Point(path[0].real, path[0].imag)) < 0.2]  # type: ignore[attr-defined]
-    assert sum(length(s) for s in fully) == pytest.approx(whole / 2, rel=0.02)
-
-
-@pytest.mark.parametrize(
-    ("name", "letter", "circles"), several([("v-engine", "A", 2), ("v-engine", "B", 1), ("walking-leg", "C", 2)], 9)
-)
-def test_a_hinge_of_three_links_is_a_double_circle(name: str, letter: str, circles: int) -> None:
-    marks = drawn(name).groups["pairs"].strokes
-    mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
-    assert sum(isinstance(stroke, Circle) for stroke in mark.strokes) == circles
-
-
-@pytest.mark.parametrize(
-    ("name", "letter"), several([("slider-crank", "S2"), ("v-engine", "S4"), ("v-engine", "S2")], 9)
-)
-def test_a_mass_centre_is_a_circle_with_two_opposite_quarters_filled(name: str, letter: str) -> None:
-    found = drawn(name)
-    marks = found.groups["pairs"].strokes
-    mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
-    circle, *quarters = mark.strokes
-    assert isinstance(circle, Circle) and len(quarters) == 2
-    areas = [shapely.Polygon(shape(quarter)) for quarter in quarters]  # type: ignore[call-overload]
-    assert all(area.area == pytest.approx(math.pi * circle.radius**2 / 4, rel=0.02) for area in areas)
-    middles = [complex(area.centroid.x, area.centroid.y) - circle.centre for area in areas]
-    assert abs(middles[0] + middles[1]) < HAIR
-
-
-def test_of_36_positions_every_one_is_numbered_at_the_crank_and_few_at_the_output() -> None:
-    found = drawn("conveyor")
-    others = (LINKS, NUMBERS)  # numbers of links, and of positions on trajectories
-    kept = (one for one in found.letters.strokes if not (isinstance(one, Group) and one.name in others))
-    said = [text.plain for text in flat(Group(tuple(kept))) if isinstance(text, Text)]
-    assert all(str(k) in said for k in range(36))
-    twice = {plain for plain in said if said.count(plain) == 2}
-    assert {"0", "23'"} <= twice  # both extremes stand at the output
-    assert 8 <= len(twice) <= 26
-    assert len([s for s in found.strokes("all-positions") if isinstance(s, Line)]) < 36 * 4
-
-
-def test_listed_positions_bear_their_crank_angles() -> None:
-    said = [text.plain for text in flat(drawn("tangent").letters) if isinstance(text, Text)]
-    assert {"0 (−40°)", "5 (10°)", "8 (40°)"} <= set(said)
+    fully = [s for s in found.strokes("paths") if shape(s).distance(shapely.Point(path[0].real, path[0].imag)) < 0.2]
+    assert sum(shape(s).length for s in fully) == pytest.approx(whole / 2, rel=0.02)
 
 
 def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
     found = drawn("eccentric")
     first, second = found.circle("O"), found.circle("A")
     assert first.radius + second.radius < abs(first.centre - second.centre)
-
-
-def test_epsilon_has_its_own_arrow_and_letter_only_where_it_is_given() -> None:
-    for name, arrows in (("shaper", 2), ("whitworth", 1)):
-        found = drawn(name)
-        assert sum(isinstance(stroke, Arc) for stroke in found.strokes("rotation")) == arrows
-        said = [text.plain for text in flat(found.letters) if isinstance(text, Text)]
-        assert ("ε1" in said) == (arrows == 2) and "ω1" in said
