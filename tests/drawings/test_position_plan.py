@@ -26,6 +26,7 @@ from tests import parts
 from tests.drawings import mechanisms
 from tests.drawings.collisions import ink
 from tests.gallery import LINKAGES
+from tests.parts import several
 from tests.rows import over
 
 NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
@@ -170,3 +171,10 @@ def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
     found = drawn("eccentric")
     first, second = found.circle("O"), found.circle("A")
     assert first.radius + second.radius < abs(first.centre - second.centre)
+
+
+@pytest.mark.parametrize(("name", "letter", "circles"), several([("v-engine", "A", 2), ("v-engine", "B", 1)], 9))
+def test_a_hinge_of_three_links_is_a_double_circle(name: str, letter: str, circles: int) -> None:
+    marks = drawn(name).groups["pairs"].strokes
+    mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
+    assert sum(isinstance(stroke, Circle) for stroke in mark.strokes) == circles

@@ -1,4 +1,4 @@
-"""A rotor by the command: drawn, solved by both roads, compared, explained, measured, timed, and begun from."""
+"""A rotor by the command: solved by both roads, compared, explained, timed."""
 
 from __future__ import annotations
 
@@ -7,11 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from drawings.rotor.report import chapters
-from drawings.rotor.sheet import leaves
 from plans.rotor.reading import notes_of
 from plans.scene.scene import parse_scene
-from plans.study import Study
 from tests.drawings.conftest import Run
 from tests.gallery import GALLERY
 
@@ -113,49 +110,9 @@ def test_a_reaction_that_is_not_found_is_told_what_it_needs(run: Run) -> None:
     assert "bearings and a speed" in err
 
 
-@pytest.mark.rest
-def test_a_drawn_sheet_is_measured(run: Run, tmp_path: Path) -> None:
-    code, out, err = run("draw", FAN, "-o", tmp_path)
-    assert (code, err) == (0, "")
-    assert "m_ID_I = 0,04770639338" in out
-    code, out, _ = run("measure", tmp_path / "fan-rotor.svg")
-    assert code == 0
-    assert {"m_ID_Ih_I", "m_IID_II"} <= set(out.split())
-    report = (tmp_path / "fan-report.md").read_text("utf-8")
-    assert "G0.4" in report and "33,82300909" in report
-
-
-@pytest.mark.rest
-def test_a_rotor_is_begun_from_the_gallery(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert run("new", "four-masses")[0] == 0
-    assert run("draw", "four-masses.toml", "-o", "out")[0] == 0
-
-
 @pytest.mark.parametrize(("angle", "noted"), [(180, False), (90, True)])
 def test_one_plane_is_noted_where_a_couple_about_it_is_left(angle: int, noted: bool) -> None:
     """Two masses in one plane that is not the plane of correction."""
     rows = f'{{ moment = 1, angle = 0, place = "0.5 m" }}, {{ moment = 1, angle = {angle}, place = "0.5 m" }}'
     scene = parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n')
     assert bool(list(notes_of(scene))) == noted
-
-
-@pytest.mark.parametrize(("planes", "doubled"), [(1, False), (2, True)])
-def test_the_quality_of_two_planes_is_by_the_worse_one_doubled(planes: int, doubled: bool) -> None:
-    """Static moments of 1 and 3 kg*m in the planes of a rotor of 20 kg: 2*3/20 of 100 rad/s, or 4/20 in one plane."""
-    rows = "{ moment = 1, angle = 0, place = 1 }, { moment = 3, angle = 0, place = 0 }"
-    two = "rotor.planes = [{ place = 1 }, { place = 0 }]\n" if planes > 1 else ""
-    more = f'rotor.speed = 100\nrotor.mass = 20\n{two}[sheet]\nlanguage = "en"\n'
-    study = Study(parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}'))
-    told = [line for line in chapters(study, {"rotor": leaves(study)}).conditions if "e·ω" in line]
-    assert f"e·ω = {30000 if doubled else 20000} mm/s" in told[0]
-    assert ["the worse plane, doubled" in line for line in told] == [doubled] * len(told)
-
-
-def test_the_quality_of_one_plane_tells_no_grade_while_a_couple_is_left() -> None:
-    rows = '{ moment = 1, angle = 0, place = "0.5 m" }, { moment = 1, angle = 90 }'
-    more = "rotor.speed = 100\nrotor.mass = 20\nrotor.bearings = [0, 1]\n"
-    study = Study(parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}[sheet]\nlanguage = "en"\n'))
-    told = "\n".join(chapters(study, {"rotor": leaves(study)}).conditions)
-    assert "of the resultant alone" in told
-    assert "as drawn: e" not in told

@@ -5,11 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 
+from drawings.balance.sheet import change
 from drawings.layout import value_table
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
 from drawings.lettering.lettering import text_width
+from drawings.page.scale import Drafting
+from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Text
 from plans.linkage.parts import alike
 from plans.linkage.quantities import compare
@@ -56,3 +60,10 @@ def test_what_is_one_by_its_cause_has_one_row() -> None:
     names = [tuple(one.name for one in same) for same in alike(told, shaper.mechanism)]
     speeds = [("v_A",), ("v_B",), ("v_D",), ("ω_2", "ω_3"), ("ω_4",)]
     assert names == [*speeds, ("a_A",), ("a_B",), ("a_D",), ("ε_2", "ε_3"), ("ε_4",)]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "told"), [(50.0, 75.0, "+50"), (50.0, 0.0, "−100"), (0.0, 1.0, "—"), (1.0, 1.0, "0")]
+)
+def test_a_change_is_told_in_per_cent(before: float, after: float, told: str) -> None:
+    assert change(before, after, Drafting(hand_of("A1"))) == told

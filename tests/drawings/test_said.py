@@ -1,0 +1,146 @@
+"""What is said of machines that the gallery has not, by report, remarks and first numbers; and what is not said."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import pytest
+
+from drawings.report.report import headlines, remarks, report
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from tests.drawings.balance_scenes import scene as balanced
+from tests.drawings.bank_scenes import bank, compensator
+from tests.gallery import GALLERY
+from tests.plans.dynamics_scenes import PLANING, text
+from tests.plans.test_cam_marks import SIZES, TURNING, one
+
+ENGLISH = '[sheet]\nlanguage = "en"\n'
+GRADED = "rotor.speed = 100\nrotor.mass = 20\n"
+UNLIKE = "{ moment = 1, angle = 0, place = 1 }, { moment = 3, angle = 0, place = 0 }"
+LOAD = "[cam.load]\nmass = 2\nforce = 100\n"
+FLAT = one("flat", '[cam.limits]\ncurvature = "5 mm"\n')
+WEAR = "by which it wears"
+STOPS = "the machine would stop"
+NO_FLYWHEEL = "divisions = 24"
+
+
+def gallery(name: str, sheet: str, more: str = "") -> str:
+    """Ask one sheet of a scene of the gallery."""
+    scene = (GALLERY / f"{name}.toml").read_text("utf-8")
+    return re.sub("(?m)^sheets = .*$", f'sheets = ["{sheet}"]', scene) + more
+
+
+def rotor(rows: str, more: str = "") -> str:
+    return f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}{ENGLISH}'
+
+
+class Row(NamedTuple):
+    """A scene, what is said of it, and what is not."""
+
+    scene: str
+    said: Sequence[str]
+    unsaid: Sequence[str] = ()
+
+
+ROWS = {
+    # Balancing
+    "a link on a slide has a variable vector: a yoke of 4 kg beside a stone of 0.3 kg": Row(
+        gallery("scotch-yoke", "balancing", "\n[balance]\n"),
+        ["Link 3 hangs on a slide: its vector u_3 along the guide is variable, 0.9302325581 of the way"],
+    ),
+    "what is balanced already needs nothing": Row(
+        balanced("still"),
+        ["Balanced in this way already: no counterweight is needed"],
+        ["are added to links", "a_1 = "],
+    ),
+    "a slow crank has tiny forces and the same best shares": Row(
+        balanced("engine", "A1").replace("speed = 20", "speed = 2e-5"),
+        ["with k = 0.5899361331", "0.0000000001716166054 N"],
+    ),
+    "reactions have the letter of the scene": Row(
+        balanced("engine", "A1") + 'reactions = "P"\n',
+        ["largest P_01: 473 → ", "| P_01, N |"],
+        ["largest R_01", "\n| R_01, N |"],
+    ),
+    # Banks
+    "a bank at rest in itself": Row(
+        bank([(0, 0, 0), (180, 0, 180)], compensator(1)) + ENGLISH, ["balance one another"], ["F_{max}"]
+    ),
+    "an order too slight to be drawn": Row(
+        bank([(0, -100, 0), (120, 0, 0), (240, 100, 0)]) + ENGLISH, ["Below 1/1000 of the largest, not drawn: order 6"]
+    ),
+    # Rotors
+    "the quality of one plane: 4 kg*m of 20 kg at 100 rad/s": Row(
+        rotor(UNLIKE, GRADED), ["e·ω = 20000 mm/s"], ["the worse plane, doubled"]
+    ),
+    "the quality of two planes is that of the worse one, doubled: 2*3/20": Row(
+        rotor(UNLIKE, f"{GRADED}rotor.planes = [{{ place = 1 }}, {{ place = 0 }}]\n"),
+        ["e·ω = 30000 mm/s", "the worse plane, doubled"],
+    ),
+    "one plane tells no grade while a couple is left": Row(
+        rotor(
+            '{ moment = 1, angle = 0, place = "0.5 m" }, { moment = 1, angle = 90 }',
+            f"{GRADED}rotor.bearings = [0, 1]\n",
+        ),
+        ["of the resultant alone"],
+        ["as drawn: e"],
+    ),
+    # Cams
+    "a pointed follower wears": Row(one("pointed", SIZES, TURNING + LOAD), ["Force at the contact: from ", WEAR]),
+    "a roller does not": Row(one("roller", SIZES, TURNING + LOAD), ["Force at the contact: from "], [WEAR]),
+    "a face that is long enough is no complaint": Row(
+        FLAT.replace("lift =", 'reach = "60 mm"\nlift ='), ["reach of the face 60 mm", "it reaches 60 mm"], ["must"]
+    ),
+    "the setting of a single cam": Row(one().replace("speed =", "setting = 306.9\nspeed ="), ["306.9°"]),
+    # Motion of a machine
+    "heavy enough without a flywheel": Row(
+        text(asked='fluctuation = "1/5"\nshafts = [{ inertia = 40 }]'), ["heavy enough without a flywheel"]
+    ),
+    "without its flywheel the machine would stop": Row(text(), [STOPS], ["wrong direction"]),
+    "no rim of the diameter that is asked for": Row(
+        text(asked='fluctuation = "1/40"\nflywheel.diameter = "0.2 m"'), ["No rim of D = 200"]
+    ),
+    "a shaft beside the linkage": Row(
+        text(asked='fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]'),
+        ["gear: 0.4 kg·m²"],
+    ),
+    "no flywheel where no fluctuation is asked for, but that the machine would stop": Row(
+        text(asked=NO_FLYWHEEL), ["M_dr", STOPS], ["Flywheel"]
+    ),
+    "a heavy shaft has enough energy": Row(text(asked=f"{NO_FLYWHEEL}\nshafts = [{{ inertia = 40 }}]"), [], [STOPS]),
+    "rounding is nothing: weights do no work over a turn": Row(
+        text("[loads]\ngravity = 9.81\n", "positions = 12"), ["| 0 |"], ["0.0000000000"]
+    ),
+    "rotation and working stroke where no forces are drawn": Row(
+        text().replace("120 rpm", "-120 rpm"),
+        [
+            "- Crank: turns clockwise\n",
+            "\n- F_us over the stroke. Working stroke: to the ",
+            "the crank turns 180.0000° over it",
+        ],
+    ),
+    "loads that drive": Row(
+        text(PLANING.replace('against = "motion"', "direction = 180")), ["has the wrong direction"]
+    ),
+    "a scene that draws no such sheet": Row(
+        text().replace('sheets = ["dynamics"]', 'sheets = ["positions"]'),
+        ["- Motion of the machine under its loads: the sheets do not need it."],
+    ),
+}
+
+
+def told(scene: str) -> str:
+    """Give all that is said of a scene, in plain spaces."""
+    study = Study(parse_scene(scene))
+    said = [*headlines(study), *map(str, remarks(study)), report(study, {})]
+    return "\n".join(said).replace("\N{NO-BREAK SPACE}", " ")
+
+
+@pytest.mark.parametrize("row", ROWS.values(), ids=ROWS)
+def test_it_is_said(row: Row) -> None:
+    said = told(row.scene)
+    assert [one for one in row.said if one not in said] == []
+    assert [one for one in row.unsaid if one in said] == []
