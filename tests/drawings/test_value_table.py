@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.balance.sheet import change
+from drawings.balance.costs import change
 from drawings.layout import value_table
 from drawings.layout.table import Later, table
 from drawings.layout.value_table import by_hand, row_by_hand
