@@ -263,11 +263,11 @@ FAR = 1e-9  # of a place: both roads take it from one length and one angle
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's bank (row of the table of sheets)."""
-    bank = study["bank"]
-    own = _Sheet(Bank(bank.task, study.comparison("bank"), crank_of(study)), drafting_of(study.scene))
+    task, comparison = study["bank"].task, study.comparison("bank")
+    own = _Sheet(Bank(task, comparison, crank_of(study)), drafting_of(study.scene))
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     yield from chain(own.polygons(), own.views(), own.courses(), own.orders(), own.compensators())
-    yield from own.results(bank_by_hand(bank, scales), any(name.startswith("order_") for name in scales))
+    yield from own.results(bank_by_hand(comparison.findings, scales), any(name.startswith("order_") for name in scales))
 
 
 @dataclass(frozen=True)

@@ -28,9 +28,8 @@ from drawings.sheets.leaves import EQUATION, lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
 from plans.bank.harmonics import MOMENT as M
-from plans.bank.quantities import EQUILIBRIUM, bank_by_hand
-from plans.bank.study import BankStudy
-from plans.checks.comparison import Comparison, Finding
+from plans.bank.quantities import bank_by_hand
+from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
 from plans.model.balance.bank import BankBalance, Compensator
 from plans.model.motion import Complexes
 from plans.scene.scene import Scene
@@ -121,7 +120,7 @@ def admit(scene: Scene) -> None:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's bank (row of the table of sheets)."""
-    return sheets(study.scene, study["bank"], view_of(study), study.comparison("bank"))
+    return sheets(study.scene, view_of(study), study.comparison("bank"))
 
 
 def view_of(study: Study) -> BankView:
@@ -131,7 +130,7 @@ def view_of(study: Study) -> BankView:
     return BankView(bank.balance, {FORCE: drawing.forces, M: drawing.moments}, crank_of(study))
 
 
-def sheets(scene: Scene, bank: BankStudy, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
     polygons = tuple(exhibit(polygon, one, drafting) for one in polygon.polygons(shown, drafting))
@@ -145,7 +144,7 @@ def sheets(scene: Scene, bank: BankStudy, shown: BankView, comparison: Compariso
     notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(polygons))
     title = drafting.word("bank sheet title")
     there = tuple(one for one in tables if one is not None)
-    later = partial(bank_by_hand, bank)
+    later = partial(bank_by_hand, comparison.findings)
     return lay_out(scene, [Draft("bank", title, shows, there, notes, figures_facts, narrow=EQUATION, later=later)])
 
 

@@ -14,10 +14,10 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.rotor import moment
-from plans.checks.comparison import Comparison, Finding
+from plans.checks.by_hand import by_hand as slipping
+from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
 from plans.model.rotor import Balance, Rotor, permissible
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
-from plans.rotor.quantities import EQUILIBRIUM, rotor_by_hand
 from plans.study import Study
 
 ALONG, ACROSS, MASSES, RESULTS = "along", "across", "masses", "results"
@@ -35,7 +35,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
     own = _Rotor(study["rotor"].rotor, comparison, drafting)
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
-    slips = rotor_by_hand(study["rotor"], scales)
+    slips = slipping(comparison.findings, scales)
     yield from chain(own.polygons(), own.views(), own.masses(), own.results(slips), own.notes())
 
 

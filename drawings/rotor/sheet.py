@@ -22,9 +22,9 @@ from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
-from plans.checks.comparison import Comparison, Finding
+from plans.checks.by_hand import by_hand
+from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
 from plans.model.rotor import Balance, Correction, Rotor, Unbalance
-from plans.rotor.quantities import EQUILIBRIUM, rotor_by_hand
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -120,7 +120,7 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     said = *RotorNotes(rotor.rotor, rotor.balance, drafting).all, *agreed(compared(comparison), drafting)
     title = drafting.word("rotor sheet title")
     return lay_out(
-        scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=partial(rotor_by_hand, rotor))]
+        scene, [Draft("rotor", title, shows, tables, said, figures_facts, later=partial(by_hand, comparison.findings))]
     )
 
 

@@ -1,26 +1,22 @@
-"""A bank by both roads: sums by order, compensators; as numbers; by hand (сравнение)."""
+"""A bank by both roads: sums by order, compensators, where a sheet shows them; as numbers (сравнение)."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from geometry.board import Board
-from geometry.hand_error import SlippingHand, slopes
+from geometry.board import Board, Mark
 from plans.analytic.balance.bank import Linkage, Mechanism, SliderCrank, bank_balance
 from plans.analytic.balance.mass_centre import bodies
 from plans.balance.quantities import compare_balance
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
-from plans.bank.polygons import Total
 from plans.bank.study import BankStudy
-from plans.checks.by_hand import MOST_SIDES, SLIP, Slipping, Told, errors_by_hand
-from plans.checks.comparison import Comparison, Finding
+from plans.checks.by_hand import MOST_SIDES, by_hand
+from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding, Numbers
 from plans.linkage.quantities import MotionComparison, compare
 from plans.model.balance.bank import ANALYSIS, BankBalance, Compensator, Harmonic
 from plans.model.balance.linkage import Counterweight
@@ -30,7 +26,8 @@ from plans.rotor.balancing import polygon
 if TYPE_CHECKING:
     from plans.study import Study
 
-EQUILIBRIUM = "equilibrium"
+FIGURES = {FORCE: "order_forces", MOMENT: "order_moments"}  # on which each polygon stands, before its order
+BACK = "-back"  # after the order of what turns against the crank
 WHOLE, WHOLE_MOMENT, LEFT = "ΣF", "ΣM", "ΣF'"  # over the turn; what the compensators leave is primed
 
 
@@ -110,7 +107,24 @@ class _Compared(NamedTuple):
             for order, one in ours.items():
                 allowed = one.slack + theirs[order].slack + bound
                 for signed, found, other in _pairs(order, one, theirs[order]):
-                    yield _finding(HARMONICS, letters(kind, signed), unit, found, other, allowed, most)
+                    named = HARMONICS, letters(kind, signed), unit
+                    yield Finding.of(named, (found, other), allowed, most, self._shown(kind, signed))
+
+    def _shown(self, kind: str, signed: int, times: float = -1.0) -> Mark | None:
+        """Give what is read off the polygon of an order, so many times what closes it, on a board of its figure.
+
+        The vector of one mechanism is known, and so is how it is turned; the members' vectors are laid off end to end.
+        """
+        if kind not in FIGURES:
+            return None
+        totals = self.study.drawing.forces if kind == FORCE else self.study.drawing.moments
+        sides, figure = totals[signed].polygon.sides, f"{FIGURES[kind]}-{abs(signed)}"
+        if len(sides) > MOST_SIDES:
+            return None
+        board = Board(figure if signed > 0 else f"{figure}{BACK}")
+        laid = [board.given(f"{kind}:{k}", side.vector.value) for k, side in enumerate(sides)]
+        closed = polygon(board, board.given("0", 0j), f"-{kind}", laid)
+        return board.turn(kind, closed.closing, times)
 
     def compensators(self) -> Iterator[Finding]:
         """Compare the masses of the compensators, with the directions in which they stand."""
@@ -120,14 +134,16 @@ class _Compared(NamedTuple):
             force = self.ours.forces[order].slack + self.theirs.forces[order].slack + self._bank
             allowed = force / (order * self.ours.task.speed) ** 2
             for signed, found, theirs in zip((order, -order), _weights(one), _weights(other), strict=True):
-                yield _finding(COMPENSATORS, letters(STATIC, signed), "kg*m", found, theirs, allowed, largest)
+                shown = self._shown(FORCE, signed, 1 / (signed * self.ours.task.speed) ** 2)
+                named = COMPENSATORS, letters(STATIC, signed), "kg*m"
+                yield Finding.of(named, (found, theirs), allowed, largest, shown)
             residual = max(one.residual, other.residual)
-            name = f"{FORCE}·z,{order}"
-            yield _finding(COMPENSATORS, name, "N*m", one.residual, other.residual, 2 * force * offset, residual)
+            named, pair = (COMPENSATORS, f"{FORCE}·z,{order}", "N*m"), (one.residual, other.residual)
+            yield Finding.of(named, pair, 2 * force * offset, residual)
             if one.couple is not None and other.couple is not None:
                 allowed *= 2 * offset / (one.asked.shafts or math.inf)
                 couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (one, other))
-                yield _finding(COMPENSATORS, couple_letters(order), "kg*m", couple, theirs, allowed, one.couple)
+                yield Finding.of((COMPENSATORS, couple_letters(order), "kg*m"), (couple, theirs), allowed, one.couple)
 
     def whole(self) -> Iterator[Finding]:
         """Compare the whole force and moment over the turn, before and after the compensators."""
@@ -142,7 +158,7 @@ class _Compared(NamedTuple):
             (WHOLE_MOMENT, "N*m", ours.moment, theirs.moment, moment, shares.largest_moment),
         )
         for name, unit, found, other, allowed, largest in rows:
-            yield _finding(HARMONICS, name, unit, found, other, allowed, largest)
+            yield Finding.of((HARMONICS, name, unit), (found, other), allowed, largest)
 
     def transforms(self) -> Iterator[Finding]:
         """See that the whole force and moment over the turn have the harmonics that the polygons gave them."""
@@ -157,8 +173,8 @@ class _Compared(NamedTuple):
             for order, one in harmonics.items():
                 allowed = slack + one.slack + weight * (self._single + self._beyond(order))
                 for signed, found, _ in _pairs(order, one, one):
-                    name = f"{letters(kind, signed)}(φ)"
-                    yield _finding(EQUILIBRIUM, name, unit, found, row[signed], allowed, largest)
+                    named = EQUILIBRIUM, f"{letters(kind, signed)}(φ)", unit
+                    yield Finding.of(named, (found, row[signed]), allowed, largest)
 
     def balanced(self) -> Iterator[Finding]:
         """See that the compensators leave nothing of their orders."""
@@ -167,8 +183,8 @@ class _Compared(NamedTuple):
             order = one.asked.order
             allowed = self.ours.left_slack + self._taken + self._bank + members * self._beyond(order)
             for signed in (order, -order):
-                name = f"{letters(FORCE, signed)}'"
-                yield _finding(EQUILIBRIUM, name, "N", 0j, row[signed], allowed, self.study.whole.largest)
+                named = EQUILIBRIUM, f"{letters(FORCE, signed)}'", "N"
+                yield Finding.of(named, (0j, row[signed]), allowed, self.study.whole.largest)
 
     @property
     def _taken(self) -> float:
@@ -202,52 +218,24 @@ def _vector(size: float, angle: float | None) -> complex:
     return 0j if angle is None else size * complex(math.cos(angle), math.sin(angle))
 
 
-def _finding(
-    plan: str, name: str, unit: str, one: npt.ArrayLike, other: npt.ArrayLike, allowed: float, largest: float
-) -> Finding:
-    found, theirs = np.atleast_1d(np.asarray(one)), np.atleast_1d(np.asarray(other))
-    return Finding(plan, name, unit, found, theirs, np.abs(found - theirs), np.full(len(found), allowed), largest)
-
-
-@dataclass(frozen=True)
-class BankNumbers:
-    """The bank by one road, and which of it is told."""
-
-    title: str
-    balance: BankBalance
-    plans: frozenset[str]
-
-    @property
-    def flawed(self) -> bool:
-        """Whether something has no numbers: every bank has all."""
-        return False
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data."""
-        found = self.balance
-        data: dict[str, Any] = {}
-        if HARMONICS in self.plans:
-            data["harmonics"] = {str(order): self._order(order) for order in found.forces}
-            data["largest"] = {
-                "force": _peak(found.force, found.force_slack),
-                "moment": _peak(found.moment, found.moment_slack),
-            }
-        if COMPENSATORS in self.plans and found.compensators:
-            data["compensators"] = [_compensator(one) for one in found.compensators]
-            data["left"] = {"force": _peak(found.left, found.left_slack)}
-        return {"scene": self.title, "by": found.by, "bank": data}
-
-    def _order(self, order: int) -> Mapping[str, Any]:
-        found = self.balance
-        rows = {"mechanism": found.single, "force": found.forces, "moment": found.moments}
-        return {name: _harmonic(row[order]) for name, row in rows.items()}
-
-
-def numbers(study: Study, by: str) -> BankNumbers:
-    """Find the bank of a scene by a road."""
+def numbers(study: Study, by: str) -> Numbers:
+    """Find the bank of a scene by a road: every bank has all numbers."""
     bank: BankStudy = study["bank"]
-    found = study.comparison("bank").analysis if by == ANALYSIS else bank.balance
-    return BankNumbers(study.scene.heading(), found, study.plans)
+    found: BankBalance = study.comparison("bank").analysis if by == ANALYSIS else bank.balance
+    data: dict[str, Any] = {}
+    if HARMONICS in study.plans:
+        rows = {"mechanism": found.single, "force": found.forces, "moment": found.moments}
+        data["harmonics"] = {
+            str(order): {name: _harmonic(row[order]) for name, row in rows.items()} for order in found.forces
+        }
+        data["largest"] = {
+            "force": _peak(found.force, found.force_slack),
+            "moment": _peak(found.moment, found.moment_slack),
+        }
+    if COMPENSATORS in study.plans and found.compensators:
+        data["compensators"] = [_compensator(one) for one in found.compensators]
+        data["left"] = {"force": _peak(found.left, found.left_slack)}
+    return Numbers({"scene": study.scene.heading(), "by": found.by, "bank": data})
 
 
 def _harmonic(one: Harmonic) -> dict[str, Any]:
@@ -273,48 +261,11 @@ def _peak(values: Complexes, slack: float) -> float:
     return found if found > slack else 0.0
 
 
-FIGURES = {FORCE: "order_forces", MOMENT: "order_moments"}  # on which each polygon stands, before its order
-BACK = "back"  # after the order of what turns against the crank
-
-
-def bank_by_hand(bank: BankStudy, scales: Mapping[str, float], by: Slipping = slopes) -> dict[tuple[str, int], float]:
+def bank_by_hand(findings: Iterable[Finding], scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
     """Give what a hand may be out in the polygons that a sheet shows, by the names of the findings.
 
-    `scales` are those of the figures, N or N*m a mm: "order_forces-2-back". The vector of one mechanism is known, and
-    so is how it is turned; the members' vectors are laid off end to end. A mass of a compensator is read off what
+    `scales` are those of the figures, N or N*m a mm: "order_forces-2-back". A mass of a compensator is read off what
     closes its polygon, over the square of its angular speed; what turns against the crank and has no figure, off the
     one whose mirror image its polygon is.
     """
-    told, rows = dict[str, Told](), dict[str, np.ndarray]()
-    for name, figures, total, times in _polygons(bank):
-        figure = next((one for one in figures if one in scales), None)
-        if figure is not None and len(total.polygon.sides) <= MOST_SIDES:
-            board = Board(name)
-            laid = [board.given(f"{name}:{k}", side.vector.value) for k, side in enumerate(total.polygon.sides)]
-            closed = polygon(board, board.given("0", 0j), f"-{name}", laid)
-            told[name] = board.turn(name, closed.closing, times)
-            rows[name] = np.array([scales[figure]])
-    found = errors_by_hand(told, SlippingHand(SLIP, rows), by)
-    return {(name, 0): float(error[0]) for name, error in found.items()}
-
-
-def _polygons(bank: BankStudy) -> Iterator[tuple[str, tuple[str, ...], Total, float]]:
-    """Give what is read off each polygon: letters, figures, the polygon, and how many times what closes it that is."""
-    drawing, speed = bank.drawing, bank.task.speed
-    for kind, totals in ((FORCE, drawing.forces), (MOMENT, drawing.moments)):
-        for signed, total in totals.items():
-            yield letters(kind, signed), _figures(kind, signed), total, -1.0
-    for one in bank.task.asked:
-        for signed in (one.order, -one.order):
-            times = 1 / (signed * speed) ** 2
-            yield letters(STATIC, signed), _figures(FORCE, signed), drawing.forces[signed], times
-
-
-def _figures(kind: str, signed: int) -> tuple[str, ...]:
-    """Name the figure of a polygon, and that of its mirror image.
-
-    >>> _figures(MOMENT, -2), _figures(FORCE, 2)
-    (('order_moments-2-back', 'order_moments-2'), ('order_forces-2',))
-    """
-    name = f"{FIGURES[kind]}-{abs(signed)}"
-    return (name,) if signed > 0 else (f"{name}-{BACK}", name)
+    return by_hand(findings, {**{f"{name}{BACK}": mu for name, mu in scales.items()}, **scales})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TypeAlias
 
 import numpy as np
@@ -10,17 +10,36 @@ import numpy as np
 from geometry.board import Mark, between
 from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
 from geometry.steps import Reading, Span
+from plans.checks.comparison import Finding, Shown
 from plans.model.motion import Floats
 
 SLIP = 0.2  # mm to either side: a fair hand's
 MOST_SIDES = 40  # of a polygon that is laid off side by side; of more a sheet draws the sum alone
 
-Told: TypeAlias = Span | Reading | Mark  # a vector between two marks, a rate, a force or a moment
-
 Slipping: TypeAlias = Callable[..., dict[Mark, Slopes]]  # of a hand and marks
 
 
-def errors_by_hand(read: Mapping[str, Told], hand: SlippingHand, by: Slipping = slopes) -> dict[str, Floats]:
+def by_hand(
+    findings: Iterable[Finding], scales: Mapping[str, float], position: int = 0, by: Slipping = slopes
+) -> dict[tuple[str, int], float]:
+    """Give within what 95 of 100 drawings are of what is read off boards in a position, by the names of the findings.
+
+    `scales` are those of the boards, true units a mm: what is read off another board is not drawn, and has no error.
+    """
+    read = {one.name: one.shown for one in findings if one.shown is not None and _board(one.shown) in scales}
+    found = errors_by_hand(read, SlippingHand(SLIP, {board: np.array([mu]) for board, mu in scales.items()}), by)
+    return {(name, position): float(error[position if len(error) > 1 else 0]) for name, error in found.items()}
+
+
+def _board(shown: Shown) -> str:
+    """Give the board that something is read off, before it is turned or divided by a number."""
+    mark = shown if isinstance(shown, Mark) else shown[-1]
+    while mark.step.op == "turn":
+        mark = mark.step.inputs[0]
+    return mark.subject
+
+
+def errors_by_hand(read: Mapping[str, Shown], hand: SlippingHand, by: Slipping = slopes) -> dict[str, Floats]:
     """Give within what 95 of 100 drawings of a hand are of what is read off a record, by its letters.
 
     `by` finds how far each slip moves each mark: by the rules of the acts, or by trying them.
@@ -30,11 +49,11 @@ def errors_by_hand(read: Mapping[str, Told], hand: SlippingHand, by: Slipping = 
         return {name: _error(told, found) for name, told in read.items()}
 
 
-def _marks(told: Told) -> tuple[Mark, ...]:
+def _marks(told: Shown) -> tuple[Mark, ...]:
     return (told,) if isinstance(told, Mark) else tuple(told)
 
 
-def _error(told: Told, found: Mapping[Mark, Slopes]) -> Floats:
+def _error(told: Shown, found: Mapping[Mark, Slopes]) -> Floats:
     match told:
         case Span(start, end):
             return size_error(np.asarray(between(start, end)), found[end] - found[start])

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, Self, TypeAlias
 
 import numpy as np
 
+from geometry.board import Mark
+from geometry.steps import Reading, Span
 from plans.model.motion import Complexes, Floats, Gap
 from plans.words.words import Message, message
 
@@ -29,8 +31,15 @@ def gap_numbers(gap: Gap) -> dict[str, Any]:
     return {**gap._asdict(), "where": str(gap.where), "advice": str(gap.advice)}
 
 
+EQUILIBRIUM = "equilibrium"  # by what sums that must vanish are told: no plan draws them
+Shown: TypeAlias = Span | Reading | Mark  # a vector between two marks, a rate, a force or a moment
+
+
 class Finding(NamedTuple):
-    """One quantity over all positions by both roads, with the allowed difference; NaN at gaps."""
+    """One quantity over all positions by both roads, with the allowed difference; NaN at gaps.
+
+    What the construction shows of it is what `explain` tells the steps of, and what a hand may be out in.
+    """
 
     plan: str
     name: str  # "v_B", "ω_3"
@@ -40,6 +49,27 @@ class Finding(NamedTuple):
     difference: Floats
     allowed: Floats
     largest: float  # the largest of its kind on the plan, over all positions
+    shown: Shown | None = None
+
+    @classmethod
+    def of(
+        cls,
+        named: tuple[str, str, str],
+        pair: tuple[Any, Any],
+        allowed: Floats | float,
+        largest: float | None = None,
+        shown: Shown | None = None,
+    ) -> Self:
+        """Put a quantity by both roads beside each other, by plan, name and unit: a value, or one for each position."""
+        ours, theirs = map(np.atleast_1d, pair)
+        off = np.asarray(np.abs(ours - theirs), dtype=float)
+        most = float(np.nanmax(np.abs(theirs), initial=0.0)) if largest is None else largest
+        return cls(*named, ours, theirs, off, np.broadcast_to(allowed, off.shape), most, shown)
+
+    @classmethod
+    def vanishing(cls, name: str, unit: str, left: Any, allowed: Floats | float, largest: float) -> Self:
+        """Put the size of a sum that must vanish beside the zero that it must be."""
+        return cls.of((EQUILIBRIUM, name, unit), (left, 0.0 * left), allowed, largest)
 
     @property
     def excess(self) -> Floats:
@@ -55,6 +85,17 @@ class Finding(NamedTuple):
         if not np.isfinite(self.difference).any() or self.largest == 0:
             return 0.0
         return float(100 * np.nanmax(self.difference) / self.largest)
+
+
+class Numbers(NamedTuple):
+    """What a technique found by one road as plain data, and whether some of it has no numbers."""
+
+    data: dict[str, Any]
+    flawed: bool = False
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        return self.data
 
 
 class Road(Protocol):

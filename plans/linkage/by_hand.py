@@ -9,8 +9,8 @@ import numpy as np
 
 from geometry.hand_error import SlippingHand, slopes
 from geometry.steps import Span
-from plans.checks.by_hand import SLIP, Slipping, Told, errors_by_hand
-from plans.checks.comparison import Finding
+from plans.checks.by_hand import SLIP, Slipping, errors_by_hand
+from plans.checks.comparison import Finding, Shown
 from plans.linkage.drafts import Drafts
 from plans.linkage.parts import Masses, findings, spans
 from plans.linkage.quantities import MotionComparison
@@ -67,9 +67,9 @@ class MotionByHand(NamedTuple):
         found = self.errors(whole, rows, by)
         return {(name, k): float(error) for name, row in found.items() for k, error in zip(whole, row, strict=True)}
 
-    def read(self, drafts: Drafts) -> dict[str, Told]:
+    def read(self, drafts: Drafts) -> dict[str, Shown]:
         """Give where the plans of some positions show what is read off them, by its letters."""
-        found: dict[str, Told] = {}
+        found: dict[str, Shown] = {}
         fixed = self.study.mechanism.links[FRAME].points
         for order in ORDERS[1:]:
             plan = drafts.plan(order.number)

@@ -12,7 +12,8 @@ import pytest
 from geometry import hand_error
 from geometry.board import between
 from geometry.steps import Reading, Span
-from plans.checks.by_hand import SLIP, Told
+from plans.checks.by_hand import SLIP
+from plans.checks.comparison import Shown
 from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.statics import Statics
 from plans.linkage.by_hand import MotionByHand
@@ -48,7 +49,7 @@ def by_hand(name: str) -> tuple[MotionByHand, tuple[int, ...], dict[str, Floats]
     return told, whole, {plan: size / mm * ones for (plan, mm), size in zip(ON_PAPER.items(), sizes, strict=True)}
 
 
-def off(told: Told, drawn: Mapping[object, Floats]) -> Floats:
+def off(told: Shown, drawn: Mapping[object, Floats]) -> Floats:
     """Give by how much each drawing is out in what is read off it, (drawings, positions)."""
     match told:
         case Span(start, end):

@@ -11,9 +11,9 @@ import pytest
 from geometry.hand_error import POINT
 from plans.bank.quantities import bank_by_hand
 from plans.cam.numbers import cam_by_hand
-from plans.checks.by_hand import SLIP
+from plans.checks.by_hand import SLIP, by_hand
 from plans.model.rotor import Rotor
-from plans.rotor.quantities import rotor_by_hand
+from plans.rotor.quantities import compare_rotor
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import read_scene
 from plans.study import Study
@@ -35,7 +35,7 @@ def fan() -> RotorStudy:
 def test_95_of_100_polygons_close_within_what_is_told(fan: RotorStudy) -> None:
     """Both counterweights of a fan, its polygons drawn by chance."""
     scales = {"couples": 0.0004, "unbalances": 0.002}
-    told, (first, last) = rotor_by_hand(fan, scales), (one.mark for one in fan.drawing.corrections)
+    told, (first, last) = by_hand(compare_rotor(fan).findings, scales), (one.mark for one in fan.drawing.corrections)
     rows = {plan: np.array([mu]) for plan, mu in scales.items()}
     drawn = copies(Draughtsman(SLIP, rows, DRAWINGS), first, last)
     for name, mark in (("m_ID_I", first), ("m_IID_II", last)):
@@ -45,7 +45,7 @@ def test_95_of_100_polygons_close_within_what_is_told(fan: RotorStudy) -> None:
 
 def test_each_slip_tried_by_itself_moves_a_polygon_as_its_rule_says(fan: RotorStudy) -> None:
     scales = {"couples": 0.0004, "unbalances": 0.002}
-    ruled, tried = (rotor_by_hand(fan, scales, *by) for by in ((), (draughtsman.slopes,)))
+    ruled, tried = (by_hand(compare_rotor(fan).findings, scales, 0, *by) for by in ((), (draughtsman.slopes,)))
     assert ruled.keys() == tried.keys() == {("ΣmDh", 0), ("ΣmD", 0), ("m_ID_I", 0), ("m_IID_II", 0)}
     assert all(error == pytest.approx(tried[key], rel=1e-5) for key, error in ruled.items())
 
@@ -53,19 +53,20 @@ def test_each_slip_tried_by_itself_moves_a_polygon_as_its_rule_says(fan: RotorSt
 def test_a_row_of_vectors_is_out_by_the_root_of_their_number() -> None:
     """Sixteen laid end to end, each by up to 0.2 mm in x and in y: along the sum the deviation is 0.2 sqrt(16/3) mm."""
     rotor = RotorStudy(Rotor(masses([("1", "1", 0, "0")] * 16), STATIC))
-    told = rotor_by_hand(rotor, {"unbalances": 0.1})
+    told = by_hand(compare_rotor(rotor).findings, {"unbalances": 0.1})
     assert told["ΣmD", 0] == pytest.approx(0.1 * POINT * 0.2 * np.sqrt(16 / 3), rel=0.02)  # a cloud of 1000 ends
 
 
 def test_what_no_figure_shows_has_no_error(fan: RotorStudy) -> None:
-    assert rotor_by_hand(fan, {"across": 1.0}) == {}
-    assert rotor_by_hand(fan, {"couples": 1.0}).keys() == {("ΣmDh", 0), ("m_ID_I", 0)}
+    findings = compare_rotor(fan).findings
+    assert by_hand(findings, {"across": 1.0}) == {}
+    assert by_hand(findings, {"couples": 1.0}).keys() == {("ΣmDh", 0), ("m_ID_I", 0)}
 
 
 def test_a_polygon_of_a_bank_is_out_by_its_members_and_its_mass_by_the_square_of_the_speed() -> None:
     """Four equal vectors of order 2 in line: along the sum the deviation is 0.2 sqrt(4/3) mm."""
-    bank = Study(read_scene(GALLERY / "four-cylinder-bank.toml"))["bank"]
-    told = bank_by_hand(bank, {"order_forces-2": 10.0})
+    study = Study(read_scene(GALLERY / "four-cylinder-bank.toml"))
+    told, bank = bank_by_hand(study.comparison("bank").findings, {"order_forces-2": 10.0}), study["bank"]
     assert told["F_II", 0] == pytest.approx(10.0 * POINT * 0.2 * np.sqrt(4 / 3), rel=0.03)
     assert told["F_-II", 0] == pytest.approx(told["F_II", 0])  # the mirror image
     assert told["mr_II", 0] == pytest.approx(told["F_II", 0] / (2 * bank.task.speed) ** 2, rel=0.01)
