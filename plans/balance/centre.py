@@ -20,7 +20,6 @@ from plans.analytic.kinetostatics import kinetostatics
 from plans.balance.shares import drawing, positions_around
 from plans.balance.study import CENTRE, COUNTERWEIGHTS, BalanceStudy
 from plans.checks.comparison import Finding
-from plans.forces.equilibrium import vanishing
 from plans.linkage.drafts import Drafts
 from plans.linkage.quantities import MotionComparison, cap, with_analysis
 from plans.linkage.study import LinkageStudy
@@ -91,8 +90,7 @@ class Weights:
 
 
 def _weights_finding(name: str, unit: str, pair: tuple[Any, Any], allowed: float, largest: float) -> Finding:
-    values = np.array([pair[0]]), np.array([pair[1]])
-    return Finding(COUNTERWEIGHTS, name, unit, *values, np.abs(values[0] - values[1]), np.array([allowed]), largest)
+    return Finding.of((COUNTERWEIGHTS, name, unit), pair, allowed, largest)
 
 
 class Stretch(NamedTuple):
@@ -228,7 +226,7 @@ class Centre:
 
 
 def _finding(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Finding:
-    return Finding(plan, name, unit, *pair, np.abs(pair[0] - pair[1]), allowed, largest)
+    return Finding.of((plan, name, unit), pair, allowed, largest)
 
 
 class Centres:
@@ -273,7 +271,7 @@ class Centres:
         kept = sum(map(abs, left.values())) * self.stretch.size
         own = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
         allowed = own + float(np.fmax.reduce(own))
-        return vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
+        return Finding.vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
 
     @property
     def _crank(self) -> int:

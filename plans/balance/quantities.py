@@ -17,7 +17,7 @@ from plans.analytic.kinematics import Analysis
 from plans.balance.centre import Centre, Centres, Stretch, Weights, scene_stretch, turn_stretch
 from plans.balance.shares import positions_around
 from plans.balance.study import CENTRE, COSTS, COUNTERWEIGHTS, BalanceStudy
-from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
+from plans.checks.comparison import Comparison, Finding, Numbers, gap_numbers, pairs, plain
 from plans.forces.cut import indices
 from plans.forces.loading import loading
 from plans.forces.quantities import ForceFindings
@@ -146,8 +146,7 @@ def _reach(largest: Callable[[float], float], share: float, end: float, level: f
 
 def _finding(name: str, unit: str, rows: Sequence[Sequence[float]], allowed: float) -> Finding:
     ours, theirs = (np.array(row) for row in rows)
-    largest = float(np.fmax.reduce(np.abs(ours)))
-    return Finding(COSTS, name, unit, ours, theirs, np.abs(ours - theirs), np.full(len(ours), allowed), largest)
+    return Finding.of((COSTS, name, unit), (ours, theirs), allowed, float(np.fmax.reduce(np.abs(ours))))
 
 
 @dataclass(frozen=True)
@@ -197,47 +196,26 @@ def course_of(study: BalanceStudy, road: Analysis, motion: Motion, turn: Motion)
     return Course(road, study.machine, statics.pairs, motion, turn, loads)
 
 
-Vectors: TypeAlias = tuple[Mapping[int, complex], Mapping[int, complex] | None]
+Vectors: TypeAlias = tuple[Mapping[int, complex], Mapping[int, complex] | None]  # of main points before, after: m
 
 
-@dataclass(frozen=True)
-class BalanceNumbers:
-    """What balances a mechanism, by one road; `vectors` are those of main points before and after, m by link."""
-
-    title: str
-    datum: complex
-    balance: Balance
-    vectors: Vectors
-    plans: frozenset[str]
-
-    @property
-    def flawed(self) -> bool:
-        """Whether some positions have no numbers."""
-        return bool(self.balance.gaps)
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data."""
-        found, (before, after) = self.balance, self.vectors
-        data: dict[str, Any] = {"aim": found.task.aim}
-        if CENTRE in self.plans:
-            data["mass_centre"] = _centre(found.before.centre, before, self.datum)
-        if COUNTERWEIGHTS in self.plans and found.after is not None:
-            data["counterweights"] = [_weight(one) for one in found.counterweights]
-            data["left"] = {point: _vector(mass) for point, mass in found.left.items()}
-            data["balanced_centre"] = _centre(found.after.centre, after or {}, self.datum)
-        if COSTS in self.plans:
-            data["before"] = _state(found.before)
-            data |= {} if found.after is None else {"after": _state(found.after)}
-            data |= {} if found.shares is None else {"shares": _shares(found.shares)}
-        gaps = [gap_numbers(gap) for gap in found.gaps]
-        return {"scene": self.title, "by": found.by, "balance": data | ({"gaps": gaps} if gaps else {})}
-
-
-def numbers(study: Study, by: str) -> BalanceNumbers:
+def numbers(study: Study, by: str) -> Numbers:
     """Balance the mechanism of a scene by a road, over its motion by the same."""
-    its, below = study["balance"], study.numbers("linkage", by)
-    found, told = _analysed(its, below) if by == ANALYSIS else _constructed(its)
-    return BalanceNumbers(study.scene.heading(), below.datum, found, told, study.plans)
+    below: MotionNumbers = study.numbers("linkage", by)
+    found, (before, after) = _analysed(study["balance"], below) if by == ANALYSIS else _constructed(study["balance"])
+    data: dict[str, Any] = {"aim": found.task.aim}
+    if CENTRE in study.plans:
+        data["mass_centre"] = _centre(found.before.centre, before, below.datum)
+    if COUNTERWEIGHTS in study.plans and found.after is not None:
+        data["counterweights"] = [_weight(one) for one in found.counterweights]
+        data["left"] = {point: _vector(mass) for point, mass in found.left.items()}
+        data["balanced_centre"] = _centre(found.after.centre, after or {}, below.datum)
+    if COSTS in study.plans:
+        data["before"] = _state(found.before)
+        data |= {} if found.after is None else {"after": _state(found.after)}
+        data |= {} if found.shares is None else {"shares": _shares(found.shares)}
+    data |= {"gaps": [gap_numbers(gap) for gap in found.gaps]} if found.gaps else {}
+    return Numbers({"scene": study.scene.heading(), "by": found.by, "balance": data}, bool(found.gaps))
 
 
 def _constructed(study: BalanceStudy) -> tuple[Balance, Vectors]:

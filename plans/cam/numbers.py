@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -17,7 +16,7 @@ from plans.cam.sizing import SIZES as BOARD
 from plans.cam.sizing import Sizing
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.checks.by_hand import SLIP, Slipping
-from plans.checks.comparison import pairs, plain
+from plans.checks.comparison import Numbers, pairs, plain
 from plans.model.cam import ROLLER
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
 from plans.model.motion import Floats
@@ -26,49 +25,32 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 
-@dataclass(frozen=True)
-class CamNumbers:
-    """Cams by one road, and what of them is told."""
-
-    title: str
-    by: str
-    cams: Sequence[CamFound]
-    plans: frozenset[str]
-
-    @property
-    def flawed(self) -> bool:
-        """Whether something is wrong with a cam."""
-        return any(one.flaws for one in self.cams)
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data."""
-        return {"scene": self.title, "by": self.by, "cams": {one.cam.name: self._cam(one) for one in self.cams}}
-
-    def _cam(self, one: CamFound) -> dict[str, Any]:
-        contour = one.contour
-        data: dict[str, Any] = {"phi": plain(contour.turned)}
-        if LAWS in self.plans:
-            travel = contour.travel
-            data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
-            data["peaks"] = {name: _extreme(found) for name, found in one.peaks.items()}
-            data["shocks"] = [_shock(shock) for shock in one.shocks]
-        if SIZES in self.plans:
-            data["sizes"] = _sizes(one.sizes, one)
-            data["pressure"] = {kind: _extreme(found) for kind, found in one.pressure.items()}
-        if PROFILE in self.plans:
-            data |= _profile(contour)
-            data["sharpest"], data["hollow"] = _extreme(one.sharpest), _extreme(one.hollow)
-            if one.pressing is not None:
-                data["forces"] = _forces(one.pressing, one.cam.follower.end == ROLLER)
-            data["flaws"] = [_flaw(flaw) for flaw in one.flaws]
-        return data
-
-
-def numbers(study: Study, by: str) -> CamNumbers:
+def numbers(study: Study, by: str) -> Numbers:
     """Give the cams of a scene by a road (row of the table of techniques)."""
     cams: CamStudy = study["cam"]
-    found = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
-    return CamNumbers(study.scene.heading(), by, found, study.plans)
+    found: Sequence[CamFound] = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
+    told = {one.cam.name: _cam(one, study.plans) for one in found}
+    return Numbers({"scene": study.scene.heading(), "by": by, "cams": told}, any(one.flaws for one in found))
+
+
+def _cam(one: CamFound, plans: Collection[str]) -> dict[str, Any]:
+    contour = one.contour
+    data: dict[str, Any] = {"phi": plain(contour.turned)}
+    if LAWS in plans:
+        travel = contour.travel
+        data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
+        data["peaks"] = {name: _extreme(found) for name, found in one.peaks.items()}
+        data["shocks"] = [_shock(shock) for shock in one.shocks]
+    if SIZES in plans:
+        data["sizes"] = _sizes(one.sizes, one)
+        data["pressure"] = {kind: _extreme(found) for kind, found in one.pressure.items()}
+    if PROFILE in plans:
+        data |= _profile(contour)
+        data["sharpest"], data["hollow"] = _extreme(one.sharpest), _extreme(one.hollow)
+        if one.pressing is not None:
+            data["forces"] = _forces(one.pressing, one.cam.follower.end == ROLLER)
+        data["flaws"] = [_flaw(flaw) for flaw in one.flaws]
+    return data
 
 
 def _sizes(sizes: Sizes, one: CamFound) -> dict[str, Any]:

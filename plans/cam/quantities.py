@@ -268,9 +268,8 @@ class Compared:
     def _row(
         self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
     ) -> Finding:
-        off = np.asarray(np.abs(own - other), dtype=float)
         name = name if self.lone else f"{name} {self.ours.cam.name}"
-        return Finding(plan, name, unit, own, other, off, np.broadcast_to(allowed, off.shape), _most(own))
+        return Finding.of((plan, name, unit), (own, other), allowed, _most(own))
 
 
 def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:

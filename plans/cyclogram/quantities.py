@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.meet import EPS
 from plans.analytic import cyclogram as analysis
-from plans.checks.comparison import Comparison, Finding
+from plans.checks.comparison import Comparison, Finding, Numbers
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.linkage.quantities import ANALYSIS as ROUNDINGS
 from plans.linkage.quantities import MOST_ALLOWED, road_of
@@ -87,36 +87,17 @@ def _apart(one: float, other: float) -> float:
 
 
 def _finding(name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
-    values = np.array([one]), np.array([other])
-    return Finding(CYCLOGRAM, name, unit, *values, np.abs(values[0] - values[1]), np.array([allowed]), largest)
+    return Finding.of((CYCLOGRAM, name, unit), (one, other), allowed, largest)
 
 
-@dataclass(frozen=True)
-class CyclogramNumbers:
-    """The characteristic positions of a scene's main mechanism by one road."""
-
-    title: str
-    found: Cyclogram
-
-    @property
-    def flawed(self) -> bool:
-        """Whether something has no numbers: what has none is refused."""
-        return False
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data."""
-        found, window = self.found, self.found.window
-        told: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
-        told["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}
-        told["positions"] = [_place(k, one) for k, one in enumerate(found.positions)]
-        return {"scene": self.title, "by": found.by, "cyclogram": told}
-
-
-def numbers(study: Study, by: str) -> CyclogramNumbers:
-    """Find the characteristic positions of a scene by a road (row of the table of techniques)."""
-    if by != ANALYSIS:
-        return CyclogramNumbers(study.scene.heading(), study[CYCLOGRAM].cyclogram)
-    return CyclogramNumbers(study.scene.heading(), study.comparison(CYCLOGRAM).analysis)
+def numbers(study: Study, by: str) -> Numbers:
+    """Find the characteristic positions of a scene by a road: what has no numbers is refused."""
+    found: Cyclogram = study.comparison(CYCLOGRAM).analysis if by == ANALYSIS else study[CYCLOGRAM].cyclogram
+    window = found.window
+    told: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
+    told["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}
+    told["positions"] = [_place(k, one) for k, one in enumerate(found.positions)]
+    return Numbers({"scene": study.scene.heading(), "by": found.by, "cyclogram": told})
 
 
 def _place(number: int, one: Position) -> dict[str, Any]:

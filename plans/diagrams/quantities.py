@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from geometry.calculus import ROUNDINGS
 from geometry.meet import EPS
 from plans.analytic.diagrams import ExactCourse, alone, diagrams
-from plans.checks.comparison import Comparison, Finding, plain
+from plans.checks.comparison import Comparison, Finding, Numbers, plain
 from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, solved
 from plans.linkage.study import LinkageStudy
@@ -75,7 +75,7 @@ class _Bounds:
         letters = LETTERS[self.own.course.travel.sliding]
         units = self.own.units
         for order, (ours, theirs) in enumerate(zip(self.ours.at, self.theirs.at, strict=True)):
-            yield self._finding(letters[order], units[order], ours, theirs, self._plan(order))
+            yield Finding.of((DIAGRAMS, letters[order], units[order]), (ours, theirs), self._plan(order))
         chords = (
             (f"{letters[1]} chords", units[1], self.ours.speeds, self.theirs.speeds, self._speeds),
             (f"{letters[1]} middles", units[1], self.ours.true_speeds, self.theirs.true_speeds, self._middle(1)),
@@ -83,11 +83,7 @@ class _Bounds:
             (f"{letters[2]} middles", units[2], self.ours.true_growths, self.theirs.true_growths, self._middle(2)),
         )
         for name, unit, ours, theirs, allowed in chords:
-            yield self._finding(name, unit, ours, theirs, allowed)
-
-    def _finding(self, name: str, unit: str, ours: Floats, theirs: Floats, allowed: Floats) -> Finding:
-        largest = float(np.nanmax(np.abs(theirs), initial=0.0))
-        return Finding(DIAGRAMS, name, unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
+            yield Finding.of((DIAGRAMS, name, unit), (ours, theirs), allowed)
 
     def _plan(self, order: int) -> Floats:
         """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""
@@ -130,45 +126,31 @@ class _Bounds:
         return np.full(shape, float(np.nanmax(self._plan(order))) + lead)
 
 
-class DiagramsNumbers(NamedTuple):
-    """The diagrams by one road with the output's letters; None and why where there are none."""
-
-    diagrams: Diagrams | None
-    left_out: Message | None
-    link: int
-    letters: tuple[str, str, str]
-
-    @property
-    def flawed(self) -> bool:
-        """Nothing is missing that is not missing in the motion."""
-        return False
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data; nothing where the diagrams are not wanted."""
-        if self.diagrams is None:
-            return {} if self.left_out is None else {"diagrams": {"left_out": str(self.left_out)}}
-        found, axis = self.diagrams, self.diagrams.axis
-        at = dict(zip(self.letters, map(plain, found.at), strict=True))
-        chords = {
-            f"{self.letters[1]}_chords": {"turned": plain(axis.middles), "values": plain(found.speeds)},
-            f"{self.letters[2]}_chords": {"turned": plain(axis.places), "values": plain(found.growths)},
-        }
-        positions = {"positions": list(axis.numbers), "turned": plain(axis.turned)}
-        return {"diagrams": {"output": self.link, **positions, **at, **chords}}
-
-
-def numbers(study: Study, by: str) -> DiagramsNumbers:
-    """Find the diagrams of a scene by a road (row of the table of techniques)."""
+def numbers(study: Study, by: str) -> Numbers:
+    """Find the diagrams of a scene by a road; why there are none, where they are wanted."""
     own: DiagramsStudy = study["diagrams"]
-    link = own.linkage.output.link
     if not own.wanted or own.unfit:
-        return DiagramsNumbers(None, own.unfit if own.wanted else None, link, LETTERS[True])
-    letters = LETTERS[frame_slide(own.linkage.mechanism, link) is not None]
+        return _left_out(own.unfit if own.wanted else None)
     if by == "construction":
-        return DiagramsNumbers(own.diagrams, own.left_out, link, letters)
-    found = analysed(own)
-    left_out = None if found is not None else message("diagrams.few", least=FEWEST)
-    return DiagramsNumbers(found, left_out, link, letters)
+        found, left_out = own.diagrams, own.left_out
+    else:
+        found, left_out = analysed(own), message("diagrams.few", least=FEWEST)
+    return _left_out(left_out) if found is None else Numbers({"diagrams": _plain(found, own.linkage)})
+
+
+def _left_out(why: Message | None) -> Numbers:
+    return Numbers({} if why is None else {"diagrams": {"left_out": str(why)}})
+
+
+def _plain(found: Diagrams, linkage: LinkageStudy) -> dict[str, Any]:
+    link, axis = linkage.output.link, found.axis
+    letters = LETTERS[frame_slide(linkage.mechanism, link) is not None]
+    at = dict(zip(letters, map(plain, found.at), strict=True))
+    chords = {
+        f"{letters[1]}_chords": {"turned": plain(axis.middles), "values": plain(found.speeds)},
+        f"{letters[2]}_chords": {"turned": plain(axis.places), "values": plain(found.growths)},
+    }
+    return {"output": link, "positions": list(axis.numbers), "turned": plain(axis.turned), **at, **chords}
 
 
 def analysed(own: DiagramsStudy) -> Diagrams | None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from geometry.errors import ConstructionError
 from plans.analytic.dynamics.speeds import Swing
-from plans.checks.comparison import gap_numbers, plain
+from plans.checks.comparison import Numbers, gap_numbers, plain
 from plans.dynamics.form import DYNAMICS, DynamicsForm
 from plans.dynamics.quantities import compare_dynamics
 from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS
@@ -24,39 +23,21 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 
-@dataclass(frozen=True)
-class DynamicsNumbers:
-    """A machine's motion by one road, and which of it is told."""
-
-    title: str
-    account: Account
-    plans: frozenset[str]
-
-    @property
-    def flawed(self) -> bool:
-        """Whether something has no numbers."""
-        return bool(self.account.gaps)
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data."""
-        account, data = self.account, dict[str, Any]()
-        if REDUCTION in self.plans:
-            data[REDUCTION] = _reduced(account.reduced)
-        if WORKS in self.plans and account.cycle is not None:
-            data[WORKS] = _cycle(account.cycle)
-        if FLYWHEEL in self.plans and account.flywheel is not None:
-            data[FLYWHEEL] = _flywheel(account.flywheel)
-        if SPEEDS in self.plans:
-            data[SPEEDS] = {"after": _speeds(account.speeds), "before": _speeds(account.before)}
-        if RUN in self.plans and account.run is not None:
-            data[RUN] = _run(account.run)
-        return {"scene": self.title, "by": account.by, "dynamics": data}
-
-
-def numbers(study: Study, by: str) -> DynamicsNumbers:
+def numbers(study: Study, by: str) -> Numbers:
     """Give a machine's motion by a road (row of the table of techniques)."""
-    account = study["dynamics"].account if by == CONSTRUCTION else study.comparison("dynamics").exact
-    return DynamicsNumbers(study.scene.heading(), account, study.plans)
+    account: Account = study["dynamics"].account if by == CONSTRUCTION else study.comparison("dynamics").exact
+    plans, data = study.plans, dict[str, Any]()
+    if REDUCTION in plans:
+        data[REDUCTION] = _reduced(account.reduced)
+    if WORKS in plans and account.cycle is not None:
+        data[WORKS] = _cycle(account.cycle)
+    if FLYWHEEL in plans and account.flywheel is not None:
+        data[FLYWHEEL] = _flywheel(account.flywheel)
+    if SPEEDS in plans:
+        data[SPEEDS] = {"after": _speeds(account.speeds), "before": _speeds(account.before)}
+    if RUN in plans and account.run is not None:
+        data[RUN] = _run(account.run)
+    return Numbers({"scene": study.scene.heading(), "by": account.by, "dynamics": data}, bool(account.gaps))
 
 
 def _reduced(found: Reduced) -> dict[str, Any]:

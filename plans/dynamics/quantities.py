@@ -80,7 +80,7 @@ class Reductions(NamedTuple):
             largest = _gross(marks)
             off = lever.off(marks) * (2 if field == "slope" else 1)
             allowed = off + ANALYSIS * EPS * self.motion.kappa ** (order + 1) * largest
-            yield Finding(REDUCTION, name, unit, *values, np.abs(values[0] - values[1]), allowed, largest)
+            yield Finding.of((REDUCTION, name, unit), values, allowed, largest)
 
 
 def _gross(marks: Iterable[Mark]) -> float:
@@ -134,9 +134,8 @@ class Chords:
 
     def _settled(self) -> Finding:
         """See that the exact turn is exact."""
-        error = np.array([self.turn.error])
-        allowed = np.array([self.turn.noise if self.turn.settled else 0.0])
-        return Finding(WORKS, "M_red, J_red exact", "", error, 0 * error, error, allowed, 1.0)
+        allowed = self.turn.noise if self.turn.settled else 0.0
+        return Finding.of((WORKS, "M_red, J_red exact", ""), (self.turn.error, 0.0), allowed, 1.0)
 
     def _flywheel(self, ours: Flywheel, theirs: Flywheel) -> Iterator[Finding]:
         steep, mass = ours.slopes[1], 2 * float(self.mass.max())
@@ -233,12 +232,11 @@ def _largest(values: Floats) -> float:
 def _finding(
     plan: str, name: str, unit: str, pair: tuple[Floats, Floats], allowed: Floats, largest: float | None = None
 ) -> Finding:
-    most = _largest(pair[1]) if largest is None else largest
-    return Finding(plan, name, unit, *pair, np.abs(pair[0] - pair[1]), allowed, most)
+    return Finding.of((plan, name, unit), pair, allowed, _largest(pair[1]) if largest is None else largest)
 
 
 def _single(plan: str, name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
-    return _finding(plan, name, unit, (np.array([one]), np.array([other])), np.array([allowed]), largest)
+    return Finding.of((plan, name, unit), (one, other), allowed, largest)
 
 
 ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each

@@ -37,7 +37,6 @@ class LinkForce(NamedTuple):
 # "3-4", the inertia of each link by its number "3", and what drives the crank by BALANCING.
 Bounds = Mapping[str, tuple[Floats, Floats]]
 BALANCING = "balancing"
-EQUILIBRIUM = "equilibrium"  # the plan of the findings
 
 
 def acting(
@@ -101,8 +100,8 @@ def balance(
     lever = (arms * off).sum(axis=0) + (sizes * own).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
     most = largest(parts) if most is None else most
     return (
-        vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
-        vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
+        Finding.vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
+        Finding.vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
     )
 
 
@@ -144,9 +143,4 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slac
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
     fastest = [np.abs(point.v) for point in motion.points.values()]
     most = max(largest_of([sizes]), largest(parts)[0] * largest_of(fastest))
-    return vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)
-
-
-def vanishing(name: str, unit: str, left: Floats, allowed: Floats, largest: float) -> Finding:
-    """Put a sum that must vanish beside the zero that it must be."""
-    return Finding(EQUILIBRIUM, name, unit, left, 0.0 * left, left, allowed, largest)
+    return Finding.vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)

@@ -110,7 +110,7 @@ class _Compared:
         """Put one quantity by both roads beside each other, where both have forces."""
         count = len(pair[0])
         ours, theirs = (np.where(self.known, row, np.nan) if count == len(self.known) else row for row in pair)
-        return Finding(FRICTION, *named, ours, theirs, np.abs(ours - theirs), allowed, largest)
+        return Finding.of((FRICTION, *named), (ours, theirs), allowed, largest)
 
     def powers(self, loads: Loading) -> Iterator[Finding]:
         """Compare the powers lost in the pairs, and those that the useful loads take."""

@@ -14,7 +14,7 @@ from geometry.precision import errors
 from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
-from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
+from plans.checks.comparison import Comparison, Finding, Numbers, gap_numbers, pairs, plain
 from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.force_template import ForcePlans
@@ -127,7 +127,7 @@ class ForceFindings:
     def finding(self, named: tuple[str, str], pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
         """Put one quantity by both roads beside each other."""
         allowed = with_analysis(off, ORDER, self.motion.kappa, largest)
-        return Finding(FORCES, *named, *pair, np.abs(pair[0] - pair[1]), allowed, largest)
+        return Finding.of((FORCES, *named), pair, allowed, largest)
 
     def reactions(self) -> Iterator[Finding]:
         """Compare the reactions, and the moments of the sliding pairs."""
@@ -240,41 +240,21 @@ def _key(support: Support) -> str:
     return f"{min(support.giver, support.taker)}-{max(support.giver, support.taker)}"
 
 
-@dataclass(frozen=True)
-class ForceNumbers:
-    """The forces of a linkage by one road, and what friction takes; either where it is asked for."""
-
-    datum: complex
-    solved: Kinetostatics
-    forces: bool
-    friction: Friction | None
-    push: Floats | None = None  # N: of a drive over a stroke, the force told in place of a moment
-
-    @property
-    def flawed(self) -> bool:
-        """Whether some position has no forces, or some pair jams."""
-        return bool(self.solved.gaps) or (self.friction is not None and bool(self.friction.jams))
-
-    def plain(self) -> dict[str, Any]:
-        """Give the numbers as plain data; their gaps stand in the place of those of the motion."""
-        told: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in self.solved.gaps]}
-        if self.forces:
-            told |= described(self.solved, self.datum)
-        if self.forces and self.push is not None:
-            told["balancing"] = {"push": plain(self.push)} | told["balancing"]
-            told["balancing"].pop("moment")
-        return told if self.friction is None else told | rubbed(self.friction)
-
-
-def numbers(study: Study, by: str) -> ForceNumbers:
-    """Find the forces of a scene by a road, over its motion by the same."""
-    statics, below = study["forces"], study.numbers("linkage", by)
+def numbers(study: Study, by: str) -> Numbers:
+    """Find the forces of a scene by a road, over its motion by the same; their gaps stand for those of the motion."""
+    statics: Statics = study["forces"]
+    below: MotionNumbers = study.numbers("linkage", by)
     rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
     solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)
-    push = None
-    if not statics.study.mechanism.drive.turns:
-        push = statics.given(solved, below.motion)
-    return ForceNumbers(below.datum, solved, "forces" in study.plans, friction, push)
+    told: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in solved.gaps]}
+    if "forces" in study.plans:
+        told |= described(solved, below.datum)
+        if not statics.study.mechanism.drive.turns:  # of a drive over a stroke the force is told in place of a moment
+            told["balancing"] = {"push": plain(statics.given(solved, below.motion))} | told["balancing"]
+            told["balancing"].pop("moment")
+    if friction is not None:
+        told |= rubbed(friction)
+    return Numbers(told, bool(solved.gaps) or (friction is not None and bool(friction.jams)))
 
 
 def _constructed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:

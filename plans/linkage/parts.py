@@ -147,8 +147,8 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
         own = sum((bounds[mark].place for mark in part.span), np.zeros(1))
         largest = comparison.of(part.order.plan)[0].largest
         allowed = with_analysis(own, part.order.number, comparison.kappa, largest)
-        unit = part.order.point.unit
-        told.append(Finding(part.order.plan, part.name, unit, ours, theirs, np.abs(ours - theirs), allowed, largest))
+        named = part.order.plan, part.name, part.order.point.unit
+        told.append(Finding.of(named, (ours, theirs), allowed, largest, part.span))
     return tuple(told)
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from geometry.meet import EPS
 from geometry.precision import condition, errors
+from geometry.steps import Span
 from plans.analytic.kinematics import Analysis
 from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
 from plans.linkage.drafts import Drafts
@@ -52,8 +53,8 @@ def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Itera
         fastest = float(np.abs(told[1]).max()) ** k / arm ** (k - 1)
         largest = max(float(np.nanmax(np.abs(due), initial=0.0)), fastest)
         allowed = ROUNDINGS * EPS * (kappa * blunt) ** (k + 1) * largest
-        name = f"{SYMBOLS[k]}_{ram.foot}{ram.point}"
-        yield Finding(ORDERS[k].plan, name, ORDERS[k].point.unit, due, row, np.abs(due - row), allowed, largest)
+        named = ORDERS[k].plan, f"{SYMBOLS[k]}_{ram.foot}{ram.point}", ORDERS[k].point.unit
+        yield Finding.of(named, (due, row), allowed, largest)
 
 
 def stroke_of(mechanism: Mechanism, count: int) -> tuple[Floats, Floats, Floats]:
@@ -180,8 +181,9 @@ def _points(
     bounds = errors(*marks)
     for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
         allowed = with_analysis(bounds[mark].place, order, kappa, largest)
-        label = f"{told.point.symbol}_{name}"
-        yield Finding(told.plan, label, told.point.unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
+        shown = Span(plan.pole, mark) if order else mark
+        named = told.plan, f"{told.point.symbol}_{name}", told.point.unit
+        yield Finding.of(named, (ours, theirs), allowed, largest, shown)
 
 
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
@@ -191,11 +193,10 @@ def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Flo
         np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
     )
     for number, (ours, theirs) in pairs.items():
-        apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
-        bound = _turn_bound(drafts, order, number)
-        allowed = with_analysis(bound, order, kappa, largest)
-        label = f"{told.link.symbol}_{number}"
-        yield Finding(told.plan, label, told.link.unit, ours, theirs, apart, allowed, largest)
+        allowed = with_analysis(_turn_bound(drafts, order, number), order, kappa, largest)
+        named, read = (told.plan, f"{told.link.symbol}_{number}", told.link.unit), drafts.plan(order).readings
+        one = Finding.of(named, (ours, theirs), allowed, largest, read.get(number))
+        yield one if order else one._replace(difference=np.abs(np.angle(np.exp(1j * (ours - theirs)))))
 
 
 def _slowest(drawn: Motion, order: int) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 from hypothesis import given
 
 from geometry.board import at
-from plans.forces.equilibrium import EQUILIBRIUM
+from plans.checks.comparison import EQUILIBRIUM
 from plans.forces.friction import rate
 from plans.forces.quantities import compare_forces
 from plans.linkage.assembly_limits import at_angles
