@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from geometry.board import Mark
 from geometry.errors import DraftError
+from geometry.meet import Meeting
 from plans.words.words import Message
 
 
@@ -32,3 +35,25 @@ class NoMark(NamedTuple):
     names: tuple[str, ...]
     listed: Message | None
     examples: tuple[str, ...]
+
+
+def in_position(marks: Iterable[Mark], position: int, count: int) -> tuple[Mark, ...]:
+    """Give marks of all numbered positions as they are in one of them."""
+    return tuple(_in(mark, position, count) for mark in marks)
+
+
+def _in(mark: Mark, position: int, count: int) -> Mark:
+    parts = [_of(part, position, count) for part in (mark.value if isinstance(mark.value, tuple) else (mark.value,))]
+    value = type(mark.value)(*parts) if isinstance(mark.value, tuple) else parts[0]
+    if mark.meeting is None:
+        return mark._replace(value=value)
+    return mark._replace(value=value, meeting=mark.meeting._replace(**_sharp(mark.meeting, position, count)))
+
+
+def _sharp(meeting: Meeting, position: int, count: int) -> dict[str, Any]:
+    sides = tuple(_of(side, position, count) for side in meeting.sides)
+    return {"across": _of(meeting.across, position, count), "sides": sides}
+
+
+def _of(value: Any, position: int, count: int) -> Any:
+    return value[position] if isinstance(value, np.ndarray) and value.shape == (count,) else value

@@ -62,6 +62,11 @@ class Study:
             self._compared[technique] = named(TECHNIQUES[technique].comparison)(self)
         return self._compared[technique]
 
+    def quantities(self, technique: str) -> Any:
+        """Give all quantities of a technique that tables tell, by both roads."""
+        row = TECHNIQUES[technique]
+        return named(row.quantities)(self) if row.quantities else self.comparison(technique).findings
+
     @property
     def comparisons(self) -> tuple[Any, ...]:
         """The comparisons of all techniques that are asked for."""

@@ -27,6 +27,7 @@ class Technique(NamedTuple):
     needs: tuple[str, ...] = ()  # techniques that it rests on
     pace: str = ""  # of the memo to the rates that it gives the drive in each position, or nothing
     borrows: tuple[str, ...] = ()  # techniques whose tables it reads, though it makes none of their plans
+    quantities: str = ""  # of a study to all that its tables tell, where that is more than is compared
     asks: str = ""  # of a scene to the techniques that its values refer to, though others like it stand alone
 
 
@@ -46,6 +47,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         notes="plans.linkage.reading.notes:notes_of",
         study="plans.linkage.study:study_of",
         comparison="plans.linkage.quantities:comparison_of",
+        quantities="plans.linkage.parts:quantities_of",
         numbers="plans.linkage.quantities:numbers",
         marks="plans.linkage.marks:marks",
         plans=MOTION,

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 import difflib
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
+from typing import Final
 
 import numpy as np
 
@@ -12,11 +14,16 @@ from drawings.commands.talk import noted
 from drawings.files.file_error import print_json
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
-from plans.explanation import Explanation, NoMark, UnknownMark
+from geometry.steps import behind
+from plans.checks.comparison import Finding
+from plans.explanation import Explanation, NoMark, UnknownMark, in_position
+from plans.model.motion import ORDERS, POSITIONS
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
-from plans.words.words import Message, message, said, term, word
+from plans.words.words import ALONE, Message, languages, message, said, term, word, words
+
+SIGNS: Final = str.maketrans({"{": "", "}": "", "−": "-", "′": "'"})  # of lettering, and of the names of marks
 
 
 def run(options: argparse.Namespace) -> int:
@@ -37,14 +44,71 @@ def run(options: argparse.Namespace) -> int:
 
 
 def explained(study: Study, position: int, name: str) -> Explanation:
-    """Find a mark in the plans of the techniques of a scene, those that rest on others first."""
+    """Find a letter in the plans of the techniques of a scene, those that rest on others first, or in their tables."""
     none: list[NoMark] = []
+    for own in own_names(name):
+        answers = [*_answers(study, position, own)]
+        if isinstance(answers[-1], Explanation):
+            return answers[-1]
+        none = none or [one for one in reversed(answers) if isinstance(one, NoMark)]
+    found = next((one for own in own_names(name) if (one := _quantity(study, own))), None)
+    if found is None:
+        raise UnknownMark(_no_mark(name, none))
+    return _told(found, name, position)
+
+
+def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
+    """Ask the techniques for a letter until one explains it."""
     for technique in reversed(study.techniques):
-        answer = named(TECHNIQUES[technique].marks)(study, position, name)
+        answer: Explanation | NoMark = named(TECHNIQUES[technique].marks)(study, position, name)
+        yield answer
         if isinstance(answer, Explanation):
-            return answer
-        none.insert(0, answer)
-    raise UnknownMark(_no_mark(name, none))
+            return
+
+
+def own_names(name: str) -> list[str]:
+    """Give a letter as it is asked for, then as records and tables may name what a sheet of any language letters so.
+
+    >>> own_names("M_ур"), own_names("F_−II")
+    (['M_ур', 'M_bal'], ['F_−II', 'F_-II'])
+    """
+    found = dict.fromkeys((name, name.translate(SIGNS)))
+    for own, key in _indices():
+        index = re.compile(rf"(?<=[_^]){re.escape(own)}(?![^\W\d_])")
+        found |= dict.fromkeys(index.sub(key, one) for one in [*found])
+    return [*found]
+
+
+def _indices() -> Iterator[tuple[str, str]]:
+    """Give the indices that a language has letters of its own for, with what records call them."""
+    for language in languages():
+        own = {key.removeprefix("index."): str(text) for key, text in words(language).items() if "index." in key}
+        own[ALONE] = word(language, "sheet.counterweight index")
+        yield from ((text, key) for key, text in own.items() if text != key)
+
+
+def _quantity(study: Study, name: str) -> Finding | None:
+    """Find a quantity that the tables tell, whether or not it was drawn."""
+    found = (one for technique in reversed(study.techniques) for one in study.quantities(technique))
+    return next((one for one in found if one.name == name), None)
+
+
+def _told(one: Finding, name: str, position: int) -> Explanation:
+    """Tell a quantity in a position by both roads, after the steps behind what shows it."""
+    count = len(one.construction)
+    if position and not 0 <= position < count:
+        last = {"position": position, "last": count - 1}
+        raise UnknownMark(message("mark.position", **last) if count > 1 else _fixed(name, position))
+    shown = () if one.shown is None else one.shown if isinstance(one.shown, tuple) else (one.shown,)
+    ours, theirs = (f"{float(abs(row[position])):.10g}" for row in (one.construction, one.analysis))
+    value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=one.unit)
+    title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
+    steps = in_position(behind(*shown), position, count)
+    return Explanation(title, steps, {order.plan: order.point.unit for order in ORDERS}, (value,), POSITIONS.plan)
+
+
+def _fixed(name: str, position: int) -> Message:
+    return message("mark.no_position", mark=name, position=position)
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
-from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -23,23 +22,20 @@ from drawings.paper.strokes import Leaf, Text
 from plans.analytic.points import placed
 from plans.checks.comparison import Finding
 from plans.linkage.by_hand import MotionByHand
+from plans.linkage.mass_centres import unnamed
 from plans.linkage.parts import alike
 from plans.linkage.pressure import interval
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.strokes import other_sliders
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.linkage.travel import frame_slide
-from plans.model.mechanism import FRAME, Link, Output
+from plans.model.mechanism import FRAME, Output
 from plans.model.motion import ORDERS, POSITIONS, Extremes
 from plans.study import Study
 from plans.words.words import word
 
-if TYPE_CHECKING:
-    from plans.forces.reading.form import ForceForm
-
 VALUES = "values"  # the table of values
 TURNED = 1e-3  # rad: the resolution of the paper over an arrow
-NEAR = 1e-3  # share of a link's length: a mass centre nearer to a named point than this is that point
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
@@ -58,17 +54,7 @@ def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafti
 
 def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
     """Give the mass centres that no point of the scene is or names: link, and place in its own frame."""
-    form, links = cast("ForceForm | None", study.scene.part("forces")), study.mechanism.links
-    masses = form.masses.items() if form else ()
-    found = {f"S{number}": (number, mass.place(links[number])) for number, mass in masses if number != FRAME}
-    known = {name for link in links.values() for name in link.points}
-    return {name: own for name, own in found.items() if name not in known and not _on_a_point(links[own[0]], own[1])}
-
-
-def _on_a_point(link: Link, own: complex) -> bool:
-    """Tell whether a mass centre lies on a named point of its link, or nearer to it than is seen."""
-    off = [abs(place - own) for place in link.points.values()]
-    return min(off) <= NEAR * max(off)
+    return unnamed(study.scene, study.mechanism.links)
 
 
 @dataclass(frozen=True)

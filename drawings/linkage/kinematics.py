@@ -22,7 +22,7 @@ from drawings.layout.table import RuledTable
 from drawings.linkage import position_plan, vector_plan, workings
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import force_positions, plans, position
-from drawings.linkage.skeleton import Skeletons, skeletons, unnamed
+from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, measure_missing
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
@@ -31,6 +31,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.by_hand import MotionByHand
+from plans.linkage.mass_centres import unnamed
 from plans.linkage.parts import alike, spans
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol, cast
+from typing import Protocol
 
 import numpy as np
 
@@ -16,18 +16,14 @@ from plans.linkage.assembly_limits import NODES
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.margin import angle
+from plans.linkage.mass_centres import unnamed
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.strokes import other_strokes
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
-from plans.scene.scene import Scene
 
-if TYPE_CHECKING:
-    from plans.forces.reading.form import ForceForm
-
-NEAR = 1e-3  # share of a link's length: a mass centre nearer to a named point than this is that point
 _LETTER = re.compile(r"S\d*")
 
 
@@ -38,19 +34,6 @@ def is_centre(name: str) -> bool:
     (True, True, False)
     """
     return bool(_LETTER.fullmatch(name))
-
-
-def unnamed(scene: Scene, links: Mapping[int, Link]) -> dict[str, tuple[int, complex]]:
-    """Give the mass centres that no point of the scene names, by their letter: link, and place in its own frame."""
-    taken = {name for link in links.values() for name in link.points}
-    centres = {}
-    form = cast("ForceForm | None", scene.part("forces"))
-    for number, mass in sorted(form.masses.items()) if form else ():
-        places, centre = links[number].points.values(), mass.place(links[number])
-        size = max(abs(place - centre) for place in places)
-        if number != FRAME and f"S{number}" not in taken and min(abs(p - centre) for p in places) > NEAR * size:
-            centres[f"S{number}"] = number, centre
-    return centres
 
 
 MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
-
-import numpy as np
+from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.board import GIVEN, Board, Mark
-from geometry.meet import Meeting
 from geometry.steps import behind
 from plans.cam.sizing import Sizing, dimensions
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
-from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.cam import Cam
 from plans.words.words import Message, because, message
 
@@ -39,7 +36,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     found = _explained(drawing, position, own)
     if found is None:
         return _none(cams, drawing)
-    steps = tuple(_in(one, position, count) for one in behind(*found.marks))
+    steps = in_position(behind(*found.marks), position, count)
     title = _title(drawing.cam, float(drawing.turned[position]), mark=name, position=position)
     return Explanation(title, steps, {**UNITS, **found.units}, found.notes)
 
@@ -107,24 +104,6 @@ def _radius(sizing: Sizing) -> Found | None:
         return None
     mark = Board(SIZES).join("R_0", sizing.centre, sizing.start, because("cam_base"))
     return Found((mark,), (message("explain.least_radius", size=f"{sizing.sizes.base:.10g}"),))
-
-
-def _in(mark: Mark, position: int, count: int) -> Mark:
-    """Give a mark of all numbered positions as it is in one of them."""
-    parts = [_of(part, position, count) for part in (mark.value if isinstance(mark.value, tuple) else (mark.value,))]
-    value = type(mark.value)(*parts) if isinstance(mark.value, tuple) else parts[0]
-    if mark.meeting is None:
-        return mark._replace(value=value)
-    return mark._replace(value=value, meeting=mark.meeting._replace(**_sharp(mark.meeting, position, count)))
-
-
-def _sharp(meeting: Meeting, position: int, count: int) -> dict[str, Any]:
-    sides = tuple(_of(side, position, count) for side in meeting.sides)
-    return {"across": _of(meeting.across, position, count), "sides": sides}
-
-
-def _of(value: Any, position: int, count: int) -> Any:
-    return value[position] if isinstance(value, np.ndarray) and value.shape == (count,) else value
 
 
 def _asked(cams: CamStudy, name: str) -> tuple[CamDrawing, str]:

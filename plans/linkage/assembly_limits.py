@@ -41,7 +41,7 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
     The way is the shorter one; half a turn off, that counter-clockwise.
     """
     ahead = np.mod(phi - home, FULL)
-    found: list[Sizes] = [np.full(len(phi), side) for side in sides]
+    found: list[Sizes] = [np.full(np.shape(phi), side) for side in sides]
     for group, at in passed:
         on = float(np.mod(at - home, FULL))
         over = np.where(ahead <= np.pi, on < ahead, on > ahead)

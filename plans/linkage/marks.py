@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.board import Mark, at
 from geometry.meet import cross
-from geometry.steps import behind
+from geometry.steps import Reading, behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
+from plans.linkage.mass_centres import Masses, unnamed
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive
@@ -46,7 +46,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     targets = find(linkage, linkage.drafts((wanted,)), name)
     if not targets:
         return _no_mark(linkage)
-    notes = (_rate(name, *targets),) if len(targets) > 1 else ()
+    notes = (_rate(name, *targets),) if isinstance(targets, Reading) else ()
     return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes, HOME)
 
 
@@ -72,41 +72,63 @@ def letters(study: LinkageStudy) -> set[str]:
     return {point for link in study.mechanism.links.values() for point in link.points}
 
 
-def find(study: LinkageStudy, drafts: Drafts, name: str) -> list[Mark]:
-    """Find a mark: B, v_B, a_B for points; omega_3, epsilon_3 for links; any letter of a plan such as a3 or n_BA."""
+def find(study: LinkageStudy, drafts: Drafts, name: str) -> Reading | tuple[Mark, ...]:
+    """Find a mark: B, v_B, a_B for points; omega_3, epsilon_3 for links; letters of a plan: a3, n_BA, p a3."""
+    image = _image(study, drafts, name)
+    if image is not None:
+        return (image,)
     head, _, tail = name.partition("_")
-    points = letters(study)
-    if name in points:
-        return [drafts.positions.point(name)]
-    if head in ("v", "a") and tail in points:
-        return [_plan(drafts, head).point(tail)]
     if head in ("omega", "epsilon", "ω", "ε") and tail.isdigit() and int(tail) in study.mechanism.links:
         return _turning(drafts, head, int(tail), name)
-    return list(_lettered(drafts, name))[:1]
+    return _ends(study, drafts, name)
 
 
-def _turning(drafts: Drafts, symbol: str, link: int, name: str) -> list[Mark]:
+def _image(study: LinkageStudy, drafts: Drafts, name: str) -> Mark | None:
+    """Find a point or a mass centre: where it is, its velocity or its acceleration."""
+    points, centres = letters(study), unnamed(study.scene, study.mechanism.links)
+    for order, symbol in enumerate(("", "v_", "a_")):
+        own = name.removeprefix(symbol) if name.startswith(symbol) else ""
+        if own in points:
+            return drafts.plan(order).point(own)
+        if own in centres:
+            return _centre(drafts.plan(order), own, *centres[own])
+    return None
+
+
+def _centre(plan: Plan, letter: str, link: int, own: complex) -> Mark:
+    return plan.place(link, own, plan.letter(letter))
+
+
+def _turning(drafts: Drafts, symbol: str, link: int, name: str) -> Reading:
     plan = drafts.velocities if symbol in ("omega", "ω") else drafts.accelerations
     if link == FRAME or link not in plan.readings:
         raise UnknownMark(message("mark.still", link=link, mark=name))
-    return [*plan.readings[link]]
+    return plan.readings[link]
 
 
-def _lettered(drafts: Drafts, name: str) -> Iterator[Mark]:
+def _ends(study: LinkageStudy, drafts: Drafts, name: str) -> tuple[Mark, ...]:
+    """Find the letter of a plan, or both letters at the ends of a vector, on the first plan that has them."""
+    centres = unnamed(study.scene, study.mechanism.links)
     for plan in (drafts.positions, drafts.velocities, drafts.accelerations):
-        for letter in (name, name.replace("_", "")):  # a3 is written with its index lowered: a_3
-            if letter in plan.board:
-                yield plan.board[letter]
+        found = [_lettered(plan, centres, letter) for letter in name.split(" ")]
+        ends = tuple(mark for mark in found if mark is not None)
+        if len(ends) == len(found):
+            return ends
+    return ()
+
+
+def _lettered(plan: Plan, centres: Masses, name: str) -> Mark | None:
+    own = next((letter for letter in centres if plan.letter(letter) == name), None)
+    if own is not None:
+        return _centre(plan, own, *centres[own])
+    written = (letter for letter in (name, name.replace("_", "")) if letter in plan.board)  # a3 is written a_3
+    return next((plan.board[letter] for letter in written), None)
 
 
 def _no_mark(study: LinkageStudy) -> NoMark:
     points = sorted(letters(study))
     known = [*points, *(f"v_{point}" for point in points), *(f"a_{point}" for point in points)]
     return NoMark(tuple(known), message("mark.points", points=", ".join(points)), ("v_B", "a_B", "omega_3"))
-
-
-def _plan(drafts: Drafts, symbol: str) -> Plan:
-    return drafts.velocities if symbol == "v" else drafts.accelerations
 
 
 def _rate(name: str, arm: Mark, turning: Mark) -> Message:

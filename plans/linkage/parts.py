@@ -6,9 +6,8 @@ and epsilon of the link and the places of its points (M3.1) (составляю�
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from types import MappingProxyType
-from typing import NamedTuple, TypeAlias
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
 from plans.linkage.letters import Letters
+from plans.linkage.mass_centres import NONE, Masses, unnamed
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison, with_analysis
@@ -27,6 +27,9 @@ from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Group
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, VELOCITIES, Complexes, Floats, Motion, Order
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 # A vector by the plan's subject and the names of its ends: ("velocities", "a", "b").
 Arrow = tuple[str, str, str]
@@ -117,8 +120,6 @@ class Expected:
         yield ("accelerations", self.image(pivot, "π"), self.letters.normal(under.upper())), -(spin**2) * arm
 
 
-Masses: TypeAlias = Mapping[str, tuple[int, complex]]
-NONE: Masses = MappingProxyType({})
 NORMAL, TANGENTIAL, CORIOLIS, RELATIVE = "n", "t", "k", "r"
 
 
@@ -129,6 +130,15 @@ class Part(NamedTuple):
     name: str  # "v_BA", "a^n_BA"
     span: Span
     analysis: Complexes
+
+
+def quantities_of(study: Study) -> tuple[Finding, ...]:
+    """Give what is compared of a scene's motion, and the parts of its velocities and accelerations."""
+    linkage: LinkageStudy = study["linkage"]
+    compared: MotionComparison = study.comparison("linkage")
+    if compared.construction.order < ACCELERATIONS.number:
+        return compared.findings
+    return *compared.findings, *findings(linkage, compared, unnamed(linkage.scene, linkage.mechanism.links))
 
 
 def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses = NONE) -> tuple[Finding, ...]:
