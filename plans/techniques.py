@@ -89,6 +89,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         notes="plans.dynamics.reading:notes_of",
         study="plans.dynamics.study:study_of",
         comparison="plans.dynamics.quantities:comparison_of",
+        quantities="plans.dynamics.numbers:quantities_of",
         numbers="plans.dynamics.numbers:numbers",
         marks="plans.dynamics.marks:marks",
         plans=DYNAMICS,

@@ -12,16 +12,17 @@ import numpy as np
 
 from drawings.commands.talk import noted
 from drawings.files.file_error import print_json
+from drawings.sheets.table import SHEETS
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
-from geometry.steps import behind
+from geometry.steps import Reading, Span, behind
 from plans.checks.comparison import Finding
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import ORDERS, POSITIONS
 from plans.scene.scene import read_scene
 from plans.study import Study
-from plans.techniques import TECHNIQUES, named
-from plans.words.words import ALONE, Message, languages, message, said, term, word, words
+from plans.techniques import TECHNIQUES, named, technique_of
+from plans.words.words import ALONE, Message, languages, message, said, term, word, words, written
 
 SIGNS: Final = str.maketrans({"{": "", "}": "", "−": "-", "′": "'"})  # of lettering, and of the names of marks
 
@@ -46,15 +47,21 @@ def run(options: argparse.Namespace) -> int:
 def explained(study: Study, position: int, name: str) -> Explanation:
     """Find a letter in the plans of the techniques of a scene, those that rest on others first, or in their tables."""
     none: list[NoMark] = []
-    for own in own_names(name):
+    for own in (*own_names(name), *_of_sheets(study, position, name)):
         answers = [*_answers(study, position, own)]
         if isinstance(answers[-1], Explanation):
-            return answers[-1]
+            return _as_asked(answers[-1], name)
         none = none or [one for one in reversed(answers) if isinstance(one, NoMark)]
     found = next((one for own in own_names(name) if (one := _quantity(study, own))), None)
     if found is None:
         raise UnknownMark(_no_mark(name, none))
     return _told(found, name, position)
+
+
+def _as_asked(found: Explanation, name: str) -> Explanation:
+    """Head an explanation with the letter as it was asked for."""
+    parts = {**dict(found.title.parts), "mark": name}
+    return found._replace(title=message(found.title.key, **parts))
 
 
 def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | NoMark]:
@@ -64,6 +71,12 @@ def _answers(study: Study, position: int, name: str) -> Iterator[Explanation | N
         yield answer
         if isinstance(answer, Explanation):
             return
+
+
+def _of_sheets(study: Study, position: int, name: str) -> Iterator[str]:
+    """Give what a letter is on the record that a sheet alone gives, such as the number of an arm."""
+    for sheet in (one for kind, one in SHEETS.items() if one.letters and technique_of(kind) in study.techniques):
+        yield from (found for own in own_names(name) if (found := named(sheet.letters)(study, position, own)))
 
 
 def own_names(name: str) -> list[str]:
@@ -90,25 +103,22 @@ def _indices() -> Iterator[tuple[str, str]]:
 def _quantity(study: Study, name: str) -> Finding | None:
     """Find a quantity that the tables tell, whether or not it was drawn."""
     found = (one for technique in reversed(study.techniques) for one in study.quantities(technique))
-    return next((one for one in found if one.name == name), None)
+    return next((one for one in found if one.name.translate(SIGNS) in (name, f"Σ{name}")), None)
 
 
 def _told(one: Finding, name: str, position: int) -> Explanation:
     """Tell a quantity in a position by both roads, after the steps behind what shows it."""
     count = len(one.construction)
-    if position and not 0 <= position < count:
-        last = {"position": position, "last": count - 1}
-        raise UnknownMark(message("mark.position", **last) if count > 1 else _fixed(name, position))
-    shown = () if one.shown is None else one.shown if isinstance(one.shown, tuple) else (one.shown,)
+    if not 0 <= position < count and count > 1:
+        raise UnknownMark(message("mark.position", position=position, last=count - 1))
+    position = position if count > 1 else 0
+    shown = one.shown if isinstance(one.shown, Span | Reading) else filter(None, (one.shown,))
     ours, theirs = (f"{float(abs(row[position])):.10g}" for row in (one.construction, one.analysis))
     value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=one.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*shown), position, count)
-    return Explanation(title, steps, {order.plan: order.point.unit for order in ORDERS}, (value,), POSITIONS.plan)
-
-
-def _fixed(name: str, position: int) -> Message:
-    return message("mark.no_position", mark=name, position=position)
+    units = {order.plan: order.point.unit for order in ORDERS} | {one.plan: one.unit}
+    return Explanation(title, steps, units, (value,), POSITIONS.plan, written)
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:

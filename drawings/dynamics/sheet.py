@@ -13,7 +13,7 @@ from drawings.dynamics import flywheel_sketch, plate, plate_frame, tachogram, wo
 from drawings.dynamics.graphs import Strips, strips
 from drawings.dynamics.plate import Content, bare_speeds
 from drawings.dynamics.report import notes_of
-from drawings.dynamics.report_tables import NOISE, without_rounding
+from drawings.dynamics.report_tables import without_rounding
 from drawings.forces import load_diagram
 from drawings.forces.load_diagram import LoadCourse, courses
 from drawings.kinds import curve_graph
@@ -28,6 +28,9 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
+from plans.checks.comparison import Finding
+from plans.dynamics.numbers import SEGMENTS
+from plans.dynamics.numbers import results as quantities
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.run import Account
@@ -107,55 +110,23 @@ def _cell(value: float, drafting: Drafting) -> str:
 
 def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and by how much the strips are out; then the inertia by other methods."""
-    pairs = zip(_values(own, drafting), _values(exact, drafting), strict=True)
-    lines = [_compared(one, two, drafting) for one, two in pairs]
+    lines = [_compared(one, drafting) for one in quantities(own, exact)]
     lines += _others(exact, methods, drafting)
     heads = tuple(drafting.word(head) for head in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
-class _Value(NamedTuple):
-    """What is compared: letter, unit, value, and of what its difference is told; without that, of itself."""
-
-    letter: str
-    unit: str
-    value: float
-    whole: float | None = None
-
-
-def _values(account: Account, drafting: Drafting) -> Iterator[_Value]:
-    """Give what is compared; segments are parts of one length, however small one of them is."""
-    cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
-    if cycle is not None:
-        lost = np.abs(cycle.work[-1]) <= NOISE * np.abs(cycle.work).max()  # all that a turn of weights leaves over
-        yield _Value("M_{dr}", "N*m", 0.0 if lost else cycle.driving)
-        yield _Value("A_{us}(2π)", "J", 0.0 if lost else -float(cycle.work[-1]))
-    if wheel is not None:
-        both = sum(map(abs, wheel.cuts))
-        yield from (
-            _Value(drafting.true("o_1k", "T"), "J", wheel.cuts[1], both),
-            _Value(drafting.true("o_1l", "T"), "J", wheel.cuts[0], both),
-        )
-        yield from (_Value("J_0", "kg*m2", wheel.whole), _Value("T_0", "J", wheel.energy))
-        yield from (_Value("J_0^*", "kg*m2", wheel.own + wheel.present), _Value("J_{fly}", "kg*m2", wheel.inertia))
-    if speeds is not None:
-        yield from (
-            _Value("ω_{max}", "rad/s", speeds.extremes[1]),
-            _Value("ω_{min}", "rad/s", speeds.extremes[0]),
-            _Value("δ", "", speeds.delta),
-        )
+def _compared(one: Finding, drafting: Drafting) -> TableRow:
+    letter = drafting.true(one.name, "T") if one.name in SEGMENTS else one.name
+    named = drafting.letter(letter) + (f", {drafting.word(one.unit)}" if one.unit else "")
+    own, exact = float(one.construction[0]), float(one.analysis[0])
+    numbers = (drafting.number(value, DIGITS + 1) for value in (own, exact))
+    return TableRow(named, (*numbers, _share(own, exact, one.largest, drafting)))
 
 
-def _compared(own: _Value, exact: _Value, drafting: Drafting) -> TableRow:
-    named = drafting.letter(own.letter) + (f", {drafting.word(own.unit)}" if own.unit else "")
-    numbers = (drafting.number(one.value, DIGITS + 1) for one in (own, exact))
-    return TableRow(named, (*numbers, _share(own.value, exact.value, exact.whole, drafting)))
-
-
-def _share(own: float, exact: float, whole: float | None, drafting: Drafting) -> str:
+def _share(own: float, exact: float, whole: float, drafting: Drafting) -> str:
     """Write a difference in per cent of the exact value, or of what it is a part of."""
-    size = abs(exact) if whole is None else whole
-    return fixed(100 * (own - exact) / size, drafting.language, 3) if size else NOTHING
+    return fixed(100 * (own - exact) / whole, drafting.language, 3) if whole else NOTHING
 
 
 def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequence[TableRow]:
@@ -165,7 +136,7 @@ def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequ
     named = {"by Mertsalov": methods.mertsalov, "by Gutyar": methods.gutyar, "without δ²": methods.book}
     whole = exact.flywheel.whole
     cells = (
-        (key, ("", drafting.number(value, DIGITS + 1), _share(value, whole, None, drafting)))
+        (key, ("", drafting.number(value, DIGITS + 1), _share(value, whole, abs(whole), drafting)))
         for key, value in named.items()
     )
     return tuple(TableRow(f"J_0 {drafting.word(key)}", row) for key, row in cells)

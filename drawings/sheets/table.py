@@ -17,6 +17,7 @@ class Sheet(NamedTuple):
     leaves: str  # of a study to the leaves laid out, one or several
     due: str  # of a study and the leaves of this kind to what must stand on them, by the analysis
     scales: Mapping[str, str] = MappingProxyType({})  # how names of figures begin, and their keys of [sheet.scale]
+    letters: str = ""  # of a study, a position and a letter that the sheet alone gives to what it is on the record
     enclosures: str = ""  # of a study to the files beside its sheets
 
 
@@ -42,6 +43,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.forces.admission:of_forces",
         leaves="drawings.forces.sheet:leaves",
         due="drawings.forces.due:due",
+        letters="drawings.forces.arms:of_arm",
         scales={
             "scheme-": "scheme",
             "forces-": "force",

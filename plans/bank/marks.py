@@ -28,6 +28,7 @@ UNITS = {HARMONICS: "N", MOMENTS: "N*m", COMPENSATORS: "kg*m"}
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark; of a vector of the bank those behind its harmonic only if all are asked for."""
     task: BankTask = study.scene.meaning["bank"].task
+    name = re.sub(r"^m_(?=M,|-?[IVXLC])", f"{STATIC}_", name)  # a mass is told by its static moment
     if not LETTERS.match(name):  # for a mark of another technique no bank is drawn
         return _no_mark(task)
     bank: BankStudy = study["bank"]

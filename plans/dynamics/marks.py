@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 MOMENT, INERTIA, DRIVE = "M_red", "J_red", "A_dr"
-SEGMENTS = {"o1k": 1, "o1l": 0}
+DRIVING = "M_dr"  # the slope of the line of the drive's work
+SEGMENTS = {"o1k": 1, "o1l": 0}  # cut off the axis of energy by the tangents of the greatest and the least speed
+SEGMENT = re.compile(r"^o_?1([kl])([·/].*)?$")  # as the loop and the results letter it
+TANGENTS = {"ψ_max": 1, "ψ_min": 0}
 POINT = re.compile(r"A_(?P<edge>\d+'*)")
 UNITS = {**motion.UNITS, "forces": "N", "lever": "m", WORKS: "J", LOOP: "J", SPEEDS: "rad/s"}
 EXAMPLES = (MOMENT, INERTIA, "o1k")
@@ -29,6 +32,7 @@ EXAMPLES = (MOMENT, INERTIA, "o1k")
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark: of the reduction in one position, of the diagrams in the whole turn."""
     dynamics: DynamicsStudy = study["dynamics"]
+    name = SEGMENT.sub(r"o1\1", name.replace("psi_", "ψ_"))
     if name in (MOMENT, INERTIA):
         return _reduced(dynamics, position, name)
     targets = _diagram(dynamics, name)
@@ -55,11 +59,13 @@ def _diagram(dynamics: DynamicsStudy, name: str) -> tuple[Mark, ...] | None:
     point = POINT.fullmatch(name)
     if point:
         return (_work(dynamics, point["edge"]),)
-    if name == DRIVE:
+    if name in (DRIVE, DRIVING):
         return (dynamics.works.drive,)
-    loop = dynamics.loop if name in (*SEGMENTS, "J_0") else None
+    loop = dynamics.loop if name in (*SEGMENTS, *TANGENTS, "J_0") else None
     if loop is None:
         return None
+    if name in TANGENTS:
+        return (loop.tangents[TANGENTS[name]].line,)
     return (loop.tangents[SEGMENTS[name]].cut,) if name in SEGMENTS else (loop.origin,)
 
 

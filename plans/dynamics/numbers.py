@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from geometry.errors import ConstructionError
 from plans.analytic.dynamics.speeds import Swing
-from plans.checks.comparison import Numbers, gap_numbers, plain
+from plans.checks.comparison import Finding, Numbers, gap_numbers, plain
 from plans.dynamics.form import DYNAMICS, DynamicsForm
-from plans.dynamics.quantities import compare_dynamics
+from plans.dynamics.quantities import DynamicsComparison, compare_dynamics
 from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS
 from plans.linkage.quantities import compare
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
@@ -21,6 +22,10 @@ from plans.words.words import message, placed
 if TYPE_CHECKING:
     from plans.dynamics.study import DynamicsStudy
     from plans.study import Study
+
+
+SEGMENTS = {"o_1k": 1, "o_1l": 0}  # cut off the axis of energy, at the greatest and the least speed
+NOISE = 1e-9  # of the largest work: what of it is less is rounding, whose digits differ from machine to machine
 
 
 def numbers(study: Study, by: str) -> Numbers:
@@ -128,6 +133,39 @@ def _steady(turn: SteadyTurn) -> dict[str, Any]:
 
 def _failure(why: Failure) -> dict[str, Any]:
     return {**why._asdict(), "advice": str(why.message)}
+
+
+def quantities_of(study: Study) -> tuple[Finding, ...]:
+    """Give what is compared of a machine's motion, and what the table of results tells."""
+    found: DynamicsComparison = study.comparison("dynamics")
+    return *found.findings, *results(found.construction, found.exact)
+
+
+def results(own: Account, exact: Account) -> Iterator[Finding]:
+    """Put the results of the strips beside those without their error; segments are parts of one length."""
+    cuts = () if exact.flywheel is None else exact.flywheel.cuts
+    for one, other in zip(_results(own), _results(exact), strict=True):
+        named, value = one
+        largest = sum(map(abs, cuts)) if named[1] in SEGMENTS else abs(other[1])
+        yield Finding.of(named, (value, other[1]), np.inf, largest)
+
+
+def _results(account: Account) -> Iterator[tuple[tuple[str, str, str], float]]:
+    cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
+    if cycle is not None:
+        lost = np.abs(cycle.work[-1]) <= NOISE * np.abs(cycle.work).max()  # all that a turn of weights leaves over
+        yield (WORKS, "M_{dr}", "N*m"), 0.0 if lost else cycle.driving
+        yield (WORKS, "A_{us}(2π)", "J"), 0.0 if lost else -float(cycle.work[-1])
+    if wheel is not None:
+        yield from (((FLYWHEEL, name, "J"), wheel.cuts[k]) for name, k in SEGMENTS.items())
+        yield (FLYWHEEL, "J_0", "kg*m2"), wheel.whole
+        yield (FLYWHEEL, "T_0", "J"), wheel.energy
+        yield (FLYWHEEL, "J_0^*", "kg*m2"), wheel.own + wheel.present
+        yield (FLYWHEEL, "J_{fly}", "kg*m2"), wheel.inertia
+    if speeds is not None:
+        yield (SPEEDS, "ω_{max}", "rad/s"), speeds.extremes[1]
+        yield (SPEEDS, "ω_{min}", "rad/s"), speeds.extremes[0]
+        yield (SPEEDS, "δ", ""), speeds.delta
 
 
 class NoPace(ConstructionError):  # noqa: N818  (the exception tree's own word)

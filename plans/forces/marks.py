@@ -15,9 +15,11 @@ from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from geometry.board import Board
+    from plans.forces.force_template import ForcePlans
     from plans.study import Study
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
+PART = re.compile(r"[RPF](?=\^[nt]_)")  # of a reaction, whichever letter a sheet has for reactions
 UNITS = {**motion.UNITS, "forces": "N", "lever": "m/s"}
 NONE = NoMark((), None, ("R_12", "M_bal"))
 
@@ -28,13 +30,15 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if not (form.masses or form.loads) or name in motion.letters(linkage):
         return NoMark((), None, ()) if not (form.masses or form.loads) else NONE
     wanted = motion.position_of(linkage, position)
-    board = study["forces"].drafts([wanted]).plans.plan.board
-    target, opposite = _find(board, name)
+    plans: ForcePlans = study["forces"].drafts([wanted]).plans
+    target, opposite = _find(plans.plan.board, name)
+    if target is None and plans.lever is not None:
+        target, opposite = _find(plans.lever.board, name.removesuffix("'") if name not in plans.lever.board else name)
     if target is None:
         return NONE
     steps, notes = behind(target), [opposite] if opposite else []
     if not study.whole:
-        own = [mark for mark in steps if mark.subject == "forces" and mark.step.op != "transfer"]
+        own = [mark for mark in steps if mark.subject in ("forces", "lever") and mark.step.op != "transfer"]
         # What a reaction rests on besides the forces: the plans that it is found over.
         notes += [message("explain.left_out", count=len(steps) - len(own))] if len(own) < len(steps) else []
         steps = own
@@ -43,7 +47,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
 
 def _find(board: Board, name: str) -> tuple[Mark | None, Message | None]:
     """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; and say so where its opposite was found."""
-    letter = name.replace("Phi", "Φ")
+    letter = PART.sub("R", name.replace("Phi", "Φ"))
     pair = PAIR.fullmatch(letter)
     letter = "R" + letter[1:] if pair else letter  # whichever letter a sheet has for reactions
     if letter in board and board[letter].step.inputs:

@@ -21,9 +21,13 @@ UNITS = {COUPLES: "kg*m2", UNBALANCES: "kg*m", REACTIONS: "N"}
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
-    """Give the steps behind a mark, by its letters in any language; a rotor is the same in every position."""
+    """Give the steps behind a mark, by its letters in any language; a rotor is the same in every position.
+
+    A mass, m_1 or m_I, is told by its static moment.
+    """
     rotor: RotorStudy = study["rotor"]
-    mark = _find(rotor, name)
+    index = name.removeprefix("m_")
+    mark = _find(rotor, name) or _find(rotor, f"m_{index}D_{index}")
     if mark is None:
         return _no_mark(rotor, name, study.scene.sheet.language)
     if position:
