@@ -163,6 +163,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         notes="plans.cam.reading.notes:notes_of",
         study="plans.cam.study:study_of",
         comparison="plans.cam.quantities:comparison_of",
+        quantities="plans.cam.quantities:quantities_of",
         numbers="plans.cam.numbers:numbers",
         marks="plans.cam.marks:marks",
         plans=CAM,

@@ -20,6 +20,7 @@ from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
 from plans.cam.numbers import cam_by_hand, readings
 from plans.cam.quantities import of_cam
+from plans.cam.results import results
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.checks.comparison import Finding
 from plans.model.cam import Cam
@@ -107,5 +108,5 @@ def _pressed(cam: Cam) -> bool:
 
 def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
     """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
-    own, other = (size_view.quantities(one) for one in (drawing.found, exact))
+    own, other = (results(one) for one in (drawing.found, exact))
     return size_view.sizes(own, other, by_hand, drafting)

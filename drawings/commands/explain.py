@@ -101,9 +101,12 @@ def _indices() -> Iterator[tuple[str, str]]:
 
 
 def _quantity(study: Study, name: str) -> Finding | None:
-    """Find a quantity that the tables tell, whether or not it was drawn."""
-    found = (one for technique in reversed(study.techniques) for one in study.quantities(technique))
-    return next((one for one in found if one.name.translate(SIGNS) in (name, f"Σ{name}")), None)
+    """Find a quantity that the tables tell, whether or not it was drawn: R_0 of the first cam, K2:R_0 of K2."""
+    of, _, own = name.rpartition(":")
+    wanted = {name, f"Σ{name}", own, f"{own} {of}"}
+    told = [(one.name.translate(SIGNS), one) for row in reversed(study.techniques) for one in study.quantities(row)]
+    exact = (one for letters, one in told if letters in wanted)
+    return next(exact, next((one for letters, one in told if letters.partition(" ")[0] == name), None))
 
 
 def _told(one: Finding, name: str, position: int) -> Explanation:

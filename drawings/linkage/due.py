@@ -22,7 +22,7 @@ from drawings.paper.strokes import Leaf, Text
 from plans.analytic.points import placed
 from plans.checks.comparison import Finding
 from plans.linkage.by_hand import MotionByHand
-from plans.linkage.mass_centres import unnamed
+from plans.linkage.letters import unnamed
 from plans.linkage.parts import alike
 from plans.linkage.pressure import interval
 from plans.linkage.quantities import MotionComparison

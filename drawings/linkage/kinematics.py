@@ -31,7 +31,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.by_hand import MotionByHand
-from plans.linkage.mass_centres import unnamed
+from plans.linkage.letters import unnamed
 from plans.linkage.parts import alike, spans
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy

@@ -15,8 +15,8 @@ from drawings.layout.picture import Place
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions
+from plans.linkage.letters import unnamed
 from plans.linkage.margin import angle
-from plans.linkage.mass_centres import unnamed
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.strokes import other_strokes

@@ -14,6 +14,7 @@ from plans.analytic.cam.contour import Curve, forces_of
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
+from plans.cam.results import results
 from plans.cam.sizing import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.cam.verdicts import TERM, Pair, Slack, Verdicts
@@ -112,6 +113,20 @@ def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES,
     lone = len(drawings) == 1
     findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
     return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
+
+
+def quantities_of(study: Study) -> tuple[Finding, ...]:
+    """Give what is compared of a scene's cams, and what the tables of their sizes tell."""
+    found: Comparison = study.comparison("cam")
+    ours, theirs = found.construction.cams, found.analysis.cams
+    names = ["" if len(ours) == 1 else f" {one.cam.name}" for one in ours]
+    return *found.findings, *(one for both in zip(ours, theirs, names, strict=True) for one in _told(*both))
+
+
+def _told(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Finding]:
+    pairs = zip(results(ours), results(theirs), strict=True)
+    for one, other in ((one, other) for one, other in pairs if not one.where):
+        yield Finding.of((SIZES, f"{one.letter}{of}", one.unit), (one.value, other.value), np.inf)
 
 
 def of_cam(comparison: Comparison, name: str) -> list[Finding]:

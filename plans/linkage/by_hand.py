@@ -12,7 +12,7 @@ from geometry.steps import Span
 from plans.checks.by_hand import SLIP, Slipping, errors_by_hand
 from plans.checks.comparison import Finding, Shown
 from plans.linkage.drafts import Drafts
-from plans.linkage.mass_centres import Masses
+from plans.linkage.letters import Masses
 from plans.linkage.parts import findings, spans
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy

@@ -18,8 +18,7 @@ from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
-from plans.linkage.letters import Letters
-from plans.linkage.mass_centres import NONE, Masses, unnamed
+from plans.linkage.letters import NONE, Letters, Masses, unnamed
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison, with_analysis

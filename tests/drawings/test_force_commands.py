@@ -91,6 +91,10 @@ def test_only_forces_of_a_scene_on_which_nothing_acts_is_refused_with_advice(run
         ("M^Phi_3", "M^Φ_3 [forces]: couple"),
         ("G_5", "G_5 [forces]: given = (0, -245.25) N"),
         ("M_bal", "M_bal [forces]: moment"),
+        ("M_{ур}", "M_bal [forces]: moment"),
+        ("P^τ_34", "R^t_34 [forces]: balance"),
+        ("h_1", "D(Φ_4) [forces]: moment"),
+        ("h′_{1}", "p(Φ_3) [lever]: moment"),
     ],
 )
 def test_the_steps_behind_a_force_end_with_it(run: Run, worked: Path, mark: str, last: str) -> None:
@@ -112,6 +116,13 @@ def test_a_reaction_the_other_way_round_is_the_opposite_of_the_one_that_was_foun
     code, out, _ = run("explain", worked, "R_23")
     assert code == 0
     assert "R_23 is the opposite of R_32" in out
+
+
+def test_what_a_table_tells_is_explained_by_what_shows_it_and_by_both_roads(run: Run, worked: Path) -> None:
+    code, out, _ = run("explain", worked, "v_{DB}")
+    assert code == 0 and out.startswith("v_{DB}, 34 steps")
+    assert re.fullmatch(r" *v_\{DB\} = (\S+) m/s by construction, (\S+) m/s by analysis", out.splitlines()[-1])
+    assert "d [velocities]: meet" in out.splitlines()[-2]
 
 
 def test_a_force_that_there_is_not_is_refused_with_what_there_is(run: Run, worked: Path) -> None:
