@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.balance.report import drafting_for
 from drawings.checks.expected import KNOWN, Cell, Expected, cells, course, phrases
+from drawings.forces.report import drafting_of_forces
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, RESULT, counterweight, with_index
 from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind
@@ -189,7 +189,9 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's balanced mechanism (row of the table of sheets)."""
     own = study["balance"]
     for leaf in leaves[:1]:
-        balanced = Balanced(own, study.comparison("balance"), drafting_for(own), leaf.metadata["position"])
+        balanced = Balanced(
+            own, study.comparison("balance"), drafting_of_forces(own.statics), leaf.metadata["position"]
+        )
         sheet = _Sheet(balanced)
         yield from chain(sheet.schemes(), sheet.polygon(), sheet.shaking(), sheet.rocking())
         yield from chain(sheet.shares(), sheet.weights(), sheet.costs())

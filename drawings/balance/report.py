@@ -10,8 +10,9 @@ import numpy as np
 from drawings.balance.costs import METRES, NONE, Nothing, cells, degrees, quantities, shape
 from drawings.balance.notes import BalanceNotes
 from drawings.dynamics.report_tables import plain
+from drawings.forces.report import drafting_of_forces
 from drawings.lettering.vector_letters import CENTRE, FORCE, MOMENT, counterweight
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, row
 from plans.balance.study import BalanceStudy
@@ -125,16 +126,11 @@ def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
     return notes_by(own, digits)
 
 
-def drafting_for(own: BalanceStudy) -> Drafting:
-    """Give what a scene asks of its sheets, with the letter that it gives reactions."""
-    return drafting_of(own.linkage.scene)._replace(reactions=own.statics.form.sheet.reactions)
-
-
 def notes_by(own: BalanceStudy, digits: int = 5) -> BalanceNotes:
     """Give the notes on a balance by construction."""
     after = None if own.balance.after is None else own.points(after=True).vectors
     vectors = own.points().vectors, after
-    drafting = drafting_for(own)
+    drafting = drafting_of_forces(own.statics)
     return BalanceNotes(own.linkage.mechanism, own.tree, own.machine, own.balance, vectors, drafting, digits)
 
 

@@ -11,7 +11,6 @@ from drawings.forces.letters import letter_of
 from drawings.forces.lever_layout import PLAN as LEVER
 from drawings.forces.lever_layout import Leverage, leverages
 from drawings.linkage.equations import in_position
-from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Chapters, Formula, display, inline, total
 from drawings.report.table import chapter, header, row
@@ -254,7 +253,7 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, fl
 def equations(statics: Statics, comparison: ForceComparison, scales: Scales) -> Iterator[str]:
     """Write the equations of forces in the positions of the force sheets."""
     language, plans = statics.study.language, statics.drafts().plans
-    formula = Formula(drafting_of_forces(statics))
+    formula = Formula(report.drafting_of_forces(statics))
     if scales:
         yield chapter(language, "force_equations")
         yield word(language, "report.underlines")
@@ -266,11 +265,6 @@ def equations(statics: Statics, comparison: ForceComparison, scales: Scales) -> 
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))
         if plans.lever is not None and LEVER in own and plans.plan.mechanism.drive.turns:
             yield from lever_equation(plans.lever, written, own[LEVER])
-
-
-def drafting_of_forces(statics: Statics) -> Drafting:
-    """Letter reactions as the sheets do."""
-    return drafting_of(statics.study.scene)._replace(reactions=statics.form.sheet.reactions)
 
 
 def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:

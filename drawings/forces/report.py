@@ -12,7 +12,7 @@ from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.linkage.numbers import DIGITS as FEW_DIGITS
 from drawings.linkage.numbers import greatest, stroke_line
-from drawings.page.scale import drafting_of
+from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters, Formula
 from drawings.report.report import gap_line, gap_lines
 from drawings.report.table import chapter, header, row
@@ -54,6 +54,11 @@ def least(comparison: ForceComparison, found: Friction) -> Least:
 
 TABLE_DIGITS = 6
 LEVER = "lever"
+
+
+def drafting_of_forces(statics: Statics) -> Drafting:
+    """Give what a scene asks of its sheets, with the letter that it gives reactions."""
+    return drafting_of(statics.study.scene)._replace(reactions=statics.form.sheet.reactions)
 
 
 def balancing_table(comparison: ForceComparison, told: BalancingQuantity, language: str) -> Iterator[str]:
@@ -219,7 +224,7 @@ def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
 
 def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) -> Iterator[str]:
     """Tell what balances the drive and every reaction in every position, and of sliding pairs their moments."""
-    language, formula = statics.study.language, Formula(drafting_of(statics.study.scene))
+    language, formula = statics.study.language, Formula(drafting_of_forces(statics))
     own = statics.form.sheet.reactions
     letters = {"reaction": f"${formula.letter(f'{own}_{{ab}}')}$", "balancing": f"${formula.letter(told.name)}$"}
     yield f"\n{word(language, 'report.reactions', **letters, unit=lettering.word(language, told.unit))}\n"

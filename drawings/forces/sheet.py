@@ -15,6 +15,7 @@ from drawings.forces.letters import LAID, force_letter, letter_of
 from drawings.forces.lever_equation import Equations, LeverEquation
 from drawings.forces.load_diagram import courses
 from drawings.forces.notes import notes
+from drawings.forces.report import drafting_of_forces
 from drawings.kinds import curve_graph, hodograph, working
 from drawings.kinds.axes import Part
 from drawings.kinds.working import Working
@@ -27,7 +28,7 @@ from drawings.lettering.words import word
 from drawings.linkage import workings
 from drawings.linkage.positions import force_positions
 from drawings.linkage.vector_plan import diagram
-from drawings.page.scale import Drafting, drafting_of
+from drawings.page.scale import Drafting
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
 from drawings.sheets.documents import unknown
@@ -95,7 +96,7 @@ class _ForceSheet:
 
     @cached_property
     def drafting(self) -> Drafting:
-        return drafting_of(self.study.scene)._replace(reactions=self.statics.form.sheet.reactions)
+        return drafting_of_forces(self.statics)
 
     @property
     def draft(self) -> Draft:

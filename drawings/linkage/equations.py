@@ -10,7 +10,7 @@ import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number
-from drawings.page.scale import Drafting, Scale, drafting_of
+from drawings.page.scale import Scale, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter
@@ -248,14 +248,12 @@ def shown_positions(leaves: Mapping[str, Sequence[Leaf]]) -> list[int]:
     return sorted(dict.fromkeys(asked))[:MOST]
 
 
-def equations(
-    study: LinkageStudy, motion: Motion, scales: Scales, positions: Iterable[int], drafting: Drafting | None = None
-) -> Iterator[str]:
+def equations(study: LinkageStudy, motion: Motion, scales: Scales, positions: Iterable[int]) -> Iterator[str]:
     """Write the vector equations of each group, and the numbers of each position by a motion."""
     have = [k for k in positions if not np.isnan(motion.points[study.mechanism.drive.end].v[k])]
     if motion.order < ACCELERATIONS.number or not have:
         return
-    language, formula = study.language, Formula(drafting or drafting_of(study.scene))
+    language, formula = study.language, Formula(drafting_of(study.scene))
     yield chapter(language, "equations")
     yield word(language, "report.underlines")
     first = _written(study, motion, have[0], {}, formula)

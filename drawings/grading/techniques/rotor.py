@@ -8,13 +8,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from drawings.balance.due import Balanced, Side
 from drawings.balance.hodograph import NAME as SHAKING
-from drawings.balance.report import drafting_for
 from drawings.balance.scheme import AFTER, BEFORE, SCHEME
 from drawings.balance.static_polygon import NAME as MOMENTS
 from drawings.bank.due import Bank
 from drawings.bank.due import Polygon as OrderPolygon
 from drawings.bank.polygon import plan_of
 from drawings.bank.star import fanned
+from drawings.forces.report import drafting_of_forces
 from drawings.grading import verdict
 from drawings.grading.marking import Found, Letters, Record, Slip
 from drawings.lettering.vector_letters import CENTRE, RESULT
@@ -190,7 +190,7 @@ NAMES = {BEFORE: FORCE_LETTER, AFTER: f"{FORCE_LETTER}'"}  # of the main vector 
 def record_of_balance(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a sheet of balancing."""
     own, k = study["balance"], int(leaf.metadata["position"])
-    expected = Balanced(own, study.comparison("balance"), drafting_for(own), k)
+    expected = Balanced(own, study.comparison("balance"), drafting_of_forces(own.statics), k)
     plans = {SCHEME + state: list(_scheme(expected, state)) for state in expected.states}
     plans |= {MOMENTS: list(_moments(expected)), SHAKING: list(_shaking(expected))}
     found: dict[Letters, Found] = {(plan, k, "", one.name): one for plan, all_ in plans.items() for one in all_}
