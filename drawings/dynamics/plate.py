@@ -7,7 +7,7 @@ scale, and under the inertia, turned by 90 degrees, in that one's.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -76,22 +76,16 @@ class Told(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Content:
-    """What stands on one plate: graphs, the loop, or both of them in line; what is told under the loop."""
+class Plate:
+    """A plate to be drafted: graphs, the loop, or both of them in line; what is told under the loop."""
 
     name: str
     task: Task
     account: Account
     graphs: tuple[str, ...]  # by their quantities, from the top
     loop: bool
+    drafting: Drafting
     told: Told | None = None
-
-
-@dataclass(frozen=True)
-class Plate(Content):
-    """A plate to be drafted: its strips, the heights of its rows and the paper about them."""
-
-    drafting: Drafting = field(kw_only=True)
 
     @property
     def hand(self) -> Hand:
@@ -168,11 +162,6 @@ class Plate(Content):
         return sum(row.high for row in self.rows)
 
 
-def plate_of(shown: Content, drafting: Drafting) -> Plate:
-    """Give the plate of a content as it is drafted."""
-    return Plate(shown.name, shown.task, shown.account, shown.graphs, shown.loop, shown.told, drafting=drafting)
-
-
 def told(table: RuledTable, shown: Plate, extent: float) -> Told | None:
     """Set a table to stand under the loop of a plate drawn so large, mm; None where it is too wide or too high."""
     length = extent / max(shown.wide, shown.high)
@@ -183,15 +172,14 @@ def told(table: RuledTable, shown: Plate, extent: float) -> Told | None:
     return min(fitting, key=lambda way: way.size[1], default=None)
 
 
-def room_of_plate(plate: Plate) -> Picture:
+def measure(plate: Plate) -> Picture:
     """Give the room of a plate; its scale is that of the angle, to which all its sizes go."""
     wide, high = TURN * plate.wide, TURN * plate.high
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
     least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
-    return Picture(
-        plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, _heading(plate), least, open=False
-    )
+    middle, heading = complex(wide, high) / 2, _heading(plate)
+    return Picture(plate.name, wide, high, middle, "φ", "rad", margins, heading, least, open=False)
 
 
 def _longest(plate: Plate) -> float:

@@ -10,12 +10,12 @@ from itertools import product
 from drawings.dynamics import graphs
 from drawings.dynamics.graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, StripGraph, graph_part
 from drawings.dynamics.loop import NAME, TAIL, height, loop_part, write
-from drawings.dynamics.plate import TITLE, WIDE, Content, Plate, plate_of, room_of_plate
+from drawings.dynamics.plate import TITLE, WIDE, Plate
 from drawings.kinds.axes import BEYOND, Axes, Part, Parts, caption
 from drawings.kinds.row_frame import coarser, level, stacked
-from drawings.layout.picture import Picture, Spot
+from drawings.layout.picture import Spot
 from drawings.lettering.phrase import Slot, joined, telling
-from drawings.page.scale import Drafting, Scale, fitting
+from drawings.page.scale import Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.strokes import Group, Line, Stroke
 from drawings.symbols.dashes import fit_dashes
@@ -29,16 +29,6 @@ TITLES = {MOMENTS: "reduced moments", WORKS: "works", SURPLUS: "surplus energy",
 DIGITS = 5
 TOLD = "told"  # the name of what is told under the loop
 CLEAR = 1.5  # mm around a caption
-
-
-def measure(shown: Content, drafting: Drafting) -> Picture:
-    """Measure the room of a plate."""
-    return room_of_plate(plate_of(shown, drafting))
-
-
-def draw(shown: Content, spot: Spot, drafting: Drafting) -> Parts:
-    """Draw a plate in its spot."""
-    return PlateFrame(plate_of(shown, drafting), spot).figure
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.dynamics import flywheel_sketch, plate, plate_frame, tachogram, working
+from drawings.dynamics import flywheel_sketch, plate, tachogram, working
 from drawings.dynamics.graphs import Strips, strips
-from drawings.dynamics.plate import Content, bare_speeds
+from drawings.dynamics.plate import Plate, bare_speeds
+from drawings.dynamics.plate_frame import PlateFrame
 from drawings.dynamics.report import notes_of
 from drawings.dynamics.report_tables import without_rounding
 from drawings.forces import load_diagram
@@ -220,19 +221,20 @@ class _DynamicsSheet:
     def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
         plates = tuple(self._plates(way))
-        yield from plates[:1]
+        exhibits = [self._exhibit(one, self._least if way.whole else None) for one in plates]
+        yield from exhibits[:1]
         yield from self._loads()
         yield self._caption(self._values(way.most))
-        yield from plates[1:]
+        yield from exhibits[1:]
         if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
             yield self._caption(self._results())
         yield from self._wheel()
         yield from self._bare()
         yield from self._run()
-        yield from captions(working.working(one, self.drafting) for one in self._contents(way))
+        yield from captions(map(working.working, plates))
 
-    def _contents(self, way: Way) -> Iterator[Content]:
-        """Give what stands on the plates: on none of a machine whose crank cannot turn fully."""
+    def _plates(self, way: Way) -> Iterator[Plate]:
+        """Give the plates: none of a machine whose crank cannot turn fully."""
         if self.machine.own.cycle is None:
             return
         if way.whole:
@@ -241,28 +243,20 @@ class _DynamicsSheet:
         yield from (self._plate(name, graphs) for name, graphs in way.plates)
         yield self._plate(plate.ENERGY, (), loop=True)
 
-    def _plates(self, way: Way) -> Iterator[Exhibit]:
-        """Give the plates."""
-        yield from (self._exhibit(one, self._least if way.whole else None) for one in self._contents(way))
-
     @cached_property
-    def _whole(self) -> Content:
+    def _whole(self) -> Plate:
         """Graphs and loop in line, the results under the loop if they have room there."""
         bare = self._plate(plate.WHOLE, plate.OVER_TURN, loop=True)
         largest = self._largest(bare)
-        return (
-            bare
-            if largest is None
-            else replace(bare, told=plate.told(self._results(), plate.plate_of(bare, self.drafting), largest))
-        )
+        return bare if largest is None else replace(bare, told=plate.told(self._results(), bare, largest))
 
     @cached_property
     def _least(self) -> float | None:
         """The size mm of graphs and loop in line as large as they stand beside the title block; None: not legible."""
         return self._largest(self._whole)
 
-    def _largest(self, shown: Content) -> float | None:
-        room, picture = room_of(self.page), plate_frame.measure(shown, self.drafting)
+    def _largest(self, shown: Plate) -> float | None:
+        room, picture = room_of(self.page), plate.measure(shown)
         width = room.width - self.page.block.width - GAP
         extents = [rung.extent for rung in picture.ladder(width, room.height, self.page.standard).rungs]
         return extents[0] if extents and extents[0] >= picture.least else None
@@ -305,10 +299,10 @@ class _DynamicsSheet:
     def _caption(self, table: RuledTable) -> Caption:
         return Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
 
-    def _plate(self, name: str, graphs: tuple[str, ...], loop: bool = False) -> Content:
-        return Content(name, self.machine.task, self.machine.own, graphs, loop)
+    def _plate(self, name: str, graphs: tuple[str, ...], loop: bool = False) -> Plate:
+        return Plate(name, self.machine.task, self.machine.own, graphs, loop, self.drafting)
 
-    def _exhibit(self, shown: Content, least: float | None = None) -> Exhibit:
-        room = plate_frame.measure(shown, self.drafting)
+    def _exhibit(self, shown: Plate, least: float | None = None) -> Exhibit:
+        room = plate.measure(shown)
         room = room if least is None else room._replace(least=least * SMALLER)
-        return Exhibit(Panel(room), partial(plate_frame.draw, shown, drafting=self.drafting))
+        return Exhibit(Panel(room), lambda spot: PlateFrame(shown, spot).figure)

@@ -5,22 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from drawings.dynamics.plate import Content, plate_of
+from drawings.dynamics.plate import Plate
 from drawings.dynamics.plate_frame import PlateFrame
 from drawings.kinds.working import TANGENTS, Working, told
 from drawings.layout.picture import Spot
-from drawings.page.scale import Drafting
 
 
-def working(shown: Content, drafting: Drafting) -> Working:
+def working(shown: Plate) -> Working:
     """Write beside a plate with the loop how steep the tangents to it are."""
-    return Working(TANGENTS, shown.name, lambda spot: list(_lines(shown, spot, drafting)), drafting)
+    return Working(TANGENTS, shown.name, lambda spot: list(_lines(shown, spot)), shown.drafting)
 
 
-def _lines(shown: Content, spot: Spot | None, drafting: Drafting) -> Iterator[tuple[str, ...]]:
+def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
     if not shown.loop or shown.account.flywheel is None:
         return
-    across, up = _scales(shown, spot, drafting)
+    drafting, (across, up) = shown.drafting, _scales(shown, spot)
     k = drafting.notation == "K"
     over, under = ("K_{T}", "K_{J}") if k else ("μ_{J}", "μ_{T}")
     factors = [told(one, drafting) for one in ((1 / up, 1 / across) if k else (across, up))]
@@ -32,9 +31,9 @@ def _lines(shown: Content, spot: Spot | None, drafting: Drafting) -> Iterator[tu
         )
 
 
-def _scales(shown: Content, spot: Spot | None, drafting: Drafting) -> tuple[float, float]:
+def _scales(shown: Plate, spot: Spot | None) -> tuple[float, float]:
     """Give the scales of inertia and of energy; NaN before it is known where the plate stands."""
     if spot is None:
         return math.nan, math.nan
-    frame = PlateFrame(plate_of(shown, drafting), spot)
+    frame = PlateFrame(shown, spot)
     return frame.inertia_scale.mu, frame.energy_scale.mu
