@@ -19,9 +19,9 @@ from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.statement import Kind, Statement
-from drawings.paper.strokes import LEAN, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import Group, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit
-from drawings.symbols.figure import heading
+from drawings.symbols.figure import heading, heading_width
 from drawings.symbols.symbols import TICK
 from plans.model.balance.linkage import Choice, Shares, State
 from plans.model.motion import Floats
@@ -117,8 +117,8 @@ def value_of(one: Choice, name: str) -> float:
 
 def measure(shown: ShareGraph, drafting: Drafting) -> Picture:
     """Measure the room of the graph: its scale is that of the share."""
-    room = FORM.room(NAME, 1.0, (SHARE, ONE), drafting.word("share graph"), drafting.hand)
-    return room._replace(heading=room.heading + 2 * LEAN * drafting.hand.title)
+    hand, title = drafting.hand, drafting.word("share graph")
+    return FORM.room(NAME, 1.0, (SHARE, ONE), title, hand)._replace(heading=heading_width(title, hand))
 
 
 def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Part:

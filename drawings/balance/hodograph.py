@@ -17,8 +17,8 @@ from drawings.layout.picture import Picture, Place, Spot
 from drawings.lettering.vector_letters import FORCE
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, LEAN, Circle, Group, LineStyle, Polyline, Stroke
-from drawings.symbols.figure import Subject, heading
+from drawings.paper.strokes import INK, Circle, Group, LineStyle, Polyline, Stroke
+from drawings.symbols.figure import Subject, heading, heading_width
 from plans.model.balance.linkage import State
 from plans.model.motion import Complexes
 
@@ -83,7 +83,7 @@ def measure(shown: ShakingHodograph, drafting: Drafting) -> Picture:
     """Measure the room of the hodographs."""
     hand, title = drafting.hand, drafting.word("shaking hodograph")
     room = room_of(NAME, shown.points, (SYMBOL, UNIT), title, LETTERS, hand)
-    return room._replace(heading=room.heading + 2 * LEAN * hand.title)
+    return room._replace(heading=heading_width(title, hand))
 
 
 def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting) -> Part:

@@ -19,7 +19,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit, hatching
 from drawings.symbols.dimension import Dimension
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import Subject, around, heading
 from plans.model.dynamics import Wheel
 
 NAME = "flywheel_sketch"
@@ -90,11 +90,10 @@ def measure(rim: Wheel, drafting: Drafting) -> Picture:
     """Measure the room that the sketch needs: both views, the dimensions beside them."""
     hand = drafting.hand
     title = max(text_width(Text(0j, drafting.word("flywheel"), hand.title)), text_width(Text(0j, said(rim, drafting))))
-    side, below, above = (share * hand.letter for share in MARGINS)
-    far = OFF * hand.symbol
-    margins = Margins(side + 2 * far, below + AXIS * hand.symbol, above + far + 2 * hand.title + 2 * hand.text)
-    least = LETTERS * hand.letter
-    return picture(NAME, Outlines(rim).corners, (SYMBOL, UNIT), margins, title, least)._replace(most=MOST * hand.letter)
+    far, corners = OFF * hand.symbol, Outlines(rim).corners
+    margins = around(MARGINS, hand, 2 * far, AXIS * hand.symbol, far + hand.text)
+    room = picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return room._replace(most=MOST * hand.letter)
 
 
 def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:

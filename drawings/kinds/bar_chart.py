@@ -17,7 +17,7 @@ from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Anchor, Group, Line, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.figure import Subject, heading
+from drawings.symbols.figure import Subject, around, heading
 from drawings.symbols.symbols import TICK, arrowhead
 from plans.model.cyclogram import TURN, Row, within
 
@@ -87,12 +87,11 @@ class Bar(NamedTuple):
 def measure(chart: Chart, drafting: Drafting) -> Picture:
     """Measure the room that it needs."""
     hand = drafting.hand
-    side, below, above = (share * hand.letter for share in MARGINS)
     corners = (complex(-NAMES, chart.bottom - LEVEL * len(chart.settings)), complex(TURN, 0.0))
     title = text_width(Text(0j, drafting.word(TITLE), hand.title))
     written = OVER + (STEP + 1) * hand.number + BESIDE + TICK  # two lines over a course, under the tick of a position
     least = (TURN + NAMES) * max(_column(chart.rows, drafting) / NAMES, written / (ROW - HIGH))
-    margins = Margins(side, below + 2 * hand.number, above + 2 * hand.title + hand.text)
+    margins = around(MARGINS, hand, below=2 * hand.number)
     return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)._replace(most=LARGER * least)
 
 

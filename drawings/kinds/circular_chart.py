@@ -16,7 +16,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
 from drawings.paper.strokes import Arc, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import tied
-from drawings.symbols.figure import heading
+from drawings.symbols.figure import around, heading
 from drawings.symbols.symbols import TICK, TurnArrow
 from plans.model.cyclogram import Row, Span
 
@@ -35,11 +35,9 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     """Measure the room that it needs."""
     hand, outer = drafting.hand, HUB + RING * len(chart.rows)
     title = text_width(Text(0j, drafting.word(TITLE), hand.title))
-    side, below, above = (share * hand.letter for share in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
     corners = [complex(x, y) for x in (-outer, outer) for y in (-outer, outer)]
     least = LETTERS * hand.letter
-    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)._replace(most=LARGER * least)
+    return picture(NAME, corners, (SYMBOL, UNIT), around(MARGINS, hand), title, least)._replace(most=LARGER * least)
 
 
 def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> CircleFigure:

@@ -17,7 +17,7 @@ from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.paper.walk import apart, stating
 from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.figure import Subject
+from drawings.symbols.figure import Subject, around
 from drawings.symbols.symbols import TICK
 from plans.model.motion import Floats
 
@@ -36,8 +36,7 @@ class GraphForm(NamedTuple):
 
     def room(self, name: str, long: float, axis: tuple[str, str], title: str, hand: Hand) -> Picture:
         """Measure a graph: its scale is that of the abscissas, the one of the ordinates follows from its height."""
-        side, below, above = (size * hand.letter for size in self.margins)
-        margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
+        margins = around(self.margins, hand, BEYOND / 2, 0.0, BEYOND)
         wide, high = text_width(Text(0j, title, hand.title)), long / self.ratio
         middle, least = complex(long, high) / 2, self.letters * hand.letter
         return Picture(name, long, high, middle, *axis, margins, wide, least, taller=self.taller)

@@ -18,7 +18,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
-from drawings.symbols.figure import Subject, heading, point, vector
+from drawings.symbols.figure import Subject, around, heading, point, vector
 from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import pole
 from plans.model.motion import Complexes
@@ -57,9 +57,8 @@ def room_of(
     name: str, points: Sequence[complex], scale: tuple[str, str], title: str, letters: float, hand: Hand
 ) -> Picture:
     """Measure the room of hodographs about one pole that are drawn at least so many of their letters large."""
-    side, below, above = (size * hand.letter for size in MARGINS)
-    margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    return picture(name, points, scale, margins, text_width(Text(0j, title, hand.title)), letters * hand.letter)
+    wide = text_width(Text(0j, title, hand.title))
+    return picture(name, points, scale, around(MARGINS, hand), wide, letters * hand.letter)
 
 
 def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Part:
