@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 import pytest
@@ -83,13 +82,6 @@ def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: t
         assert one in leaf.description, one
 
 
-@pytest.mark.rest
-def test_several_cams_have_a_sheet_each() -> None:
-    leaves = sheets(scene(), [made("groove")[0], made("wedge")[0]])
-    assert [leaf.metadata["number"] for leaf in leaves] == [1, 2]
-    assert all(leaf.metadata["cam"] == "K1" and "K1" in leaf.title for leaf in leaves)
-
-
 @pytest.mark.parametrize(
     ("name", "rows"),
     [
@@ -108,15 +100,3 @@ def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) ->
     told = {line.name.replace("_", "").replace("{", "").replace("}", ""): line.cells for line in block.lines}
     assert {name: told[name][0] for name in rows} == rows
     assert told["Ψ, °" if name == "rocker" else "H, mm"][1] == "given"
-
-
-def test_shocks_are_told_with_their_places() -> None:
-    """M2.5: under constant acceleration the jump in the middle is twice that at the ends."""
-    found = view_of("radial").found
-    own = {one.letter + one.where: one.value for one in size_view.quantities(found)}
-    omega, angle = 10.0, math.radians(120)
-    end = 4 * 0.03 / angle**2 * omega**2
-    assert own["Δa_{1}"] == pytest.approx(end)
-    assert own["Δa_{2}"] == pytest.approx(-2 * end)
-    assert own["Δa_{2}cam angle at"] == pytest.approx(60.0)
-    assert own["v_{max}"] == pytest.approx(max(2 * 0.03 / angle, math.pi / 2 * 0.03 / math.radians(90)) * omega)

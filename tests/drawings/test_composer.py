@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import importlib
 import inspect
-import time
 from collections.abc import Callable
-from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -17,8 +15,7 @@ from hypothesis import strategies as some
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.picture import Margins, Notes, Picture, TextBlock, picture
-from drawings.layout.standing import bareness
-from drawings.layout.table import RuledTable, Setting, TableRow
+from drawings.layout.table import RuledTable, TableRow
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 from tests.drawings.test_slicing import apart, inside
@@ -134,28 +131,6 @@ def test_what_belongs_together_is_not_mixed_with_what_does_not(page: Page) -> No
             assert around is None or len(own) < 3 or all(apart(around, other) for other in others)
 
 
-def test_lettering_stands_close_under_its_picture_or_beside_it() -> None:
-    (one,) = compose(Contents(tuple(group(0, 0.4, 0.3))), Page("A2"))
-    scheme, equations = one.spots["scheme-0"].box, one.blocks["equations-0"]
-    assert scheme.bottom - equations.top <= 8.0 or not equations.left < scheme.right
-
-
-def test_figures_of_one_scale_are_drawn_at_one_unless_one_cannot_be_read_so() -> None:
-    for small, alike in ((0.5, True), (0.01, False)):
-        views = figure("along", small, small), figure("across", 1.4, 0.3)
-        (sheet,) = compose(Contents(tuple(Panel(view, scale="rotor") for view in views)), Page("A2"))
-        assert (sheet.spots["along"].scale == sheet.spots["across"].scale) is alike
-
-
-def test_a_figure_of_more_weight_is_drawn_larger() -> None:
-    three, sizes = [figure(name, 1.0, 1.0) for name in "abc"], []
-    for weight in (1.0, 4.0):
-        panels = Panel(three[0], weight, "one"), Panel(three[1]), Panel(three[2], 1.0, "one")
-        (sheet,) = compose(Contents(panels), Page("A2"))
-        sizes.append(three[0].extent(sheet.spots["a"].scale) / three[1].extent(sheet.spots["b"].scale))
-    assert sizes[1] > sizes[0]
-
-
 @pytest.mark.parametrize("page", rows([Page("A1"), Page("A2"), Page("A3")], 3), ids=lambda page: page.name)
 @pytest.mark.parametrize("size", rows([(0.5, 0.3), (1.5, 0.4), (0.3, 0.9)], 3))
 def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too_large(
@@ -171,23 +146,6 @@ def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too
     assert box.width * box.height >= field.width * field.height / 3 or scale.mu <= sorted(larger)[1]
 
 
-def test_a_small_set_fills_its_sheet() -> None:
-    panels = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)]
-    page = Page("A1")
-    (only,) = compose(Contents(tuple(panels), (table(8),), SAID), page)
-    assert sum(box.width * box.height for box in boxes(only, page)) > 0.55 * page.field.width * page.field.height
-
-
-@pytest.mark.rest
-def test_no_sheet_is_left_barer_for_being_last_if_others_follow() -> None:
-    last = Contents((Panel(figure("a", 0.3, 1.0)), Panel(figure("b", 0.3, 1.0))), (table(8),), SAID)
-    page, bare = Page("A3"), []
-    for content in (last, replace(last, followed=True)):
-        (only,) = compose(content, page)
-        bare.append(bareness(boxes(only, page), page.field))
-    assert bare[1] < 0.15 < bare[0]
-
-
 @pytest.mark.parametrize("count", rows([2, 3, 5], 3))
 def test_a_table_longer_than_a_sheet_is_continued_on_the_next(count: int) -> None:
     sheets = compose(Contents((Panel(figure("a", 1.0, 1.0)),), (table(150 * count),)), Page("A3"))
@@ -195,47 +153,9 @@ def test_a_table_longer_than_a_sheet_is_continued_on_the_next(count: int) -> Non
     assert sum(rows) == 150 * count and len(rows) > 1
 
 
-@pytest.mark.rest
-def test_figures_of_a_long_set_go_on_sheets_that_are_filled_alike() -> None:
-    panels = [panel for k in range(12) for panel in group(k, 0.3, 0.2 + 0.02 * k)]
-    counts = [len(one.spots) for one in compose(Contents(tuple(panels), (), SAID), Page("A2"))]
-    assert sum(counts) == 24 and max(counts) - min(counts) <= 4
-
-
 def test_a_heading_wider_than_the_paper_is_told() -> None:
     with pytest.raises(SheetError, match=r"A4 has no room for the figure scheme.*take a larger format"):
         compose(Contents((Panel(figure("scheme", 1.0, 1.0, heading=300.0)),)), Page("A4"))
-
-
-@pytest.mark.rest
-def test_composing_takes_little_time() -> None:
-    panels, times = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)], []
-    for _ in range(3):
-        start = time.process_time()
-        compose(Contents(tuple(panels), (table(8),), SAID), Page("A1"))
-        times.append(time.process_time() - start)
-    assert min(times) < 1.0  # 0.15 s on a quiet machine
-
-
-def test_a_ladder_lists_the_standard_scales_from_the_largest_that_fits() -> None:
-    plan = picture("p", [0j, 2 + 1j], ("v", "m/s"), Margins(10.0, 10.0, 20.0), 60.0)
-    rungs = plan.ladder(220.0, 200.0).rungs
-    assert [rung.scale.mu for rung in rungs[:5]] == [0.01, 0.02, 0.025, 0.04, 0.05]
-    assert rungs[0].wide == 220.0 and rungs[0].extent == 200.0 and rungs[0].high == 130.0
-    assert len(picture("at rest", [0j], ("v", "m/s"), MARGINS, 60.0).ladder(100.0, 100.0).rungs) == 1
-
-
-def test_a_wide_table_is_set_in_bands_under_each_other() -> None:
-    sizes = {setting: table(5, 6).size(setting) for setting in table(5, 6).settings() if setting.parts == 1}
-    assert [sizes[Setting(across, 1)][0] for across in (6, 3, 2, 1)] == [380.0, 200.0, 140.0, 80.0]
-    assert sizes[Setting(3, 1)][1] == pytest.approx(2 * 7 * 7.0 + 6.0)
-
-
-def test_panels_of_one_key_stand_together_wherever_they_are_named() -> None:
-    a, b, c, d = (
-        Panel(figure(name, 1.0, 1.0), together=key) for name, key in zip("abcd", ("1", "2", "1", ""), strict=True)
-    )
-    assert Contents((a, b, c, d)).groups == ((a, c), (b,), (d,))
 
 
 def test_every_file_of_a_figure_measures_and_draws_it_alike() -> None:

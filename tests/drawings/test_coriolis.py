@@ -7,13 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.linkage.coriolis import QuarterTurn, quarter_turn, rule
-from drawings.linkage.kinematics import sheets
-from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Line, Text
-from drawings.paper.walk import flat
+from drawings.linkage.coriolis import QuarterTurn, quarter_turn
 from plans.analytic.kinematics import solve
-from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 
@@ -51,19 +46,3 @@ def test_the_rule_shows_the_slip_and_the_acceleration_that_the_analysis_gives(sp
             assert abs(shown.result - acceleration / abs(acceleration)) < 1e-9
             cases.add((omega[k] > 0, along > 0))
     assert len(cases) == 4
-
-
-def test_the_figure_has_two_arms_at_a_right_angle() -> None:
-    strokes = rule(QuarterTurn(1 + 0j, 1j, 1, 2.0, "A"), 50 + 50j, hand_of("A1")).strokes
-    first, second = (stroke.end - stroke.start for stroke in strokes if isinstance(stroke, Line))
-    assert abs(second - 1j * first) < 1e-9
-
-
-@pytest.mark.rest
-def test_what_vanishes_on_paper_has_no_rule() -> None:
-    """At an extreme position the slotted link stands still, but for rounding: no arrow shows its noise."""
-    text = SHAPER.read_text("utf-8").replace("plans = [2, 9]", "plans = [0, 2]")
-    study = LinkageStudy(parse_scene(text))
-    (leaf,) = sheets(study, compare(study))
-    named = [stroke.plain for stroke in flat(leaf.groups) if isinstance(stroke, Text)]
-    assert study.form.sheet.plans == (0, 2) and named.count("vr") == 1

@@ -15,8 +15,6 @@ from drawings.paper.walk import groups, texts
 from drawings.sheets.documents import bind, cuts
 from plans.scene.faults import SceneError
 from plans.scene.scene import Scene, parse_scene
-from plans.scene.sheet import DesignationTable
-from plans.techniques import TECHNIQUES
 
 ROTOR = "[rotor]\nspeed = 100\n[[rotor.masses]]\nmass = 1\nradius = 0.1\nangle = 0\n"
 SHEETS = {"kinematics": 2, "forces": 1, "cam": 2}
@@ -62,13 +60,6 @@ def test_sheets_with_a_designation_of_their_own_are_a_document_of_their_own() ->
     assert wrong(bound, scene) == []
 
 
-def test_by_iso_every_sheet_says_how_many_there_are() -> None:
-    scene = scene_of(f'standard = "ISO"\n{OWN}')
-    bound = bind(laid_out(scene), scene)
-    assert numbers(bound) == [["1/4"], ["2/4"], ["1/1"], ["3/4"], ["4/4"]]
-    assert wrong(bound, scene) == []
-
-
 def misnumbered(one: Leaf, page: Page) -> Group:
     return page.numbers(2, 7)
 
@@ -90,10 +81,6 @@ def test_a_title_block_that_says_otherwise_is_withheld(plant: Callable[[Leaf, Pa
     other = first._replace(groups=(plant(first, page_of(scene)),))
     told = wrong({**bound, "kinematics": (other, *bound["kinematics"][1:])}, scene)
     assert any(says in one for one in told)
-
-
-def test_every_kind_of_sheet_can_be_a_document_of_its_own() -> None:
-    assert set(DesignationTable.keys) == {sheet for row in TECHNIQUES.values() for sheet in row.sheets}
 
 
 LONG = "Kinematics, forces and motion of a machine that slots gears with a swinging guide"

@@ -8,32 +8,17 @@ import pytest
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.lettering.extent import bounds
-from drawings.measure.measure import measure
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Arc, Fill, Leaf, Line, Polyline
+from drawings.paper.strokes import Arc, Fill, Line
 from drawings.paper.walk import texts
-from drawings.pens.svg import svg
 from drawings.symbols import force_arrow
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
-from drawings.symbols.dimension import Arm
 from drawings.symbols.figure import Subject
 
 HAND = hand_of("A1")
 NEWTONS = Scale(20.0, "F", "N")
 POLYGON = Subject("forces-4-5", "F", 2)
-
-
-def test_a_marked_force_tells_its_direction_but_cannot_be_measured() -> None:
-    drawn = force_arrow.not_to_scale("G_4", -3j, 10 + 90j, 25.0).draw(HAND)
-    assert drawn.data == {"kind": "force", "name": "G_4", "direction": "0 -1"}
-    assert measure(svg(Leaf(300.0, 200.0, (drawn,)))).vectors == ()
-
-
-def test_a_force_known_in_direction_only_is_dashed_with_an_open_head() -> None:
-    shaft, head = force_arrow.not_to_scale("R^n_{34}", 1, 40 + 40j, 30.0, unknown=True).draw(HAND).strokes
-    assert isinstance(shaft, Line) and shaft.style.dash
-    assert isinstance(head, Polyline) and not head.closed and head.points[1] == 70 + 40j
 
 
 def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
@@ -64,12 +49,3 @@ def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> Non
     moment = ((tip - at).conjugate() * ahead).imag
     assert math.copysign(1, moment) == sense and abs(tip - at) == pytest.approx(8.0)
     assert arc.sweep < sweep and (arc.at(0.5) - at).imag > 0  # the head ends it, and it faces upwards
-
-
-def test_an_arm_is_square_to_the_line_of_action() -> None:
-    one = Arm("h_1", 10 + 10j, 60 + 20j, cmath.rect(1, 2.0))
-    across = one.foot - one.about
-    assert (across.conjugate() * one.direction).real == pytest.approx(0.0, abs=1e-12)
-    assert ((one.foot - one.at).conjugate() * one.direction).imag == pytest.approx(0.0, abs=1e-12)
-    moment = ((one.at - one.about).conjugate() * one.direction).imag
-    assert one.length == pytest.approx(abs(moment))

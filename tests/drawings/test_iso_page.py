@@ -6,11 +6,10 @@ import itertools
 
 import pytest
 
-from drawings.lettering.extent import bounds
 from drawings.lettering.words import word
 from drawings.page.blocks.iso7200 import CELLS, MANDATORY
 from drawings.page.page import Page
-from drawings.paper.strokes import Fill, Line, Polyline
+from drawings.paper.strokes import Line
 from tests.drawings.pages import (
     ENTRIES,
     apart,
@@ -58,11 +57,6 @@ def test_every_mandatory_field_of_iso_7200_is_filled() -> None:
         assert cell.left < at.real < cell.left + cell.width and cell.bottom < at.imag < cell.bottom + cell.height
 
 
-def test_a_single_sheet_is_sheet_1_of_1_by_iso_and_has_a_document_type() -> None:
-    plain = said(Page("A4", standard="ISO").title_block({}, "en"))
-    assert {"1/1", "Graphical analysis", "en"} <= set(plain)
-
-
 @pytest.mark.parametrize(("name", "long", "short"), [("A1", 16, 12), ("A2", 12, 8), ("A3", 8, 6), ("A4", 6, 4)])
 def test_the_grid_of_iso_5457_has_the_standard_s_number_of_fields_of_50_mm(name: str, long: int, short: int) -> None:
     page = Page(name, standard="ISO")
@@ -81,39 +75,3 @@ def test_the_grid_of_iso_5457_has_the_standard_s_number_of_fields_of_50_mm(name:
 
 def _top(line: Line, page: Page) -> bool:
     return line.style.width == 0.35 and line.start.real == line.end.real and line.start.imag == page.field.top
-
-
-def test_letters_of_the_grid_go_down_and_numerals_to_the_right() -> None:
-    page = Page("A2", standard="ISO")
-    signs = texts(named(page.frame(), "borders"))
-    places = {text.plain: inked(text) for text in signs}
-    assert places["A"][1] > places["B"][1] > places["H"][1] and places["1"][0] < places["2"][0] < places["12"][0]
-    assert {text.size for text in signs} == {3.5}
-
-
-@pytest.mark.parametrize("name", ["A1", "A2", "A3", "A4"])
-def test_centring_marks_are_four_on_the_axes_and_reach_5_mm_into_the_drawing_space(name: str) -> None:
-    page = Page(name, standard="ISO")
-    field, (width, height) = page.field, page.size
-    marks = [one for one in flat(named(page.frame(), "borders")) if isinstance(one, Line) and one.style.width == 0.7]
-    assert len(marks) == 4
-    upright = sorted((m for m in marks if m.start.real == m.end.real), key=lambda m: m.start.imag)
-    level = sorted((m for m in marks if m.start.imag == m.end.imag), key=lambda m: m.start.real)
-    assert {m.start.real for m in upright} == {width / 2} and {m.start.imag for m in level} == {height / 2}
-    assert [m.end.real for m in level] == [field.left + 5, field.right - 5]
-    foot = field.bottom + (0 if name == "A4" else 5)  # the block of an A4 stands there
-    assert [m.end.imag for m in upright] == [foot, field.top - 5]
-
-
-def test_trimming_marks_are_two_rectangles_of_10_by_5_in_each_corner() -> None:
-    page = Page("A3", standard="ISO")
-    fills = [bounds(one) for one in flat(page.frame()) if isinstance(one, Fill)]
-    assert {(a, b, c, d) for a, b, c, d in fills if a == 0 and b == 0} == {(0, 0, 10, 5), (0, 0, 5, 10)}
-    assert len(fills) == 8 and all({c - a, d - b} == {10, 5} for a, b, c, d in fills)
-
-
-def test_the_frame_of_iso_5457_is_drawn_with_0_7_on_every_format() -> None:
-    for name in ("A1", "A2", "A3", "A4"):
-        page = Page(name, standard="ISO")
-        frame = [one for one in flat(page.frame()) if isinstance(one, Polyline) and bounds(one) == page.field]
-        assert [one.style.width for one in frame] == [0.7]

@@ -102,17 +102,6 @@ def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
     assert not any("H1" in one or "S'' =" in one for one in told)
 
 
-def test_a_soft_shock_is_an_upright_line_and_named() -> None:
-    top, course = rows(found("soft"))[0], found("soft").strips.course
-    at = np.flatnonzero(top.result.x[1:] == top.result.x[:-1])
-    uprights = {float(top.result.x[k]): float(top.result.y[k + 1] - top.result.y[k]) for k in at.tolist()}
-    assert [uprights[one.turned] for one in course.shocks] == pytest.approx([one.jump for one in course.shocks])
-    smooth = set(uprights) - {one.turned for one in course.shocks}
-    assert [uprights[one] for one in smooth] == pytest.approx([0.0] * len(smooth), abs=1e-12)
-    told = [text.plain for text in texts(leaf("soft").groups)]
-    assert "soft shocks: 0, 2', 8, 9, 17" in told and "∞" not in told
-
-
 @pytest.mark.parametrize(("language", "said"), [("en", "off its points by"), ("ru", "отступает не более чем на")])
 def test_smoothing_is_never_silent(language: str, said: str) -> None:
     """Of a table that may be smoothed it is said by how much it is, and what was allowed: 0.01 of 30 mm."""
@@ -123,9 +112,3 @@ def test_smoothing_is_never_silent(language: str, said: str) -> None:
     assert f"{said} {off}" in told and drafting.number(0.3) in told
     plain = usual(Law("sine"), RULER)
     assert not list(CamNotes(CamFound("construction", plain, Sizes(0.05), 0.0, contour), drafting).smoothed())
-
-
-def test_a_follower_that_never_moves_has_level_diagrams() -> None:
-    frame = framed("level")
-    assert [frame.distance(row) for row in frame.plate.rows] == [None] * 3
-    assert all(row.flat and row.span == (0.0, 0.0) for row in frame.plate.rows)

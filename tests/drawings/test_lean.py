@@ -14,7 +14,6 @@ from drawings.cam.report import chapters
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.gallery import GALLERY
-from tests.parts import first
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
@@ -73,12 +72,6 @@ def test_positions_alone_need_no_velocities_and_no_paper(tmp_path: Path) -> None
     assert not modules & {"svgwrite", *HEAVY}
 
 
-@pytest.mark.rest
-def test_a_start_at_an_extreme_position_makes_no_plan_of_all_positions_but_the_one_asked_for() -> None:
-    _, made = watched("solve", SHAPER, "--only", "positions")
-    assert made == {"extremes", "positions"}
-
-
 @pytest.mark.parametrize(("scene", "most"), [("crank-rocker", 288), ("turbine", 192)])
 def test_a_draw_imports_no_more_of_our_modules_than_it_did(scene: str, most: int, tmp_path: Path) -> None:
     command = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules, sep='\\n')"
@@ -102,59 +95,6 @@ def test_the_analysis_makes_no_construction(tmp_path: Path) -> None:
     modules, made = watched("solve", scene, "--by", "analysis")
     assert made == set()
     assert not modules & {"svgwrite", *HEAVY}
-
-
-@pytest.mark.rest
-def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
-    modules, made = watched("explain", SHAPER, "v_D")
-    assert "velocities" in made
-    assert "accelerations" not in made
-    assert not modules & {"svgwrite", *HEAVY}
-
-
-def traced(*arguments: object) -> dict[str, str]:
-    """Run a command with --trace; give what the trace tells, line by line."""
-    command = [sys.executable, "-m", "drawings.commands.process", *map(str, arguments), "--trace"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
-    assert done.returncode == 0, done.stderr
-    lines = done.stderr.splitlines()
-    stages = {line[:20].strip(): line[20:] for line in lines if line.endswith(("%", "share"))}
-    return stages | dict(line.split(": ", 1) for line in lines if ": " in line)
-
-
-def names(listed: str) -> list[str]:
-    return [name.partition(" (")[0] for name in listed.split(", ")]
-
-
-@pytest.mark.rest
-def test_the_trace_of_a_positions_only_run(tmp_path: Path) -> None:
-    scene = tmp_path / "crank.toml"
-    scene.write_text(Path(SHAPER).read_text("utf-8").replace('start = "extreme"', "start = 20"), "utf-8")
-    told = traced("solve", scene, "--only", "positions")
-    assert told["made"] == "positions"
-    assert told["not made"] == "extremes, velocities, accelerations"
-    assert names(told["imported"]) == ["numpy"]
-    assert told["left out"] == "svgwrite, mpmath, scipy, shapely, matplotlib"
-    assert {"imports", "reading the scene", "construction", "writing", "together"} <= set(told)
-    assert not {"analysis", "layout", "measuring"} & set(told)
-
-
-@pytest.mark.rest
-def test_the_trace_of_a_kinematics_sheet_which_leaves_no_trace_in_the_files(draw: Run, tmp_path: Path) -> None:
-    told = traced("draw", SHAPER, "-o", tmp_path)
-    assert told["made"] == "extremes, positions, velocities, accelerations, kinematic diagrams"
-    assert told["not made"] == "nothing"
-    assert names(told["imported"]) == ["numpy", "svgwrite"]
-    assert told["left out"] == "mpmath, scipy, shapely, matplotlib"
-    stages = ["imports", "reading the scene", "construction", "analysis", "layout", "writing", "measuring"]
-    assert list(told)[: len(stages) + 3] == ["stage", *stages, "the rest", "together"]
-    times = {stage: float(told[stage].split()[0]) for stage in [*stages, "the rest", "together"]}
-    assert sum(times.values()) == pytest.approx(2 * times["together"], abs=1)
-    imported = [float(cost.split(" (")[1].removesuffix(" ms)")) for cost in told["imported"].split(", ")]
-    assert 0 < sum(imported) < times["imports"]
-    assert told["before"].startswith("the interpreter and the command line")
-    for name in ("shaper-kinematics.svg", "shaper-report.md"):
-        assert (draw.out / name).read_bytes() == (tmp_path / name).read_bytes()
 
 
 def test_what_sheets_never_use_of_the_standard_library_is_not_imported_either(draw: Run) -> None:
@@ -209,29 +149,6 @@ def test_a_rotor_is_drawn_without_any_linkage(tmp_path: Path) -> None:
 
 def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
     assert [name for name in draw.modules if name.startswith(CAMS)] == []
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize(
-    "case",
-    first(
-        [
-            ("cam", (), "nothing"),
-            ("profile", ("drawings.cam.law", "drawings.cam.size", "drawings.kinds.row_frame"), "laws"),
-        ]
-    ),
-)
-def test_a_cam_is_drawn_without_any_linkage(case: tuple[str, tuple[str, ...], str], tmp_path: Path) -> None:
-    sheet, left_out, unmade = case
-    scene = tmp_path / "cam.toml"
-    text = (GALLERY / "valve-cam.toml").read_text("utf-8")
-    scene.write_text(text.replace('sheets = ["cam", "profile"]', f'sheets = ["{sheet}"]'), "utf-8")
-    modules, trace = run("draw", scene, "-o", tmp_path, "--trace")
-    assert "plans.cam.profile.profile" in modules
-    assert not modules & set(HEAVY)
-    others = ("plans.linkage", "plans.forces", "plans.dynamics", "plans.cyclogram.study", "drawings.linkage")
-    assert [name for name in modules if name.startswith((*others, *left_out))] == []
-    assert f"not made: {unmade}" in trace.splitlines()
 
 
 def test_a_profile_alone_makes_no_diagrams_of_its_law() -> None:

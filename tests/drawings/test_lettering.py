@@ -1,9 +1,7 @@
 """Lettering: widths and heights of the standard, slant and levels exact, lacking letters told before drawing."""
 
-import cmath
 import json
 import math
-import time
 import unicodedata
 from itertools import pairwise
 from pathlib import Path
@@ -12,11 +10,11 @@ import numpy as np
 import pytest
 
 from drawings.lettering import alphabet
-from drawings.lettering.alphabet import FLATNESS, SLANT, gap, glyph
+from drawings.lettering.alphabet import SLANT, gap, glyph
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
-from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, runs
+from drawings.paper.strokes import LineStyle, Run, SheetError, Text, runs
 from plans.words.words import languages, words
 from tests import parts
 from tests.rows import over
@@ -77,16 +75,6 @@ def test_every_phrase_of_a_sheet_can_be_written(language: str) -> None:
         assert lacking(phrase) == (), phrase
 
 
-def test_the_letters_and_signs_of_the_trade_are_there() -> None:
-    assert lacking(ALL + DIGITS + ON_SHEETS) == ()
-
-
-def test_the_data_name_each_letter_once_and_as_texts_will_ask_for_it() -> None:
-    named = json.loads(FILE.read_text("utf-8"), object_pairs_hook=lambda pairs: [name for name, _ in pairs])
-    assert len(named) == len(set(named))
-    assert all(unicodedata.normalize("NFC", name) == name and len(name) <= 1 for name in named)
-
-
 @over("cell, letters", TABLE.items())
 def test_widths_are_those_of_the_standard(cell: float, letters: str) -> None:
     for letter in letters:
@@ -122,23 +110,6 @@ def test_no_stroke_leaves_its_cell(letter: str) -> None:
     assert max(up, default=0) < 13
 
 
-@over("letter", ALL)
-def test_a_letter_fills_its_cell(letter: str) -> None:
-    across = [point.real for point in points(letter)]
-    assert min(across) == pytest.approx(0.5, abs=0.2)
-    assert max(across) == pytest.approx(glyph(letter).width - 0.5, abs=0.2)
-
-
-def test_a_round_letter_is_round_to_a_hundredth_of_a_millimetre_at_five() -> None:
-    [circle] = [chain.points for chain in glyph("ф").strokes if chain.closed]
-    centre, radius = 3.5 + 3.5j, 3.0
-    middles = [(a + b) / 2 for a, b in zip(circle, (*circle[1:], circle[0]), strict=True)]
-    assert all(abs(abs(point - centre) - radius) < 1e-9 for point in circle)
-    assert all(radius - abs(middle - centre) <= FLATNESS + 1e-9 for middle in middles)
-    assert FLATNESS * 0.5 <= 0.02
-    assert len(circle) < 60
-
-
 @pytest.mark.parametrize("size", [2.5, 3.5, 5, 7, 10])
 def test_the_pen_is_a_tenth_of_the_size_and_takes_the_colour_of_the_ink(size: float) -> None:
     ink = LineStyle(width=0, colour="none", fill="#123456")
@@ -165,22 +136,6 @@ def test_indices_are_one_size_smaller(size: float) -> None:
         assert (right - left, top - bottom) == pytest.approx((0, smaller * 0.9))
 
 
-def test_raised_signs_are_raised_letters() -> None:
-    assert drawn(Text(0j, "с⁻¹₂", 5.0)) == drawn(Text(0j, "с^{−1}_2", 5.0))
-    assert drawn(Text(0j, (Run("a"), Run("²", -1)))) == drawn(Text(0j, (Run("a"), Run("2", -1))))
-
-
-@pytest.mark.parametrize("anchor", ["start", "middle", "end"])
-def test_anchor_and_rotation_move_the_whole_text(anchor: str) -> None:
-    text = "План H_2"
-    share = {"start": 0, "middle": 0.5, "end": 1}[anchor]
-    length = text_width(Text(0j, text, 5.0))
-    turn = cmath.rect(1, math.radians(30))
-    moved = drawn(Text(10 + 20j, text, 5.0, anchor, rotation=30))  # type: ignore[arg-type]
-    for plain, there in zip(drawn(Text(0j, text, 5.0)), moved, strict=True):
-        assert there == pytest.approx(10 + 20j + turn * (plain - share * length))
-
-
 @pytest.mark.part
 @over("phrase", [phrase for language in languages() for phrase in on_sheets(language)][:: 1 if parts.whole else 7])
 @over("size", [3.5, 10.0])
@@ -189,22 +144,6 @@ def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
     reach = [point.real for point in drawn(text)]
     assert min(reach) - size / 20 == pytest.approx(0, abs=size / 10)
     assert max(reach) + size / 20 == pytest.approx(text_width(text), abs=size / 10)
-
-
-def test_words_stand_six_d_apart_and_letters_two() -> None:
-    assert text_width(Text(0j, "НН", 10.0)) == pytest.approx(6 + 2 + 6)
-    assert text_width(Text(0j, "Н Н", 10.0)) == pytest.approx(6 + 6 + 6)
-    assert text_width(Text(0j, "", 10.0)) == 0
-
-
-@over("pair", ["ГА", "АТ", "ТА", "LT", "AV", "VA", "РА", "АУ", "Го", "To"])
-def test_letters_whose_lines_are_not_parallel_stand_nearer(pair: str) -> None:
-    assert gap(*pair) == 1
-
-
-@over("pair", ["НН", "ОО", "АА", "ИН", "oo", "nn", "ЛЛ", "74", "47", "1,", "−1", "L="])
-def test_all_other_neighbours_keep_their_gap(pair: str) -> None:
-    assert gap(*pair) == 2
 
 
 @pytest.mark.part
@@ -236,17 +175,6 @@ def test_accents_are_written_over_letters_in_either_coding() -> None:
     assert max(point.imag for point in glyph("ї").strokes[0].points) == 6.5  # the dots replace the dot
     assert text_width(Text(0j, "oE" + 9 * "\u0301" + "o", 10.0)) == 5 + 2 + 5 + 2 + 5  # a tower of accents
     assert lacking("x\u0332") == ("x\u0332",)
-
-
-def test_a_sheet_of_two_thousand_letters_is_written_quickly() -> None:
-    texts = [Text(complex(k, k), f"план v_{{B{k % 9}}}", 3.5, "middle", True) for k in range(250)]
-    times: list[float] = []
-    for _ in range(7):
-        start = time.perf_counter()
-        strokes = [outline(text) for text in texts]
-        times.append(time.perf_counter() - start)
-    assert all(isinstance(stroke, Polyline) for stroke in strokes[0])
-    assert min(times) < 0.06
 
 
 def test_the_specimen_shows_the_whole_alphabet_on_a_sheet() -> None:

@@ -3,30 +3,22 @@
 from __future__ import annotations
 
 import string
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from drawings.commands.draw import draw
 from drawings.forces.lever_plan import hanging
-from drawings.linkage.kinematics import leaves
 from drawings.linkage.vector_plan import diagram
-from drawings.measure.measure import measure_file
 from plans.forces.quantities import compare_forces
 from plans.linkage.letters import Letters
-from plans.linkage.marks import find
 from plans.linkage.parts import Expected
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import parse_scene
-from plans.study import Study
 from tests import parts
-from tests.drawings.held import faults_on, measured
-from tests.drawings.slips import changed, stretched
-from tests.parts import first, several
+from tests.parts import several
 from tests.plans import linkages
 from tests.plans.alterations import renamed
 from tests.plans.loaded import Loaded
@@ -64,32 +56,6 @@ E = [-0.2, 0.1]
 link = 1
 speed = 10
 positions = 12
-"""
-ENGINE = """
-sheets = ["kinematics", "forces"]
-[mechanism.frame]
-O = [0, 0]
-[mechanism.links]
-1 = "OC"
-2 = "CP"
-3 = "P"
-[mechanism.lengths]
-OC = 0.3
-CP = 1.2
-[[mechanism.slides]]
-link = 3
-along = { through = [0, 0], angle = 0 }
-[mechanism.sketch]
-P = [1.3, 0]
-[drive]
-link = 1
-speed = "250 rpm"
-positions = [60]
-[masses]
-2 = { mass = 50, inertia = 6, centre = "middle" }
-3 = { mass = 250 }
-[loads]
-gravity = 9.81
 """
 YOKE = """
 [mechanism.frame]
@@ -220,30 +186,3 @@ def test_a_pin_that_slides_over_two_turning_guides_has_two_coriolis_parts() -> N
     names = [arrow.name for arrow in diagram(drafts.accelerations, 0).arrows]
     assert {"b k_B5", "b1 k_B1"} <= {*names}
     assert twice(names) == []
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize("part", first(["a k_A3", "a k_A5"]))
-def test_either_coriolis_part_is_on_the_sheet_and_held_against_the_analysis(part: str) -> None:
-    one = Study(parse_scene(TWO_STONES))
-    leaf, *others = leaves(one)
-    assert part in {vector.name for vector in measured(leaf).vectors}
-    assert faults_on(one, "kinematics", [leaf, *others]) == []
-    told = faults_on(one, "kinematics", [changed(leaf, stretched(part, "accelerations")), *others])
-    assert any(f"{part} " in one and "accelerations" in one for one in told), told
-
-
-@pytest.mark.rest
-def test_a_piston_named_p_is_drawn_lettered_checked_and_explained(tmp_path: Path) -> None:
-    scene = tmp_path / "engine.toml"
-    scene.write_text(ENGINE, encoding="utf-8")
-    drawn = draw(scene, tmp_path)
-    kinematics, forces = (measure_file(path) for path in drawn.paths if path.suffix == ".svg")
-    assert {"p p'", "π p'", "c p'"} <= {vector.name for vector in kinematics.vectors}
-    images = {point.name: point.value for point in forces.points if point.plan == "lever"}
-    speed = drawn.study.comparison("linkage").analysis.points["P"].v
-    assert speed is not None
-    assert images["p'"] == pytest.approx(-1j * complex(speed[0]), rel=1e-3)
-    linkage = drawn.study["linkage"]
-    found = find(linkage, linkage.drafts([0]), "p'")
-    assert found == find(linkage, linkage.drafts([0]), "v_P")

@@ -15,7 +15,7 @@ from drawings.commands.cli import main
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, lettered
 from drawings.page.frame import FOLDS
-from drawings.page.page import Field, Page, page_of
+from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError
 from drawings.pens.svg import svg
 from plans.scene.scene import parse_scene
@@ -149,11 +149,6 @@ def test_the_drawing_space_is_the_standard_s(
     assert tuple(page.field) in frames
 
 
-def test_gost_s_borders_are_20_and_5_and_iso_s_20_and_10() -> None:
-    assert Page("A1").field == Field(20, 5, 836, 589)
-    assert Page("A1", standard="ISO").field == Field(20, 10, 831, 584)
-
-
 @pytest.mark.parametrize(
     ("name", "orientation", "standard", "advice"),
     [
@@ -218,12 +213,6 @@ def test_a_scene_that_asks_for_an_a4_lying_down_is_told_its_line(
 def test_sheets_are_folded_to_a4_as_din_824_form_a_folds_them(width: float, panels: list[float]) -> None:
     ends = [0.0, *FOLDS[width], width]
     assert [b - a for a, b in itertools.pairwise(ends)] == panels
-
-
-@every_page
-def test_the_title_block_is_on_the_cover_of_the_folded_sheet(page: Page) -> None:
-    last = max(FOLDS[page.size[0]], default=0.0)
-    assert last <= page.block.left and page.size[0] - last <= 210
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from plans.study import Study
 from tests.drawings.held import faults_on, measured
 from tests.drawings.pages import texts
 from tests.parts import first
-from tests.plans.rotors import DYNAMIC, STATIC, mass, masses, static
+from tests.plans.rotors import DYNAMIC, STATIC, mass, static
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 SHEET = (
@@ -70,39 +70,6 @@ def test_one_plane_says_that_a_couple_is_left() -> None:
     """Catalogue J2 on paper."""
     (leaf,), _ = drawn(static(), "ru")
     assert "Одна плоскость: только статическое уравновешивание" in leaf.description
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize("many", first([(39, 40 + 41), (1000, 2 + 3), (60, 2 + 3), (9, 10 + 11), (20, 21 + 22)]))
-def test_many_masses(many: tuple[int, int]) -> None:
-    """Catalogue J6: numbers alone, then one vector for all masses, and always the table."""
-    count, vectors = many
-    angle = Fraction(137507764, 1000000)
-    around = tuple(mass(k + 1, "0.7", "0.13", angle * (k + 1) % 360, f"{k + 1}e-3") for k in range(count))
-    rotor = Rotor(around, (Plane("I", Fraction(1), 0.1), Plane("II", Fraction(0), 0.1)), (), 100.0)
-    found, seen = drawn(rotor)
-    assert sum(len(one.vectors) for one in seen) == vectors
-    rows = {text.plain for leaf in found for group in leaf.groups if "masses" in group.name for text in texts(group)}
-    assert {str(k + 1) for k in range(count)} <= rows
-
-
-@pytest.mark.rest
-@pytest.mark.parametrize("apart", first(["1e-6", "1e6"]))
-@pytest.mark.parametrize("heavy", ["1e-9", "1e9"])
-def test_stiff_rotors_are_drawn(apart: str, heavy: str) -> None:
-    rows = [(heavy, "0.12", 20, "0.10"), ("1.1", "0.09", 130, "0.25"), ("0.6", "0.15", 250, "0.42")]
-    planes = (Plane("I", Fraction(apart), 0.1), Plane("II", Fraction(0), 0.1))
-    drawn(Rotor(masses(rows), planes, (Fraction("-0.1"), Fraction("0.6")), -100.0, 20.0, 6.3))
-
-
-@pytest.mark.rest
-def test_what_rounding_hides_may_be_missing() -> None:
-    """A moment 10^42 times less than another, and planes a picometre apart."""
-    pair = mass(1, "1e21", "1", 0, "0"), mass(2, "1e-21", "1", 10, "1")
-    bare = tuple(one._replace(mass=None, radius=None) for one in pair)
-    near = Plane("I", Fraction(0)), Plane("II", Fraction(1, 10**12))
-    for planes in (near, near[:1], STATIC, DYNAMIC):
-        drawn(Rotor(bare, planes))
 
 
 def test_a_moment_beyond_the_last_plane_is_negative() -> None:

@@ -262,40 +262,6 @@ def test_a_sheet_changed_since_is_told_by_measure_and_by_the_next_run(run: Run, 
 
 
 @pytest.mark.rest
-def test_a_report_of_another_run_is_told_when_the_sheet_beside_it_is_measured(run: Run, tmp_path: Path) -> None:
-    run("draw", PLAIN, "-o", tmp_path)
-    (tmp_path / "plain-report.md").write_bytes(b"of another run")
-    assert "plain-report.md: does not fit" in run("measure", tmp_path / "plain-kinematics.svg")[2]
-
-
-@pytest.mark.rest
-def test_what_was_swept_is_said_in_the_language_of_the_scene(run: Run, tmp_path: Path) -> None:
-    scene = tmp_path / "scene.toml"
-    scene.write_text(PLAIN.read_text("utf-8") + '[sheet]\nlanguage = "ru"\n', "utf-8")
-    (tmp_path / f"{atomic_files.PREFIX}abc").write_bytes(b"half a sheet")
-    code, _, err = run("draw", scene, "-o", tmp_path)
-    assert (code, err) == (0, f"{tmp_path}: здесь был прерван запуск; убраны оставленные им временные файлы: 1\n")
-
-
-@pytest.mark.rest
-def test_fewer_sheets_take_the_place_of_more(run: Run, tmp_path: Path) -> None:
-    more = PLAIN.read_text("utf-8").replace('title = "', 'sheets = ["forces", "kinematics"]\ntitle = "')
-    scene = tmp_path / "scene.toml"
-    scene.write_text(more + "[masses]\n3 = { mass = 1 }\n[loads]\ngravity = 9.81\n", "utf-8")
-    code, said, _ = run("draw", scene, "-o", tmp_path)
-    assert code == 0
-    assert "|M_bal|max = 0 N·m" in said
-    forces = (tmp_path / "scene-forces.svg").read_text("utf-8")
-    assert "forces-2-3" in forces
-    assert "forces-1" not in forces  # the weight hangs at C of the frame: on the crank no force acts, but rounding
-    scene.write_bytes(PLAIN.read_bytes())
-    code, _, err = run("draw", scene, "-o", tmp_path)
-    assert (code, err) == (0, f"{tmp_path / 'scene-forces.svg'}: of an earlier run with more sheets; removed\n")
-    names = {"scene.toml", "scene-kinematics.svg", "scene-report.md", "scene-manifest.json"}
-    assert {path.name for path in tmp_path.iterdir()} == names
-
-
-@pytest.mark.rest
 def test_failures_and_kills_leave_no_set_in_two_halves() -> None:
     """A fiftieth of `python -m tests.catalogue.failures`."""
     command = [sys.executable, "-m", "tests.catalogue.failures", "--kills", "10", "--injections", "10", "--pairs", "1"]

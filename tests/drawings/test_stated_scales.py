@@ -6,20 +6,16 @@ import math
 from collections.abc import Iterable
 from copy import copy
 from dataclasses import replace
-from decimal import Decimal
 from functools import cache
 from pathlib import Path
 
 import pytest
 
 from drawings.checks.written import Sheets, scale_faults
-from drawings.forces.sheet import leaves
 from drawings.linkage import kinematics
 from drawings.measure.measure import Measured, measure_file
 from drawings.measure.measured import MeasuredVector
-from drawings.paper.statement import Kind
 from drawings.paper.strokes import SheetError
-from drawings.paper.walk import stated
 from drawings.pens.svg import svg
 from drawings.sheets.documents import of_scales
 from drawings.sheets.stated_scales import Exhibit
@@ -34,7 +30,6 @@ from plans.study import Study
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
 LOADED = (GALLERY / "slider-crank.toml").read_text("utf-8")
 BASE = LOADED.replace(', "forces"]', "]").replace("forces = [2]", "")
-PLANS = BASE.replace("plans = [2, 8]", "plans = [0, 1, 3]")
 KEYS = SHEETS["kinematics"].scales
 
 
@@ -72,16 +67,6 @@ def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
     return {mark.scale for one in sheets for mark in (*one.vectors, *one.points) if mark.plan == plan}
 
 
-@pytest.mark.rest
-def test_plans_of_an_order_have_one_scale_by_default_and_each_its_own_where_that_is_asked(tmp_path: Path) -> None:
-    common, each = (parse_scene(f"{PLANS}\n{more}") for more in ("", 'scales = "each"'))
-    sheets = measured(common, tmp_path)
-    assert len(scales(sheets, "velocities")) == len(scales(sheets, "accelerations")) == 1
-    assert wrong([(KEYS, one) for one in sheets], common) == []
-    assert keys(common) == {"", "velocities", "accelerations"}
-    assert keys(each) == {""}
-
-
 def keys(scene: Scene) -> set[str]:
     """What figures of a scene's sheets share a scale by."""
     draft = kinematics._KinematicsSheet(linkage_of(scene), made().comparison("linkage"), None).draft
@@ -117,32 +102,6 @@ def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> No
         kinematics.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
     with pytest.raises(SheetError, match=r'sheet.scale.length = "1:\d+": .* is 0 mm large, .* choose "1:'):
         kinematics.leaves(Study(scene_of("[sheet.scale]\nlength = 1000\n")))
-
-
-@pytest.mark.rest
-def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_are_refused(tmp_path: Path) -> None:
-    study = Study(parse_scene(f"{LOADED}\n[sheet.scale]\nmoment = 6\n"))
-    (sheet,) = leaves(study)
-    (path := tmp_path / "sheet.svg").write_bytes(svg(sheet))
-    assert scales([measure_file(path)], "balancing") == {6.0}
-    vars(study.scene.sheet.scale)["moment"] = Decimal(1000)
-    with pytest.raises(SheetError, match=r"sheet.scale.moment = 1000: the ordinates would be 0 mm, .* \d+ or less$"):
-        leaves(study)
-    vars(study.scene.sheet.scale)["moment"] = Decimal("0.5")
-    with pytest.raises(SheetError, match=r"sheet.scale.moment = 0.5: the ordinates would be \d+ mm, and the graph has"):
-        leaves(study)
-
-
-@pytest.mark.rest
-def test_the_angle_of_the_kinematic_diagrams_has_the_scale_that_is_stated() -> None:
-    study = Study(scene_of("[sheet.scale]\nangle = 0.04\n"))
-    levels = {
-        one.states.scale
-        for leaf in kinematics.leaves(study)
-        for one in stated(leaf.groups)
-        if one.states is not None and one.states.kind is Kind.AXIS and one.states.name == "x"
-    }
-    assert levels == {0.04}
 
 
 def test_the_way_of_a_load_diagram_has_the_scale_that_is_stated_and_its_ordinates_their_own() -> None:

@@ -7,26 +7,20 @@ import math
 import re
 import subprocess
 import sys
-from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
-import numpy as np
 import pytest
 import svgwrite
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings.lettering.alphabet import FLATNESS
 from drawings.lettering.extent import bounds
-from drawings.lettering.lettering import lettered, outline, text_width
-from drawings.measure.pathdata import numbers
+from drawings.lettering.lettering import lettered
 from drawings.measure.seal import sealed
 from drawings.paper import strokes
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import (
-    LOWERED,
-    RAISED,
     Arc,
     Circle,
     Fill,
@@ -35,13 +29,11 @@ from drawings.paper.strokes import (
     Line,
     LineStyle,
     Polyline,
-    Run,
     SheetError,
     Stroke,
     Text,
 )
 from drawings.pens import svg as pen
-from plans.model.motion import Complexes, Floats
 from tests.parts import examples
 from tests.rows import over
 
@@ -82,32 +74,10 @@ def test_y_turns_once() -> None:
     assert path.get("d") == "M10 277L30 0"
 
 
-def test_neighbours_of_one_style_become_one_path() -> None:
-    tags = [
-        part.tag.removeprefix(NS) for part in drawn(Line(0j, 1), Arc(0j, 1, 0, 1), Line(0j, 1, THIN), Line(1j, 1, THIN))
-    ]
-    assert tags == ["path", "path"]
-
-
 def test_strokes_that_hide_are_not_merged() -> None:
     white = LineStyle(fill="#ffffff")
     square = Polyline((0j, 1 + 0j, 1 + 1j), closed=True, style=white)
     assert len(drawn(square, square)) == 2
-
-
-def test_overlapping_fills_make_no_hole() -> None:
-    [path] = drawn(Fill((0j, 4 + 0j, 4 + 4j)), Fill((1j, 3 + 3j, 4 + 0j)))
-    pieces = [piece for piece in re.split("[MZ]", path.get("d", "")) if piece]
-    for piece in pieces:
-        a, b, c = (complex(*map(float, pair.split())) for pair in piece.split("L"))
-        assert ((b - a).conjugate() * (c - a)).imag < 0  # counter-clockwise on paper, so clockwise with y down
-
-
-def test_a_group_with_data_keeps_one_element_each() -> None:
-    group = Group((Line(0j, 1), Line(1, 2)), "link", {"kind": "link", "name": "3"})
-    [element] = drawn(group)
-    assert element.get("data-kind") == "link"
-    assert [part.tag for part in element] == [f"{NS}line", f"{NS}line"]
 
 
 def test_a_vector_is_measured_on_its_line() -> None:
@@ -148,118 +118,11 @@ def test_an_arc_may_pass_zero() -> None:
     assert Arc(0j, 1, 0, math.tau).sweep == math.tau
 
 
-def test_levels_stand_where_our_own_letters_would_stand() -> None:
-    """Each level is an element of its own: renderers disagree on where a narrowed text goes on after the first."""
-    letters = Text(30 + 20j, "a^n_{BA} = x", size=10, anchor="end", rotation=90)
-    [group] = drawn(letters)
-    assert group.get("aria-label") == group.get("data-text") == "anBA = x"
-    assert [text.text for text in group] == ["a", "n", "BA", "= x"]
-    assert [text.get("font-size") for text in group] == ["14", "9.8", "9.8", "14"]  # so that capitals are 10 mm high
-    foot = 20 - text_width(letters)  # turned a quarter, it is written upwards to its end
-    along = [297 - float(text.get("y", "nan")) - foot for text in group]
-    assert along[0] == pytest.approx(-1)  # half a gap before the letter
-    assert along[3] == pytest.approx(text_width(letters) - text_width(Text(0j, "= x", 10)) - 1, abs=1e-3)
-    assert text_width(Text(0j, "a", 10)) - 1 < along[1] < along[2] < along[3]
-    across = [float(text.get("x", "nan")) for text in group]
-    assert across == pytest.approx([30, 30 - 10 * RAISED, 30 + 10 * LOWERED, 30], abs=1e-3)
-
-
-def narrowed(text: ElementTree.Element) -> tuple[float, float]:
-    """Read by how much a text is moved, and how it is narrowed."""
-    found = re.search(r"translate\(([-\d.]+)\) scale\(([\d.]+) 1\)$", text.get("transform", ""))
-    return (float(found[1]), float(found[2])) if found else (0.0, 1.0)
-
-
-def test_text_is_narrowed_until_the_widest_font_is_no_longer_than_our_own_letters() -> None:
-    [text] = drawn(Text(0j, "ЖШЩЮ", 5.0))
-    # The advances of DejaVu Sans, in thousandths of the size of its letters, which is 1.4 heights of capitals.
-    own = 1.4 * 5.0 * (1077 + 1069 + 1094 + 1080) / 1000
-    assert narrowed(text)[1] * own == pytest.approx(text_width(Text(0j, "ЖШЩЮ", 5.0)) + 1, abs=0.02)
-
-
-@over("content", ["План скоростей", "аВ", "ω₂ = 3,5 с⁻¹"])
-def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
-    letters = Text(0j, content, 5.0, slanted=True)
-    [text] = drawn(letters)
-    off, narrow = narrowed(text)
-    assert float(text.get("textLength", "nan")) * narrow == pytest.approx(text_width(letters) + 1, abs=0.005)  # 2d more
-    assert float(text.get("x", "nan")) == -0.5  # half a gap before the first letter, which narrowing leaves there
-    assert off - 0.5 * narrow == pytest.approx(-0.5, abs=1e-4)
-    assert (text.get("lengthAdjust"), text.get("font-style")) == ("spacingAndGlyphs", "italic")
-    [empty] = drawn(Text(0j, ""))
-    assert "textLength" not in empty.attrib
-
-
-def test_lettering_turns_counter_clockwise() -> None:
-    [text] = drawn(Text(10 + 20j, "x", rotation=30))
-    # The text begins half a gap, 0.35 mm, before its place, along its line of writing.
-    x, y = 10 - 0.35 * math.cos(math.pi / 6), 277 + 0.35 * math.sin(math.pi / 6)
-    assert text.get("transform", "").startswith(f"rotate(-30 {x:.4f} {y:.3f})")
-
-
 def written(*texts: Text) -> list[ElementTree.Element]:
     root = ElementTree.fromstring(pen.svg(lettered(leaf(*texts))))
     figure = root.find(f"{NS}g")
     assert figure is not None
     return list(figure)
-
-
-def followed(path: str) -> list[complex]:
-    """Points along a path of M, m, l, c and z, densely on its curves; paper coordinates."""
-    points: list[complex] = []
-    here = start = 0j
-    for command, text in re.findall("([Mmlcz])([^Mmlcz]*)", path):
-        values = numbers(text)
-        steps = list(map(complex, values[::2], values[1::2]))
-        if command == "z":
-            here = start
-        elif command == "c":
-            for k in range(0, len(steps), 3):
-                a, b, c = (here + step for step in steps[k : k + 3])
-                shares = [j / 32 for j in range(1, 33)]
-                points += [
-                    (1 - s) ** 3 * here + 3 * (1 - s) ** 2 * s * a + 3 * (1 - s) * s * s * b + s**3 * c for s in shares
-                ]
-                here = c
-        else:
-            for number, step in enumerate(steps):
-                here = here + step if command != "M" or number else step
-                start = here if command in "Mm" and not number else start
-                points.append(here)
-    return [complex(point.real, 297 - point.imag) for point in points]
-
-
-def off(points: Complexes, line: Polyline) -> Floats:
-    """How far points are from a chain of lines."""
-    closed = (*line.points, line.points[0]) if line.closed else line.points
-    best = np.full(len(points), math.inf)
-    for a, b in pairwise(closed):
-        along = ((points - a) / (b - a)).real if b != a else np.zeros(len(points))
-        best = np.minimum(best, np.abs(points - a - np.clip(along, 0, 1) * (b - a)))
-    return best
-
-
-@pytest.mark.rest
-@over("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
-@over("anchor, slanted, rotation", [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)])
-def test_letters_stand_where_the_alphabet_has_them(content: str, anchor: str, slanted: bool, rotation: float) -> None:
-    """To a hundredth of a millimetre, wherever in a letter and however far along the text: nothing adds up."""
-    text = Text(123.4567 + 98.7654j, 5 * content, 5.0, anchor, slanted, rotation)  # type: ignore[arg-type]
-    [element] = written(text)
-    paths = [element] if element.tag == f"{NS}path" else list(element)
-    points = np.array([point for path in paths for point in followed(path.get("d", ""))])
-    lines = outline(text)
-    chord = FLATNESS * 0.5 * 1.3  # by so much a chord may miss its curve in letters of 5 mm, and more where they lean
-    assert np.min([off(points, line) for line in lines], axis=0).max() <= chord + 0.0056 * math.sqrt(2)
-    for line in lines:  # the curves' own points are 0.2 mm apart
-        assert np.abs(np.array(line.points)[:, None] - points).min(axis=1).max() <= 0.15
-
-
-def test_a_text_is_one_path_or_one_for_each_pen() -> None:
-    plain, levelled = written(Text(10 + 10j, "План", 5.0), Text(10 + 10j, "v_{BA}", 5.0))
-    assert (plain.tag, plain.get("data-text"), plain.get("stroke-width")) == (f"{NS}path", "План", "0.5")
-    assert (levelled.tag, levelled.get("data-text")) == (f"{NS}g", "vBA")
-    assert [path.get("stroke-width") for path in levelled] == ["0.5", "0.35"]
 
 
 def test_a_letter_off_the_paper_or_missing_is_refused() -> None:
@@ -291,11 +154,6 @@ else:
 def test_what_svgwrite_imports_late_is_there_when_it_is_called() -> None:
     root = Path(pen.__file__).parents[2]
     subprocess.run([sys.executable, "-c", LATE], cwd=root, check=True)
-
-
-def test_runs_are_taken_as_they_are() -> None:
-    [text] = drawn(Text(0j, (Run("my_file{"),)))
-    assert text.text == "my_file{"
 
 
 @pytest.mark.parametrize("markup", ["a_", "a^", "{a}", "a}", "a_{b", "a\\"])
@@ -376,24 +234,6 @@ def test_the_seal_counts_and_hashes() -> None:
     assert sealed(source)
     assert not sealed(source.replace(b"277", b"278", 1))
     assert not sealed(source[:-20])
-
-
-def test_no_number_is_unmarked() -> None:
-    source = pen.svg(everything()).decode()
-    values = re.findall(r'(?:d|x\d?|y\d?|cx|cy|r|dy|viewBox|stroke-width|font-size)="([^"]*)"', source)
-    assert len(values) > 10
-    for value in values:
-        assert not re.search(r"(?i)nan|inf|\de|(?<![\d.])-0(?![.\d])", value), value
-
-
-def test_newlines_stand_only_between_groups() -> None:
-    source = pen.svg(everything())
-    assert b"\r" not in source
-    assert source.endswith(b"</svg>\n")
-    assert all(
-        line.startswith((b"<?xml", b"<svg", b"<title", b"<desc", b"<metadata", b"<g ", b"</svg"))
-        for line in source.splitlines()
-    )
 
 
 def test_svgwrite_itself_finds_no_fault() -> None:

@@ -11,12 +11,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Stroke
-from drawings.symbols.dashes import fit
-from drawings.symbols.symbols import block, ground, gusset, slot
+from drawings.paper.strokes import Arc, Circle, Line, Polyline, Stroke
+from drawings.symbols.symbols import block, gusset, slot
 from drawings.symbols.trimming import Mask, trim
 from tests.parts import examples
-from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
@@ -82,31 +80,6 @@ def test_what_is_left_of_a_closed_chain_is_what_lies_outside(points: list[comple
     assert whole == pytest.approx(left([*points, points[0]], own), abs=5e-3)
 
 
-@examples(6)
-@given(st.floats(6, 2000), st.booleans())
-def test_dashes_fill_a_line_of_any_length(size: float, closed: bool) -> None:
-    for style, least, most in ((HAND.path, 2, 8), (HAND.axis, 5, 30), (HAND.extreme, 5, 30)):
-        dash, *rest = fit(style, size, closed).dash or (0.0,)
-        if not rest:
-            assert size < 2 * least + 2 * sum(style.dash[1:])  # two of the shortest dashes would not stand on it
-            continue
-        count = (size + (0 if closed else sum(rest))) / (dash + sum(rest))
-        assert count == pytest.approx(round(count), abs=1e-6) and least <= dash <= most
-        assert tuple(rest) == style.dash[1:]
-
-
-@over("turn", [1, 1j, -1, -1j, cmath.rect(1, 0.7)])
-@over("size", [12.0, 28.0, 28.7])
-def test_the_hatching_of_a_ground_is_equal_and_within_its_base(turn: complex, size: float) -> None:
-    for side in (1j, -1j):
-        base, *hatch = ground(0j, size * turn, side * turn, HAND)
-        assert isinstance(base, Line) and len(hatch) >= 4
-        spots = [end / turn for line in hatch if isinstance(line, Line) for end in (line.start, line.end)]
-        assert min(spot.real for spot in spots) == pytest.approx(0, abs=1e-9)
-        assert max(spot.real for spot in spots) == pytest.approx(size)
-        assert {round((spot / side).real, 6) for spot in spots} == {0, round(3 * math.sqrt(0.5), 6)}
-
-
 @given(turns, st.floats(0.2, 3.1))
 def test_a_rigid_corner_is_filled_between_its_lines_outside_its_hinge(first: complex, angle: float) -> None:
     filling = gusset(0j, first, first * cmath.rect(1, angle), 2.0, HAND)
@@ -115,10 +88,6 @@ def test_a_rigid_corner_is_filled_between_its_lines_outside_its_hinge(first: com
         return
     assert all(abs(spot) > 2 - 1e-9 for spot in filling.points)
     assert all(-1e-9 <= cmath.phase(spot / first) <= angle + 1e-9 for spot in filling.points)
-
-
-def test_a_full_line_keeps_its_style() -> None:
-    assert fit(LineStyle(0.35, (4, 1.5)), 3.0) == LineStyle(0.35)
 
 
 def test_an_arc_that_barely_touches_a_mask_from_inside_is_cut_there() -> None:

@@ -360,3 +360,16 @@ def test_numbers_of_a_message_have_the_mark_of_its_language() -> None:
     (one,) = refused(FOLLOWER, PHASES.replace("angle = 30", "angle = 300.5"))
     assert "510.5" in str(one)
     assert "510,5" in one.worded("ru")
+
+
+def test_a_follower_may_stand_still() -> None:
+    still = FOLLOWER.replace('"30 mm"', "0")
+    assert cam_of(still, PHASES).lift == 0
+    assert "no_lift" in kinds(notes(still, PHASES))
+
+
+def test_a_limit_below_a_degree_is_one_in_radians() -> None:
+    (fault,) = refused(FOLLOWER, LIMITS.replace("30", "0.52"), PHASES)
+    assert (fault.kind, '"0.52 rad"' in fault.advice) == ("pressure_limit_tiny", True)
+    assert cam_of(FOLLOWER, LIMITS.replace("30", '"0.52 rad"'), PHASES).limits.rise == pytest.approx(0.52)
+    assert cam_of(FOLLOWER, LIMITS.replace("30", "1"), PHASES).limits.rise == pytest.approx(math.radians(1))

@@ -75,6 +75,10 @@ def test_forces_of_a_rod_that_is_carried_through() -> None:
     inertia = 20 * 20.0**2 * 0.3 * crank
     assert both[known] == pytest.approx((20 * 9.81j - inertia)[known], rel=1e-6)
     assert forces.balancing.moment[known] == pytest.approx((50 + 20 * 9.81 * 0.3 * crank.real)[known], rel=1e-6)
+    pushed = Statics(study(COUPLING_ROD.replace("positions = 12", 'positions = 12\nbalancing = "force"')))
+    force = pushed.forces.balancing.force
+    assert compare_forces(pushed, compared(pushed.study)).agrees and force is not None
+    assert 0.3 * abs(force[known]) == pytest.approx(abs(forces.balancing.moment[known]), rel=1e-6)
 
 
 def test_nothing_else_carries_a_linkage() -> None:

@@ -10,7 +10,7 @@ import pytest
 from plans.cyclogram import rows as r
 from plans.cyclogram.marks import marks
 from plans.cyclogram.quantities import compare_cyclogram
-from plans.cyclogram.rows import rows_of_cams, rows_of_machine
+from plans.cyclogram.rows import row_of_feed, rows_of_cams, rows_of_machine
 from plans.cyclogram.study import NoCyclogram
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model import cyclogram as c
@@ -206,3 +206,11 @@ def test_explain_gives_the_notches_from_the_tool_to_the_crank() -> None:
     for name in ("phi_0", "phi_99"):
         with pytest.raises(UnknownMark):
             marks(study, 0, name)
+
+
+def test_rows_cover_the_turn_once() -> None:
+    found = cyclogram_of("shaper").cyclogram
+    for row in (*rows_of_machine(found), row_of_feed(found)):
+        assert math.isclose(sum(one.end - one.start for one in row.spans), TURN)
+        for one, other in zip(row.spans, (*row.spans[1:], row.spans[0]), strict=True):
+            assert math.isclose(math.remainder(one.end - other.start, TURN), 0.0, abs_tol=1e-12)

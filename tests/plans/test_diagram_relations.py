@@ -5,6 +5,7 @@ The axis and the count of the output's way are common to both roads: these hold 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from math import degrees, radians
 
@@ -13,7 +14,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.diagrams.study import DiagramsStudy
+from geometry.calculus import Derivative
+from plans.diagrams.study import Chords, DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import Axis, Diagrams, axis_of, chord_error
 from plans.model.motion import Floats, Rates
@@ -209,3 +211,14 @@ def test_a_crank_that_is_not_even_and_a_drive_over_a_stroke_have_none() -> None:
     pushed = DiagramsStudy(slider(stroke=PUSH)["linkage"], True)
     assert pushed.left_out is not None
     assert pushed.diagrams is None
+
+
+def test_chords_that_are_out_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    true = Chords._growth
+
+    def off(self: Chords, k: int, run: slice) -> Derivative | None:
+        return true(replace(self, omega=self.omega * (1 + 1e-6)), k, run)
+
+    monkeypatch.setattr(Chords, "_growth", off)
+    comparison = study_of("slider").comparison("diagrams")
+    assert [one.name for one in comparison.findings if np.nanmax(one.excess) > 1] == ["a chords"]

@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from plans.analytic.dynamics.flywheel import Exact, flywheel, flywheel_of_points, sampled_cycle
+from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
 from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel
 from plans.model.dynamics import Task
-from plans.model.machine import Machine
+from plans.model.machine import Force, Machine
 from plans.model.motion import Floats
 from tests.parts import examples
-from tests.plans.steady_machines import DELTA, SPEED, Steady, edges, steadies, worked
+from tests.plans import linkages
+from tests.plans.steady_machines import DELTA, SPEED, Steady, edges, machine, steadies, worked
 
 TASK = Task(SPEED, DELTA, 24)
 
@@ -112,3 +113,17 @@ def test_middles_of_strips_err_by_the_square_of_their_width() -> None:
         errors.append(abs(flywheel_of_points(told, TASK).whole - exactly))
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
     assert orders == pytest.approx(2.0, abs=0.1)
+
+
+def test_work_against_a_constant_force_is_force_times_way() -> None:
+    """A scotch yoke without masses, against a constant force: the work is -F times the way."""
+    yoke = Steady(
+        linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0), machine(Force("F", 3, "D", 0j, 500.0, None), bodies={})
+    )
+    found = yoke.exact
+    turned = edges(found)
+    assert found.breaks == pytest.approx([pi / 2, 3 * pi / 2], rel=1e-14)
+    way = np.where(
+        turned <= pi / 2, np.sin(turned), np.where(turned <= 3 * pi / 2, 2 - np.sin(turned), 4 + np.sin(turned))
+    )
+    assert exact_cycle(found, turned).work == pytest.approx(-500 * 0.1 * way, abs=1e-12 * 200)

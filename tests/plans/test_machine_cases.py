@@ -161,3 +161,10 @@ def test_a_speed_far_from_that_of_the_drive_is_noted(speed: str, told: bool) -> 
     """The drive is at 120 rpm: another mean speed may be asked for, but hardly a tenth of it."""
     notes = [note.worded("en") for note in notes_of(parse_scene(text(asked=f'{ASKED}\nspeed = "{speed}"')))]
     assert ["beside the 12.566 rad/s of the drive" in note for note in notes] == [True] * told
+
+
+def test_reduction_that_is_asked_for_alone() -> None:
+    """Theme 7: the masses reduced at one angle, and no steady turn."""
+    found = compared(drive="positions = [60]", asked="reduction = true")
+    assert found.construction.cycle is None
+    assert f"{found.construction.reduced.inertia[0]:.10f}" == "0.1289878783"

@@ -125,3 +125,13 @@ def test_the_crank_is_told_by_its_own_angles() -> None:
     assert list(np.degrees(turn.headings)) == [0, 90, 180, -90, 90]
     assert list(turn.part([3, 1]).headings) == list(turn.headings[[3, 1]])
     assert list(np.degrees(even(Fraction(0), 4, -1).headings)) == [0, -90, 180, 90]
+
+
+def test_headings_of_positions_in_any_order_are_measured_one_by_one() -> None:
+    count = 400 * RUN
+    anyhow = np.random.default_rng(5).uniform(-3, 3, count)
+    assert error(anyhow) == 0
+    anyhow[:RUN] = 1.0
+    assert error(anyhow) == 0
+    opposite = np.where(np.arange(count) % 2, 1.0, 1.0 - np.pi)
+    assert error(opposite) == 0

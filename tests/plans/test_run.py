@@ -35,6 +35,7 @@ from plans.model.run import (
     UNSETTLED,
     ReducedLink,
     RunTask,
+    SteadyTurn,
     Works,
 )
 from tests.plans.reduced_links import OFF, ON, slider_crank, steady
@@ -206,3 +207,13 @@ def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> 
     assert abs(found.closing) <= 1e-10 * found.start
     assert found.works.gained == pytest.approx(0.0, abs=1e-7)
     assert found.mean == pytest.approx(20.0 * (1 - 57.29577951 / 600), rel=1e-4)
+
+
+def test_the_measures_of_a_steady_turn() -> None:
+    found = SteadyTurn(10.0, (9.0, 11.0), TURN / 10.5, 0.0, Works())
+    assert (found.mean, found.delta) == (10.0, 0.2)
+    assert [found._replace(closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
+        False,
+        *[True] * 3,
+        False,
+    ]

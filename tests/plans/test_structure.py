@@ -97,3 +97,9 @@ def test_double_hinges_hold_two_groups():
         mechanism = replace(base, links=links, slides=(guide,))
         assert mechanism.mobility == 1
         assert formula(mechanism, decompose(mechanism)) == f"I(0,1) -> II1(2,3) -> II2({rod},{slider})"
+
+
+def test_a_triad_is_refused_by_name():
+    with pytest.raises(StructureError, match="class III") as caught:
+        decompose(linkages.triad())
+    assert caught.value.links == (2, 3, 4, 5)
