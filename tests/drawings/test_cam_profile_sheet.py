@@ -11,6 +11,7 @@ from drawings.cam.manufacturing import Manufacture, manufacture
 from drawings.cam.profile_sheet import sheets
 from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Leaf
+from plans.cam.results import results
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import view_of
 from tests.drawings.exhibits import SHEET, read_back
@@ -95,7 +96,7 @@ def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: t
 def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) -> None:
     """Numbers of M2.7, M2.9 and M2.13."""
     found = view_of(name).found
-    own = size_view.quantities(found)
+    own = results(found)
     block = size_view.sizes(own, own, True, drafting_of(scene()))
     told = {line.name.replace("_", "").replace("{", "").replace("}", ""): line.cells for line in block.lines}
     assert {name: told[name][0] for name in rows} == rows

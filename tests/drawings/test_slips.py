@@ -34,3 +34,7 @@ def test_a_slip_is_seen(slip: DrawingFault, tmp_path: Path) -> None:
             return
     drawn = {path.name: path.read_bytes() for path in paths}
     assert any((GALLERY / name).read_bytes() != own for name, own in drawn.items())
+
+
+def test_each_slip_has_its_text() -> None:
+    assert [slip.name for slip in SLIPS if slip.text == slip.right] == []

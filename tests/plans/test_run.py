@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -212,7 +213,7 @@ def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> 
 def test_the_measures_of_a_steady_turn() -> None:
     found = SteadyTurn(10.0, (9.0, 11.0), TURN / 10.5, 0.0, Works())
     assert (found.mean, found.delta) == (10.0, 0.2)
-    assert [found._replace(closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
+    assert [replace(found, closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
         False,
         *[True] * 3,
         False,
