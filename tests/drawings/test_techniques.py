@@ -1,0 +1,77 @@
+"""What every technique must have: a row that a new one lacks is told here, not by an error of a command."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from drawings.commands.explain import explained
+from drawings.form.task import FIGURES, TABLES
+from drawings.paper.strokes import Leaf
+from drawings.report.table import REPORTS
+from drawings.sheets.table import SHEETS
+from plans.bench.quantities import roads
+from plans.checks.comparison import Comparison, Finding
+from plans.explanation import NoMark
+from plans.scene.scene import read_scene
+from plans.study import Study
+from plans.techniques import TECHNIQUES, named, sheet_of
+from plans.words.words import ENGLISH, languages, words
+
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+SHOWN = {  # a scene of each technique
+    "linkage": "crank-rocker", "diagrams": "slider-crank", "forces": "shaper-loaded", "dynamics": "press",
+    "balance": "four-bar-balance", "bank": "lanchester", "rotor": "four-masses", "cyclogram": "press-cycle",
+    "cam": "feed-cam",
+}  # fmt: skip
+
+
+class Shown(NamedTuple):
+    """A scene of a technique, and the leaves of the sheet that shows it."""
+
+    technique: str
+    study: Study
+    sheet: str
+    leaves: Sequence[Leaf]
+
+
+@pytest.fixture(scope="module", params=TECHNIQUES)
+def shown(request: pytest.FixtureRequest) -> Shown:
+    study, sheet = Study(read_scene(GALLERY / f"{SHOWN[request.param]}.toml")), sheet_of(request.param)
+    return Shown(request.param, study, sheet, named(SHEETS[sheet].leaves)(study))
+
+
+def test_its_quantities_have_names_by_both_roads_and_words_in_both_languages(shown: Shown) -> None:
+    compared: Comparison = shown.study.comparison(shown.technique)
+    told: Sequence[Finding] = shown.study.quantities(shown.technique)
+    assert compared.agrees and {one.name for one in compared.findings} <= {one.name for one in told}
+    for language in languages():
+        known = words(language)
+        assert {f"plan.{one.plan}" for one in told} <= known.keys()
+        lettered = {one.unit for one in told if re.search("[A-Za-z]", one.unit)}
+        assert {f"text_unit.{unit}" for unit in lettered} <= known.keys() or language == ENGLISH
+
+
+def test_its_numbers_are_told_alike_by_both_roads(shown: Shown) -> None:
+    ours, theirs = (shown.study.numbers(shown.technique, by).plain() for by in ("construction", "analysis"))
+    assert ours and ours.keys() == theirs.keys()
+
+
+def test_its_marks_are_explained_and_others_are_refused_with_examples(shown: Shown) -> None:
+    none = named(TECHNIQUES[shown.technique].marks)(shown.study, 0, "no such mark")
+    assert isinstance(none, NoMark)
+    for example in none.examples:
+        found = explained(Study.of_all(shown.study.scene), 0, example)
+        assert found.steps and all(mark.step.why is not None for mark in found.steps)
+
+
+def test_its_sheet_its_report_its_form_and_its_bench_are_there(shown: Shown) -> None:
+    assert shown.leaves and any(named(SHEETS[shown.sheet].due)(shown.study, shown.leaves))
+    leaves: Mapping[str, Sequence[Leaf]] = {shown.sheet: shown.leaves}
+    assert any(named(REPORTS[shown.technique].chapters)(shown.study, leaves))
+    assert shown.sheet in FIGURES and shown.sheet in TABLES
+    assert len([*roads(shown.study, shown.technique, None)]) == 2
