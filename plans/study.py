@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from copy import copy
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 from plans.scene.forms import resting
 from plans.scene.scene import Scene
 from plans.techniques import TECHNIQUES, Technique, named
 
+S = TypeVar("S")
+
 
 class Study:
-    """The memo of a scene: study["linkage"] is the linkage's study, made on first demand."""
+    """The memo of a scene: study.of(LinkageStudy), or study["linkage"], is the linkage's study, made on first demand."""
 
     def __init__(self, scene: Scene, plans: Iterable[str] | None = None) -> None:
         self.scene = scene
@@ -36,6 +38,12 @@ class Study:
         if technique not in self._made:
             self._made[technique] = named(TECHNIQUES[technique].study)(self)
         return self._made[technique]
+
+    def of(self, kind: type[S]) -> S:
+        """Give the study of a technique by its kind, as a reader of the text and of its types can follow it."""
+        found = self[next(name for name, row in TECHNIQUES.items() if row.study.partition(":")[0] == kind.__module__)]
+        assert isinstance(found, kind)  # a row names the function that makes it beside it
+        return found
 
     @cached_property
     def techniques(self) -> tuple[str, ...]:

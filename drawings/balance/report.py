@@ -122,7 +122,7 @@ def remarks(study: Study) -> list[Message]:
 
 def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
     """Give the notes on what the construction finds."""
-    own: BalanceStudy = study["balance"]
+    own = study.of(BalanceStudy)
     return notes_by(own, digits)
 
 

@@ -28,6 +28,7 @@ from geometry.board import at
 from plans.balance.mass_centre import Side
 from plans.balance.study import BalanceStudy
 from plans.linkage.quantities import MotionComparison
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import FORCE, Balance, State
 from plans.model.mechanism import FRAME
 from plans.model.motion import NOTHING
@@ -70,11 +71,11 @@ class Balanced:
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
     motion: MotionComparison = study.comparison("linkage")
-    if study["linkage"].lost.all():
+    if study.of(LinkageStudy).lost.all():
         gap = motion.construction.gaps[0]
         where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
         raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
-    return sheets(study.scene, balanced(study["balance"], motion, notes_of(study).all))
+    return sheets(study.scene, balanced(study.of(BalanceStudy), motion, notes_of(study).all))
 
 
 def balanced(own: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> Balanced:

@@ -21,6 +21,7 @@ from drawings.paper.strokes import Leaf
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
 from plans.bank.quantities import bank_by_hand
+from plans.bank.study import BankStudy
 from plans.checks.comparison import Comparison, Finding
 from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
 from plans.model.motion import Complexes
@@ -263,7 +264,7 @@ FAR = 1e-9  # of a place: both roads take it from one length and one angle
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's bank (row of the table of sheets)."""
-    task, comparison = study["bank"].task, study.comparison("bank")
+    task, comparison = study.of(BankStudy).task, study.comparison("bank")
     own = _Sheet(Bank(task, comparison, crank_of(study)), drafting_of(study.scene))
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     yield from chain(own.polygons(), own.views(), own.courses(), own.orders(), own.compensators())

@@ -17,6 +17,8 @@ from drawings.report.formula import Chapters
 from drawings.report.table import Subject, chapter, header, row
 from drawings.rotor.report import ANGLE
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, couple_letters, letters
+from plans.bank.study import BankStudy
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import BankBalance, Compensator, Harmonic
 from plans.model.motion import Complexes
 from plans.study import Study
@@ -83,10 +85,10 @@ def mirrored(balance: BankBalance, order: int) -> bool:
 
 def crank_of(study: Study) -> float:
     """Give the length m of the cranks of a scene's bank."""
-    bank = study["bank"]
+    bank = study.of(BankStudy)
     if bank.task.unit is not None:
         return float(bank.task.unit.crank)
-    mechanism = study["linkage"].mechanism
+    mechanism = study.of(LinkageStudy).mechanism
     drive = mechanism.drive
     points = mechanism.links[drive.link].points
     return float(abs(points[drive.end] - points[drive.pivot]))
@@ -280,7 +282,7 @@ ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
 
 def subject(study: Study) -> Subject:
     """Tell a bank in a few words, for the gallery's page."""
-    task = study["bank"].task
+    task = study.of(BankStudy).task
     kind = "linkages" if task.unit is None else "slider-cranks"
     count, orders = len(task.members), ", ".join(str(one.order) for one in task.asked)
     structure = f"bank of {count} {kind}"
@@ -305,7 +307,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language = drafting.language
     return Chapters(
         subject=listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
-        values=[chapter(language, "bank_orders"), *_orders(study["bank"].balance, drafting)],
+        values=[chapter(language, "bank_orders"), *_orders(study.of(BankStudy).balance, drafting)],
         conditions=[
             *listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),
             *listed(chapter(language, "bank_compensators"), [*notes.compensators()]),
@@ -330,4 +332,4 @@ def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
 
 
 def _notes(study: Study) -> BankNotes:
-    return BankNotes(study["bank"].balance, drafting_of(study.scene), DIGITS)
+    return BankNotes(study.of(BankStudy).balance, drafting_of(study.scene), DIGITS)

@@ -29,6 +29,7 @@ from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
 from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
 from plans.bank.harmonics import MOMENT as M
 from plans.bank.quantities import bank_by_hand
+from plans.bank.study import BankStudy
 from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
 from plans.model.balance.bank import BankBalance, Compensator
 from plans.model.motion import Complexes
@@ -125,7 +126,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def view_of(study: Study) -> BankView:
     """Give what the sheets of a scene's bank show."""
-    bank = study["bank"]
+    bank = study.of(BankStudy)
     drawing = bank.drawing
     return BankView(bank.balance, {FORCE: drawing.forces, M: drawing.moments}, crank_of(study))
 

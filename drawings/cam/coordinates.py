@@ -16,6 +16,7 @@ from drawings.files.coordinate_table import CURVATURE, DIGITS, THETA, read, writ
 from drawings.files.file_error import Enclosure
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled
+from plans.cam.study import CamStudy
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
@@ -28,7 +29,7 @@ MM = 1000.0  # of a metre
 
 def enclosures(study: Study) -> Iterator[Enclosure]:
     """Give the coordinates of each cam's profile at equal parts of its turn, or of its travel."""
-    drawings, theirs = study["cam"].drawings.values(), study.comparison("cam").analysis.cams
+    drawings, theirs = study.of(CamStudy).drawings.values(), study.comparison("cam").analysis.cams
     for number, (drawing, found) in enumerate(zip(drawings, theirs, strict=True)):
         turned = turns(drawing.cam)
         content = written(drawing.cam, drawing.profile(turned).contour)

@@ -18,6 +18,7 @@ from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled
 from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.sizing import RATIO, dimensions
+from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
 from plans.checks.comparison import Finding
 from plans.model.cam import DWELL, TABLE, Cam, Phase
@@ -42,7 +43,7 @@ def numbers_of(study: Study, name: str) -> CamNumbers:
     cams = {one.cam.name: one for one in comparison.analysis.cams}
     beside = f" {name}" if len(cams) > 1 else ""
     own = {one.name.removesuffix(beside): one for one in comparison.findings if one.name.endswith(beside)}
-    return CamNumbers(CamValues(cams[name], study["cam"].drawings[name]), own)
+    return CamNumbers(CamValues(cams[name], study.of(CamStudy).drawings[name]), own)
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import compositions, lay_out_each
 from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
+from plans.cam.study import CamStudy
 from plans.cyclogram.rows import EVERY as ALL_CAMS
 from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
@@ -44,7 +45,7 @@ EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, one for each (row of the table of sheets)."""
-    return sheets(study.scene, [manufacture(one) for one in study["cam"].found])
+    return sheets(study.scene, [manufacture(one) for one in study.of(CamStudy).found])
 
 
 def sheets(scene: Scene, parts: Sequence[Manufacture]) -> tuple[Leaf, ...]:

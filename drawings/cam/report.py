@@ -15,7 +15,7 @@ from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, header, row
-from plans.cam.study import LAWS, CamDrawing
+from plans.cam.study import LAWS, CamDrawing, CamStudy
 from plans.model.cam_motion import CamFound
 from plans.model.motion import Floats
 from plans.study import Study
@@ -31,7 +31,7 @@ ENGLISH = "en"  # of the gallery's page
 
 def subject(study: Study) -> Subject:
     """Tell a scene's cams in a few words, for the gallery's page."""
-    found, drafting = study["cam"].found, drafting_of(study.scene)._replace(language=ENGLISH)
+    found, drafting = study.of(CamStudy).found, drafting_of(study.scene)._replace(language=ENGLISH)
     kinds = [drafting.word(f"cam {one.cam.follower.motion} {one.cam.follower.end}") for one in found]
     structure = kinds[0] if len(kinds) == 1 else f"{len(kinds)} cams on a shaft"
     cams = "A cam with a " if len(kinds) == 1 else "Cams, each with its follower: "
@@ -53,7 +53,7 @@ def remarks(study: Study) -> list[Message]:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell each cam: its task, its numbers, what is right and wrong with it."""
     drafting = drafting_of(study.scene)
-    told = [*zip(study["cam"].drawings.values(), _all(study, DIGITS), strict=True)]
+    told = [*zip(study.of(CamStudy).drawings.values(), _all(study, DIGITS), strict=True)]
     return Chapters(
         subject=[*chain.from_iterable(_task(notes) for _, notes in told)],
         values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in told)],
@@ -64,7 +64,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 def _all(study: Study, digits: int) -> Iterator[CamNotes]:
     drafting = drafting_of(study.scene)
-    return (CamNotes(found, drafting, digits) for found in study["cam"].found)
+    return (CamNotes(found, drafting, digits) for found in study.of(CamStudy).found)
 
 
 def _task(notes: CamNotes) -> Iterator[str]:

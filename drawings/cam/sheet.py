@@ -21,7 +21,7 @@ from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
 from plans.cam.numbers import cam_by_hand, readings
 from plans.cam.quantities import of_cam
 from plans.cam.results import results
-from plans.cam.study import CYCLOGRAM, CamDrawing
+from plans.cam.study import CYCLOGRAM, CamDrawing, CamStudy
 from plans.checks.comparison import Finding
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
@@ -34,7 +34,7 @@ JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axi
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, each on sheets of its own (row of the table of sheets)."""
-    scene, cams = study.scene, study["cam"].drawings.values()
+    scene, cams = study.scene, study.of(CamStudy).drawings.values()
     comparison, drafting = study.comparison("cam"), drafting_of(scene)
     pairs = [
         (one, exact, of_cam(comparison, one.cam.name))

@@ -14,6 +14,8 @@ from drawings.page.scale import drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.points import placed
+from plans.cyclogram.study import CyclogramStudy
+from plans.linkage.study import LinkageStudy
 from plans.model.cyclogram import BEGIN, END, Cyclogram
 from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS
@@ -29,18 +31,18 @@ INFINITE = "∞"
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's cyclogram (row of the table of sheets)."""
     found: Cyclogram = study.comparison("cyclogram").analysis
-    rows = machine_rows(found, study["cyclogram"].cams)
+    rows = machine_rows(found, study.of(CyclogramStudy).cams)
     yield from chart(rows, found.positions[0].turned)
     yield from _table(study, found)
     for leaf in leaves[:1]:
         yield from _plan(study, found, leaf.metadata["characteristic"])
-        for one in measures(study["linkage"], study.comparison("linkage"), drafting_of(study.scene)):
+        for one in measures(study.of(LinkageStudy), study.comparison("linkage"), drafting_of(study.scene)):
             yield one._replace(may_lack=True)
 
 
 def _plan(study: Study, found: Cyclogram, shown: int) -> Iterator[Expected]:
     """Give the crank's pins of all positions, and the points of the one in full lines."""
-    own = study["cyclogram"]
+    own = study.of(CyclogramStudy)
     mechanism, turned = own.pictured.mechanism, [one.turned for one in found.positions]
     # The sketch is of the first position of the scene: there the analysis is assembled, and goes on to the others.
     phi = np.concatenate([own.linkage.turn.phi[:1], found.sense * np.array(turned)])

@@ -26,7 +26,7 @@ SHARE = 6  # digits
 
 def subject(study: Study) -> Subject:
     """Tell the main mechanism and the window that it leaves, for the gallery's page."""
-    linkage, found = linkage_subject.subject(study), study[CYCLOGRAM].cyclogram
+    linkage, found = linkage_subject.subject(study), study.of(CyclogramStudy).cyclogram
     rise = f"{math.degrees(found.window.angle):.4g}"
     output = f"{linkage.output}, tool off the work for {rise}°"
     return Subject(linkage.structure, output, f"{linkage.sentence} The tool is off the work for {rise}° of the turn.")
@@ -39,7 +39,7 @@ def headline(study: Study) -> str:
 
 def remarks(study: Study) -> list[str]:
     """Warn of what no notches lead back from."""
-    found: CyclogramStudy = study[CYCLOGRAM]
+    found = study.of(CyclogramStudy)
     trial = not all(one.notched for one in found.cyclogram.positions)
     return [word(study.scene.sheet.language, "sheet.cyclogram by trial")] if trial else []
 
@@ -64,5 +64,5 @@ def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
 
 
 def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:
-    found: CyclogramStudy = study[CYCLOGRAM]
+    found = study.of(CyclogramStudy)
     return CyclogramNotes(found.cyclogram, found.cams, drafting, DIGITS)

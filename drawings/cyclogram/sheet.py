@@ -64,7 +64,7 @@ FOREMOST = 1.5  # the plan is the figure from which angles are read
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cyclogram (row of the table of sheets)."""
-    return sheets(study[CYCLOGRAM], study.comparison(CYCLOGRAM))
+    return sheets(study.of(CyclogramStudy), study.comparison(CYCLOGRAM))
 
 
 def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf, ...]:

@@ -14,6 +14,8 @@ from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.diagrams.quantities import LETTERS, DiagramsComparison
+from plans.diagrams.study import DiagramsStudy
+from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
 from plans.model.motion import Floats
 from plans.study import Study
@@ -47,7 +49,7 @@ class ExpectedRow(NamedTuple):
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give the graphs of the output, and its table, where a scene asks for them and they can be drawn."""
-    comparison = study.comparison("diagrams") if study["diagrams"].wanted else None
+    comparison = study.comparison("diagrams") if study.of(DiagramsStudy).wanted else None
     if not isinstance(comparison, DiagramsComparison):
         return
     for row in expected_rows(comparison):
@@ -58,7 +60,7 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
             ends = float(row.runs[0][0]), float(row.runs[-1][1])
             loose = math.inf if name == "exact" and _cut_off(row) else slack
             yield Expected(Kind.CURVE, figure, name, course, loose, may_lack=name == "exact" or row.flat, ends=ends)
-    axis, omega = comparison.analysis.axis, abs(study["linkage"].mechanism.drive.omega)
+    axis, omega = comparison.analysis.axis, abs(study.of(LinkageStudy).mechanism.drive.omega)
     for column, (values, allowed) in enumerate(columns(comparison, omega)):
         slack = allowed + KNOWN * float(np.nanmax(np.abs(values), initial=0.0)) * (omega if column else 0.0)
         for k, number in reversed(list(enumerate(axis.numbers))):

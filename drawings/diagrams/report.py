@@ -138,7 +138,7 @@ FULL = 10
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the output's course at all positions with the chords; why there are no diagrams, if they are wanted."""
-    own: DiagramsStudy = study["diagrams"]
+    own = study.of(DiagramsStudy)
     language = study.scene.sheet.language
     if own.diagrams is not None:
         return Chapters(values=_values(own.diagrams, study.comparison("diagrams").findings, language))

@@ -21,6 +21,8 @@ from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups as marks
 from plans.analytic.dynamics.flywheel import flywheel_of_points, wheel
 from plans.dynamics.quantities import DynamicsComparison
+from plans.dynamics.study import DynamicsStudy
+from plans.forces.statics import Statics
 from plans.model.dynamics import THICKEST, TURN, Cycle, Flywheel, Task, Wheel, edge_names, settled
 from plans.model.motion import Floats
 from plans.model.run import Account
@@ -39,14 +41,14 @@ METHODS = (("by Mertsalov", "mertsalov"), ("by Gutyar", "gutyar"), ("without Î´Â
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's machine (row of the table of sheets)."""
-    statics, comparison, drafting = study["forces"], study.comparison("dynamics"), drafting_of(study.scene)
+    statics, comparison, drafting = study.of(Statics), study.comparison("dynamics"), drafting_of(study.scene)
     strokes = statics.over(study.comparison("linkage").road.extremes)
     yield from diagrams(statics.machine.loads, strokes)
     if comparison.analysis.cycle is None:
-        yield from phrases(NOTES, _rates(study["dynamics"].task), DIGITS, may_lack=True)
+        yield from phrases(NOTES, _rates(study.of(DynamicsStudy).task), DIGITS, may_lack=True)
         yield from _reduction(comparison.analysis)
         return
-    turn = Turn(study["dynamics"].task, comparison.analysis)
+    turn = Turn(study.of(DynamicsStudy).task, comparison.analysis)
     own, shown = _Machine(turn, comparison, drafting), dict(chain(*(frames(leaf).items() for leaf in leaves)))
     frame = shown.get((LOOP, None)) or Frame(0j, 1 + 0j, 1j, 1.0, 1.0)  # without a loop it is stated nowhere
     drawn = dict(chain(*map(_drawn, leaves)))

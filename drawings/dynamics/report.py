@@ -20,6 +20,8 @@ from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, row
 from plans.dynamics.cycle import methods, rim_of
 from plans.dynamics.loop import loop
+from plans.dynamics.study import DynamicsStudy
+from plans.forces.statics import Statics
 from plans.model.dynamics import TURN, Cycle, Flywheel, Task, Wheel, settled
 from plans.model.run import Account
 from plans.study import Study
@@ -217,7 +219,7 @@ def remarks(study: Study) -> list[Message]:
 
 def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
     """Give the notes on what the construction finds, with the exact flywheel beside it."""
-    own, comparison = study["dynamics"], study.comparison("dynamics")
+    own, comparison = study.of(DynamicsStudy), study.comparison("dynamics")
     account, exact = comparison.construction, comparison.exact.flywheel
     rim = rim_of(account.flywheel.inertia, own.task.rim) if account.flywheel is not None else None
     true = exact.inertia if exact is not None else None
@@ -252,7 +254,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 def _ways(study: Study) -> Iterator[str]:
     """Tell how the crank turns, and the strokes that loads count where no chapter of forces does."""
-    statics, language = study["forces"], study.scene.sheet.language
+    statics, language = study.of(Statics), study.scene.sheet.language
     way = "clockwise" if statics.study.mechanism.drive.omega < 0 else "counter-clockwise"
     yield word(language, "report.crank_turns", way=message(f"way.{way}"))
     if "forces" not in study.techniques:

@@ -32,6 +32,7 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from plans.checks.comparison import Finding
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
+from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.run import Account
@@ -161,7 +162,7 @@ class Machine(NamedTuple):
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of the motion of a scene's machine (row of the table of sheets)."""
-    found, statics, said = study.comparison("dynamics"), study["forces"], notes_of(study)
+    found, statics, said = study.comparison("dynamics"), study.of(Statics), notes_of(study)
     loads = tuple(courses(statics.machine, statics.strokes))
     own = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
     return sheets(study.scene, own)

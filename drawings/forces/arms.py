@@ -8,6 +8,8 @@ from drawings.forces.lever_layout import leverages
 from drawings.forces.lever_plan import balance, hanging
 from drawings.page.scale import drafting_of
 from plans.forces.force_template import ForcePlans
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
 from plans.study import Study
 
 BARE = str.maketrans("′", "'", "{}")
@@ -18,9 +20,9 @@ def of_arm(study: Study, position: int, letter: str) -> str:
 
     The arm h_2 of a scheme may give D(G_4), the arm h'_3 of the lever p(F_us).
     """
-    if not letter.startswith("h") or not 0 <= position < len(study["linkage"].turn):
+    if not letter.startswith("h") or not 0 <= position < len(study.of(LinkageStudy).turn):
         return ""
-    plans: ForcePlans = study["forces"].drafts([position]).plans
+    plans: ForcePlans = study.of(Statics).drafts([position]).plans
     return next((name for arm, name in _arms(study, plans) if arm.translate(BARE) == letter), "")
 
 

@@ -147,7 +147,7 @@ TURNED = 1e-9  # rad: of an arrow on paper, by its coordinates alone
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the force sheets of a scene (row of the table of sheets)."""
-    comparison, statics = study.comparison("forces"), study["forces"]
+    comparison, statics = study.comparison("forces"), study.of(Statics)
     shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))
     for k in shown:
         own = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]

@@ -279,5 +279,5 @@ def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the forces of a linkage."""
     own = report.chapters(study, leaves)
-    told = equations(study["forces"], study.comparison("forces"), drawn_scales(leaves))
+    told = equations(study.of(Statics), study.comparison("forces"), drawn_scales(leaves))
     return own._replace(values=[*told, *own.values])

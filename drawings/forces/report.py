@@ -107,7 +107,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
     shown_in = ", ".join(map(str, shown))
     language = study.scene.sheet.language
-    comparison, statics = study.comparison("forces"), study["forces"]
+    comparison, statics = study.comparison("forces"), study.of(Statics)
     return Chapters(
         subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
         values=forces(comparison, statics, language),
@@ -120,8 +120,8 @@ def headline(study: Study) -> str:
     language = study.scene.sheet.language
     return "\n".join(
         [
-            *_greatest(study["forces"], study.comparison("forces").construction, language),
-            *_reversals(study["forces"], language),
+            *_greatest(study.of(Statics), study.comparison("forces").construction, language),
+            *_reversals(study.of(Statics), language),
         ]
     )
 
@@ -147,7 +147,7 @@ def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator
 
 def remarks(study: Study) -> list[Message]:
     """Say which positions have no forces, and which pairs jam by friction, and where."""
-    comparison, friction = study.comparison("forces"), study["forces"].friction
+    comparison, friction = study.comparison("forces"), study.of(Statics).friction
     lines = gap_lines([gap for gap in comparison.construction.gaps if gap.plan == FORCES])
     jams = friction.jams if friction is not None else ()
     for pair in dict.fromkeys(jam.pair for jam in jams):

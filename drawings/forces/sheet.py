@@ -75,7 +75,7 @@ STEPS = 720  # of a graph over a turn: half a degree, less than the width of a l
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the force sheets of a scene."""
-    return sheets(study["linkage"], study.comparison("forces"), study["forces"])
+    return sheets(study.of(LinkageStudy), study.comparison("forces"), study.of(Statics))
 
 
 def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:

@@ -15,6 +15,7 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Curve, Fill, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.study import Study
 from plans.words.words import message
@@ -54,7 +55,7 @@ def _marks(seen: SeenSheet, study: Study) -> Iterator[str]:
     """Name the vectors, the points that the scene does not fix, and those that are not drawn where they are."""
     yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(seen.measured))
     yield from (f"{one.plan} {one.name}" for one in (*seen.measured.vectors, *seen.measured.profiles))
-    own = study["linkage"].mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
+    own = study.of(LinkageStudy).mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
     for one in seen.measured.points:
         if one.name not in own or abs(one.stated - own[one.name]) > NEAR * abs(one.stated):
             yield f"{one.plan} {one.name}"

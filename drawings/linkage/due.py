@@ -40,7 +40,7 @@ TURNED = 1e-3  # rad: the resolution of the paper over an arrow
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's linkage (row of the table of sheets)."""
-    own = _Linkage(study["linkage"], study.comparison("linkage"), drafting_of(study.scene), leaves)
+    own = _Linkage(study.of(LinkageStudy), study.comparison("linkage"), drafting_of(study.scene), leaves)
     yield from chain(own.positions(), own.plans(), own.values(), own.notes())
     if any("diagrams" in leaf.metadata for leaf in leaves):
         yield from diagrams.due(study, leaves)

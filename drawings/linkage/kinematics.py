@@ -45,7 +45,7 @@ SHARE = 1 / 3  # of its sheet
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheets of a scene."""
-    return sheets(study["linkage"], study.comparison("linkage"), study["diagrams"], _loaded(study))
+    return sheets(study.of(LinkageStudy), study.comparison("linkage"), study.of(DiagramsStudy), _loaded(study))
 
 
 def sheets(

@@ -80,7 +80,7 @@ PAIRS = {"R": "turning", "P": "sliding"}
 
 def subject(study: Study) -> Subject:
     """Tell the structure of a linkage and how far its output goes."""
-    linkage = study["linkage"]
+    linkage = study.of(LinkageStudy)
     return Subject(_formula(linkage), _stroke(linkage), _sentence(linkage))
 
 

@@ -160,7 +160,7 @@ SHARE = 1 / 3  # of its sheet
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheet of the plan of positions."""
-    linkage, drafting = study["linkage"], drafting_of(study.scene)
+    linkage, drafting = study.of(LinkageStudy), drafting_of(study.scene)
     comparison, shown = study.comparison("linkage"), _shown(linkage)
     bones = skeletons(linkage, comparison.construction, shown)
     room = position_plan.measure(bones, POSITIONS.plan, drafting)

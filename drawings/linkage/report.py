@@ -146,7 +146,7 @@ NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the structure and the motion of a linkage."""
-    linkage, comparison = study["linkage"], study.comparison("linkage")
+    linkage, comparison = study.of(LinkageStudy), study.comparison("linkage")
     passage = _passage(linkage, comparison)
     return Chapters(
         chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
@@ -165,13 +165,13 @@ def _equations(
 
 def headline(study: Study) -> str:
     """Say which link is the output, and who chose it; then its stroke and its greatest velocity and acceleration."""
-    linkage = study["linkage"]
+    linkage = study.of(LinkageStudy)
     return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.comparison("linkage").construction))))
 
 
 def remarks(study: Study) -> list[Message]:
     """Say why a motion is not whole: gaps, else barriers between positions; and positions not for grading."""
-    linkage, gaps = study["linkage"], study.comparison("linkage").construction.gaps
+    linkage, gaps = study.of(LinkageStudy), study.comparison("linkage").construction.gaps
     lines = gap_lines(gaps)
     if not gaps:
         lines += [message("verdict.between", reason=barrier.kind, where=barrier.where) for barrier in linkage.met]

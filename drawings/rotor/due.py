@@ -18,6 +18,7 @@ from plans.checks.by_hand import by_hand as slipping
 from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
 from plans.model.rotor import Balance, Rotor, permissible
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
+from plans.rotor.study import RotorStudy
 from plans.study import Study
 
 ALONG, ACROSS, MASSES, RESULTS = "along", "across", "masses", "results"
@@ -33,7 +34,7 @@ Known = tuple[float, float]  # a value, and how far rounding can have moved it
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's rotor (row of the table of sheets)."""
     comparison, drafting = study.comparison("rotor"), drafting_of(study.scene)
-    own = _Rotor(study["rotor"].rotor, comparison, drafting)
+    own = _Rotor(study.of(RotorStudy).rotor, comparison, drafting)
     scales: Mapping[str, float] = next((leaf.metadata["scales"] for leaf in leaves), {})
     slips = slipping(comparison.findings, scales)
     yield from chain(own.polygons(), own.views(), own.masses(), own.results(slips), own.notes())

@@ -16,7 +16,7 @@ from drawings.report.formula import Chapters
 from drawings.report.table import Subject, chapter
 from plans.model.rotor import Balance, Correction, Resultant, Rotor, grade_of, letters, permissible
 from plans.rotor.balancing import UNBALANCES, unbalance_letters
-from plans.rotor.study import BEARINGS
+from plans.rotor.study import BEARINGS, RotorStudy
 from plans.study import Study
 from plans.words.words import word
 
@@ -124,7 +124,7 @@ DIGITS = 10
 
 def subject(study: Study) -> Subject:
     """Tell a rotor in a few words, for the gallery's page."""
-    rotor = study["rotor"].rotor
+    rotor = study.of(RotorStudy).rotor
     planes = "two planes" if rotor.dynamic else "one plane"
     grade = f", {letters(rotor.grade)}" if rotor.grade else ""
     how = "dynamic" if rotor.dynamic else "static"
@@ -146,7 +146,7 @@ def remarks(study: Study) -> list[str]:
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a rotor, its counterweights, its quality and its bearings."""
     drafting, comparison = drafting_of(study.scene), study.comparison("rotor")
-    rotor, notes = study["rotor"].rotor, _notes(study)
+    rotor, notes = study.of(RotorStudy).rotor, _notes(study)
     off = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
     residual = _residual(rotor, comparison.analysis, off, drafting)
     return Chapters(
@@ -202,5 +202,5 @@ def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
 
 
 def _notes(study: Study) -> RotorNotes:
-    rotor = study["rotor"]
+    rotor = study.of(RotorStudy)
     return RotorNotes(rotor.rotor, rotor.balance, drafting_of(study.scene), DIGITS)

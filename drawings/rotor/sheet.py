@@ -103,7 +103,7 @@ def admit(scene: Scene) -> None:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's rotor (row of the table of sheets)."""
-    return sheets(study.scene, study["rotor"], study.comparison("rotor"))
+    return sheets(study.scene, study.of(RotorStudy), study.comparison("rotor"))
 
 
 def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Leaf, ...]:

@@ -10,13 +10,13 @@ from geometry.board import Board, Mark, at
 from geometry.steps import behind
 from plans.balance import mass_centre, sums
 from plans.balance.mass_centre import MAIN, Chain, Drawing
+from plans.balance.study import BalanceStudy
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING
 from plans.words.words import Message, message, written
 
 if TYPE_CHECKING:
-    from plans.balance.study import BalanceStudy
     from plans.study import Study
 
 AFTER = "'"  # behind the letter of what a balanced machine has
@@ -27,7 +27,7 @@ EXAMPLES = ("S", "a_S", "Φ", "M_Φ")
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark: of the mass centre in one position, of what balances the links in all."""
-    balance: BalanceStudy = study["balance"]
+    balance = study.of(BalanceStudy)
     linkage, letter = balance.linkage, name.replace("Phi", "Φ")
     if name in motion.letters(linkage):
         return _none(balance)

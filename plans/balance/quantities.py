@@ -23,6 +23,7 @@ from plans.forces.loading import loading
 from plans.forces.quantities import ForceFindings
 from plans.forces.statics import ForceDrafts, Statics
 from plans.linkage.quantities import MotionComparison, MotionNumbers, compare
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import ANALYSIS, EPS, Balance, Choice, Counterweight, MassCentre, Shares, State
 from plans.model.mechanism import FRAME
 from plans.model.motion import ACCELERATIONS, Floats, Motion
@@ -168,8 +169,8 @@ def comparison_of(study: Study) -> BalanceComparison:
     """Compare both roads of a scene's balance (row of the table of techniques)."""
     motion = study.comparison("linkage")
     if motion.analysis.order < ACCELERATIONS.number:  # a bank asks for the balance and shows none of its motion
-        motion = compare(study["linkage"], ACCELERATIONS.number)
-    return compare_balance(study["balance"], motion)
+        motion = compare(study.of(LinkageStudy), ACCELERATIONS.number)
+    return compare_balance(study.of(BalanceStudy), motion)
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
@@ -202,7 +203,9 @@ Vectors: TypeAlias = tuple[Mapping[int, complex], Mapping[int, complex] | None] 
 def numbers(study: Study, by: str) -> Numbers:
     """Balance the mechanism of a scene by a road, over its motion by the same."""
     below: MotionNumbers = study.numbers("linkage", by)
-    found, (before, after) = _analysed(study["balance"], below) if by == ANALYSIS else _constructed(study["balance"])
+    found, (before, after) = (
+        _analysed(study.of(BalanceStudy), below) if by == ANALYSIS else _constructed(study.of(BalanceStudy))
+    )
     data: dict[str, Any] = {"aim": found.task.aim}
     if CENTRE in study.plans:
         data["mass_centre"] = _centre(found.before.centre, before, below.datum)

@@ -251,4 +251,4 @@ class BalanceStudy:
 
 def study_of(study: Study) -> BalanceStudy:
     """Make the study of a scene's balance (row of the table of techniques)."""
-    return BalanceStudy(study["linkage"], study["forces"], study.scene.meaning["balance"].task)
+    return BalanceStudy(study.of(LinkageStudy), study.of(Statics), study.scene.meaning["balance"].task)

@@ -31,7 +31,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     name = re.sub(r"^m_(?=M,|-?[IVXLC])", f"{STATIC}_", name)  # a mass is told by its static moment
     if not LETTERS.match(name):  # for a mark of another technique no bank is drawn
         return _no_mark(task)
-    bank: BankStudy = study["bank"]
+    bank = study.of(BankStudy)
     mark = next((mark for board in bank.boards for mark in board if mark.name == name), None)
     if mark is None:
         return _other_order(task, name) or _no_mark(task)

@@ -12,12 +12,15 @@ from geometry.board import Board, Mark
 from plans.analytic.balance.bank import Linkage, Mechanism, SliderCrank, bank_balance
 from plans.analytic.balance.mass_centre import bodies
 from plans.balance.quantities import compare_balance
+from plans.balance.study import BalanceStudy
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
 from plans.checks.by_hand import MOST_SIDES, by_hand
 from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding, Numbers
+from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison, compare
+from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import ANALYSIS, BankBalance, Compensator, Harmonic
 from plans.model.balance.linkage import Counterweight
 from plans.model.motion import ACCELERATIONS, Complexes
@@ -41,7 +44,7 @@ def compare_bank(study: BankStudy, mechanism: Mechanism) -> Comparison:
 
 def comparison_of(study: Study) -> Comparison:
     """Compare both roads of a scene's bank (row of the table of techniques)."""
-    bank: BankStudy = study["bank"]
+    bank = study.of(BankStudy)
     return compare_bank(bank, mechanism_of(study, bank))
 
 
@@ -51,8 +54,8 @@ def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
     if unit is not None:
         return SliderCrank(unit, speed)
     motion = _motion(study)
-    solid = bodies(study["forces"].machine, _counterweights(study, motion))
-    return Linkage(motion.road, solid, speed, study["linkage"].turn.phi, bank.orders)
+    solid = bodies(study.of(Statics).machine, _counterweights(study, motion))
+    return Linkage(motion.road, solid, speed, study.of(LinkageStudy).turn.phi, bank.orders)
 
 
 def _motion(study: Study) -> MotionComparison:
@@ -60,7 +63,7 @@ def _motion(study: Study) -> MotionComparison:
     if ACCELERATIONS.plan in study.plans:
         found: MotionComparison = study.comparison("linkage")
         return found
-    return compare(study["linkage"], ACCELERATIONS.number)
+    return compare(study.of(LinkageStudy), ACCELERATIONS.number)
 
 
 def _counterweights(study: Study, motion: MotionComparison) -> tuple[Counterweight, ...]:
@@ -68,7 +71,7 @@ def _counterweights(study: Study, motion: MotionComparison) -> tuple[Counterweig
     if not study.scene.has(("balance",)):
         return ()
     asked = "balance" in study.techniques and ACCELERATIONS.plan in study.plans
-    compared = study.comparison("balance") if asked else compare_balance(study["balance"], motion)
+    compared = study.comparison("balance") if asked else compare_balance(study.of(BalanceStudy), motion)
     found: tuple[Counterweight, ...] = compared.analysis.counterweights
     return found
 
@@ -220,7 +223,7 @@ def _vector(size: float, angle: float | None) -> complex:
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the bank of a scene by a road: every bank has all numbers."""
-    bank: BankStudy = study["bank"]
+    bank = study.of(BankStudy)
     found: BankBalance = study.comparison("bank").analysis if by == ANALYSIS else bank.balance
     data: dict[str, Any] = {}
     if HARMONICS in study.plans:

@@ -68,14 +68,14 @@ class Linkage:
 
 def linkage_of(study: Study, speed: float) -> Linkage:
     """Take the scene's linkage, with its counterweights where the scene asks for them, for one mechanism of a bank."""
-    linkage: LinkageStudy = study["linkage"]
+    linkage = study.of(LinkageStudy)
     if not turns(linkage):
         line, _ = study.scene.place(("bank",))
         raise NoTurn(placed(f"{study.scene.file}:{line}", message("bank.no_turn", why=obstruction(linkage.sweep))))
     if study.scene.has(("balance",)):
-        balance: BalanceStudy = study["balance"]
+        balance = study.of(BalanceStudy)
         return Linkage(linkage, balance.points(after=balance.task.aim != NONE), speed)
-    statics: Statics = study["forces"]
+    statics = study.of(Statics)
     return Linkage(linkage, MainPoints(tree_of(linkage.mechanism), statics.machine.bodies), speed)
 
 

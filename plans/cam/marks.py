@@ -28,7 +28,7 @@ EXAMPLES = ("P", "Q", "D", "R_0", "S''", "alpha", "P_1")
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark of a cam's profile in one numbered position, or of its sizes."""
-    cams: CamStudy = study["cam"]
+    cams = study.of(CamStudy)
     drawing, own = _asked(cams, name)
     count = len(drawing.turned)
     if not 0 <= position < count:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 def numbers(study: Study, by: str) -> Numbers:
     """Give the cams of a scene by a road (row of the table of techniques)."""
-    cams: CamStudy = study["cam"]
+    cams = study.of(CamStudy)
     found: Sequence[CamFound] = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
     told = {one.cam.name: _cam(one, study.plans) for one in found}
     return Numbers({"scene": study.scene.heading(), "by": by, "cams": told}, any(one.flaws for one in found))

@@ -102,7 +102,7 @@ class CamRoad:
 
 def comparison_of(study: Study) -> Comparison:
     """Compare both roads of a scene's cams, as far as it is asked (row of the table of techniques)."""
-    return compare_cams(study["cam"], frozenset(study.plans))
+    return compare_cams(study.of(CamStudy), frozenset(study.plans))
 
 
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:

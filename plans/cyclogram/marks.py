@@ -9,13 +9,13 @@ import numpy as np
 
 from geometry.steps import behind
 from plans.cyclogram.stations import alone, crank
+from plans.cyclogram.study import CyclogramStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model.cyclogram import BEGIN, END
 from plans.model.motion import POSITIONS
 from plans.words.words import message
 
 if TYPE_CHECKING:
-    from plans.cyclogram.study import CyclogramStudy
     from plans.study import Study
 
 NAME = re.compile(r"(?:φ|phi)_(?P<number>\d+)")
@@ -24,7 +24,7 @@ UNITS = {POSITIONS.plan: "m"}
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps from the tool back to the crank in a characteristic position."""
-    found: CyclogramStudy = study["cyclogram"]
+    found = study.of(CyclogramStudy)
     told, asked = found.cyclogram.positions, NAME.fullmatch(name)
     if asked is None:
         examples = tuple(f"phi_{k}" for k, one in enumerate(told) if one.role not in (BEGIN, END) and one.notched)

@@ -50,7 +50,7 @@ def compare_cyclogram(study: CyclogramStudy) -> CyclogramComparison:
 
 def comparison_of(study: Study) -> CyclogramComparison:
     """Compare both roads of a scene's cyclogram (row of the table of techniques)."""
-    return compare_cyclogram(study[CYCLOGRAM])
+    return compare_cyclogram(study.of(CyclogramStudy))
 
 
 def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Finding]:
@@ -92,7 +92,7 @@ def _finding(name: str, unit: str, one: float, other: float, allowed: float, lar
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the characteristic positions of a scene by a road: what has no numbers is refused."""
-    found: Cyclogram = study.comparison(CYCLOGRAM).analysis if by == ANALYSIS else study[CYCLOGRAM].cyclogram
+    found: Cyclogram = study.comparison(CYCLOGRAM).analysis if by == ANALYSIS else study.of(CyclogramStudy).cyclogram
     window = found.window
     told: dict[str, Any] = {"stroke": found.stroke, "overlap": found.overlap, "sense": found.sense}
     told["window"] = {"start": window.start, "end": window.end, "angle": window.angle, "rest": window.rest}

@@ -143,4 +143,4 @@ class CyclogramStudy:
 
 def study_of(study: Study) -> CyclogramStudy:
     """Make the study of a scene's cyclogram (row of the table of techniques)."""
-    return CyclogramStudy(study.scene, study["linkage"])
+    return CyclogramStudy(study.scene, study.of(LinkageStudy))

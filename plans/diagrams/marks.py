@@ -25,7 +25,7 @@ UNITS = {DIAGRAMS: ""}  # abscissas are angles, ordinates what is drawn over the
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind v by the chord from a position to the next, or behind a by the chords on both its sides."""
-    own: DiagramsStudy = study["diagrams"]
+    own = study.of(DiagramsStudy)
     asked = TURNING.get(name, name)
     if asked not in (SPEED, GROWTH):
         return NoMark((SPEED, GROWTH), None, () if own.unfit else (SPEED,))

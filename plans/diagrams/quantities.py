@@ -45,7 +45,7 @@ class NoDiagrams:
 
 def comparison_of(study: Study) -> Comparison:
     """Compare the diagrams of a scene (row of the table of techniques)."""
-    own: DiagramsStudy = study["diagrams"]
+    own = study.of(DiagramsStudy)
     ours = own.diagrams
     if ours is None:
         return Comparison(NoDiagrams(), NoDiagrams(), ())
@@ -60,7 +60,7 @@ def motion_of(study: Study) -> MotionComparison:
     """Give the motion by both roads up to accelerations, whatever else is asked for."""
     found: MotionComparison = study.comparison("linkage")
     whole = found.construction.order == ACCELERATIONS.number == found.analysis.order
-    return found if whole else compare(study["linkage"])
+    return found if whole else compare(study.of(LinkageStudy))
 
 
 class _Bounds:
@@ -128,7 +128,7 @@ class _Bounds:
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the diagrams of a scene by a road; why there are none, where they are wanted."""
-    own: DiagramsStudy = study["diagrams"]
+    own = study.of(DiagramsStudy)
     if not own.wanted or own.unfit:
         return _left_out(own.unfit if own.wanted else None)
     if by == "construction":

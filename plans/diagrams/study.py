@@ -260,4 +260,4 @@ def _where(there: np.ndarray, values: Floats) -> Floats:
 
 def study_of(study: Study) -> DiagramsStudy:
     """Make the study of a scene's diagrams (row of the table of techniques)."""
-    return DiagramsStudy(study["linkage"], study.scene.of(DiagramsForm).sheet.diagrams)
+    return DiagramsStudy(study.of(LinkageStudy), study.scene.of(DiagramsForm).sheet.diagrams)

@@ -10,13 +10,13 @@ from geometry.steps import behind
 from plans.dynamics.cycle import WORKS
 from plans.dynamics.loop import LOOP, Loop
 from plans.dynamics.reduction import SPEEDS, Reducing
+from plans.dynamics.study import DynamicsStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
 from plans.model.dynamics import edge_names
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
-    from plans.dynamics.study import DynamicsStudy
     from plans.study import Study
 
 MOMENT, INERTIA, DRIVE = "M_red", "J_red", "A_dr"
@@ -31,7 +31,7 @@ EXAMPLES = (MOMENT, INERTIA, "o1k")
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark: of the reduction in one position, of the diagrams in the whole turn."""
-    dynamics: DynamicsStudy = study["dynamics"]
+    dynamics = study.of(DynamicsStudy)
     name = SEGMENT.sub(r"o1\1", name.replace("psi_", "ψ_"))
     if name in (MOMENT, INERTIA):
         return _reduced(dynamics, position, name)

@@ -12,7 +12,7 @@ from plans.analytic.dynamics.speeds import Swing
 from plans.checks.comparison import Finding, Numbers, gap_numbers, plain
 from plans.dynamics.form import DYNAMICS, DynamicsForm
 from plans.dynamics.quantities import DynamicsComparison, compare_dynamics
-from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS
+from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS, DynamicsStudy
 from plans.linkage.quantities import compare
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
 from plans.model.motion import VELOCITIES, Floats, Pace, Rates
@@ -20,7 +20,6 @@ from plans.model.run import Account, Failure, Run, Stage, SteadyTurn
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
-    from plans.dynamics.study import DynamicsStudy
     from plans.study import Study
 
 
@@ -30,7 +29,7 @@ NOISE = 1e-9  # of the largest work: what of it is less is rounding, whose digit
 
 def numbers(study: Study, by: str) -> Numbers:
     """Give a machine's motion by a road (row of the table of techniques)."""
-    account: Account = study["dynamics"].account if by == CONSTRUCTION else study.comparison("dynamics").exact
+    account: Account = study.of(DynamicsStudy).account if by == CONSTRUCTION else study.comparison("dynamics").exact
     plans, data = study.plans, dict[str, Any]()
     if REDUCTION in plans:
         data[REDUCTION] = _reduced(account.reduced)
@@ -177,7 +176,7 @@ def pace_of(study: Study) -> Pace | None:
     scene = study.scene
     if scene.of(DynamicsForm).drive.speed_from != DYNAMICS:
         return None
-    dynamics: DynamicsStudy = study["dynamics"]
+    dynamics = study.of(DynamicsStudy)
     found = compare_dynamics(dynamics, compare(dynamics.linkage, VELOCITIES.number))
     motion = found.after or found.before
     if not isinstance(motion, Swing):

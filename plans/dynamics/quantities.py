@@ -270,7 +270,7 @@ class DynamicsComparison(Comparison):
 
 def comparison_of(study: Study) -> DynamicsComparison:
     """Compare a scene's machine (row of the table of techniques)."""
-    return compare_dynamics(study["dynamics"], study.comparison("linkage"))
+    return compare_dynamics(study.of(DynamicsStudy), study.comparison("linkage"))
 
 
 def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:

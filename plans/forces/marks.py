@@ -10,7 +10,9 @@ from geometry.steps import behind
 from plans.explanation import Explanation, NoMark
 from plans.forces.cut import indices
 from plans.forces.reading.form import ForceForm
+from plans.forces.statics import Statics
 from plans.linkage import marks as motion
+from plans.linkage.study import LinkageStudy
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -26,11 +28,11 @@ NONE = NoMark((), None, ("R_12", "M_bal"))
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps on the force plan behind a mark of it in one position; `study.whole` asks for those below too."""
-    form, linkage = study.scene.of(ForceForm), study["linkage"]
+    form, linkage = study.scene.of(ForceForm), study.of(LinkageStudy)
     if not (form.masses or form.loads) or name in motion.letters(linkage):
         return NoMark((), None, ()) if not (form.masses or form.loads) else NONE
     wanted = motion.position_of(linkage, position)
-    plans: ForcePlans = study["forces"].drafts([wanted]).plans
+    plans: ForcePlans = study.of(Statics).drafts([wanted]).plans
     target, opposite = _find(plans.plan.board, name)
     if target is None and plans.lever is not None:
         target, opposite = _find(plans.lever.board, name.removesuffix("'") if name not in plans.lever.board else name)

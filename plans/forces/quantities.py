@@ -74,7 +74,7 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
 
 def comparison_of(study: Study) -> ForceComparison:
     """Compare the forces of a scene (row of the table of techniques)."""
-    return compare_forces(study["forces"], study.comparison("linkage"))
+    return compare_forces(study.of(Statics), study.comparison("linkage"))
 
 
 def _with_friction(statics: Statics, comparison: ForceComparison, loads: Loading) -> ForceComparison:
@@ -242,7 +242,7 @@ def _key(support: Support) -> str:
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the forces of a scene by a road, over its motion by the same; their gaps stand for those of the motion."""
-    statics: Statics = study["forces"]
+    statics = study.of(Statics)
     below: MotionNumbers = study.numbers("linkage", by)
     rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
     solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)

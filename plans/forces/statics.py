@@ -325,4 +325,4 @@ def _number(gap: Gap) -> int:
 
 def study_of(study: Study) -> Statics:
     """Make the statics of a scene over its linkage's study (row of the table of techniques)."""
-    return Statics(study["linkage"])
+    return Statics(study.of(LinkageStudy))

@@ -41,7 +41,7 @@ UNITS = {order.plan: order.point.unit for order in ORDERS}
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark of the motion in one position."""
-    linkage = study["linkage"]
+    linkage = study.of(LinkageStudy)
     wanted = position_of(linkage, position)
     targets = find(linkage, linkage.drafts((wanted,)), name)
     if not targets:

@@ -133,7 +133,7 @@ class Part(NamedTuple):
 
 def quantities_of(study: Study) -> tuple[Finding, ...]:
     """Give what is compared of a scene's motion, and the parts of its velocities and accelerations."""
-    linkage: LinkageStudy = study["linkage"]
+    linkage = study.of(LinkageStudy)
     compared: MotionComparison = study.comparison("linkage")
     if compared.construction.order < ACCELERATIONS.number:
         return compared.findings

@@ -123,8 +123,8 @@ def road_of(study: LinkageStudy) -> Analysis:
 
 def comparison_of(study: Study) -> MotionComparison:
     """Compare what a scene asks for of its motion (row of the table of techniques)."""
-    found = compare(study["linkage"], max(numbers_of(study.plans), default=0))
-    return compare_extremes(study["linkage"], found) if "extremes" in study.plans else found
+    found = compare(study.of(LinkageStudy), max(numbers_of(study.plans), default=0))
+    return compare_extremes(study.of(LinkageStudy), found) if "extremes" in study.plans else found
 
 
 def notches(study: LinkageStudy, drafts: Drafts | None = None) -> Floats:
@@ -292,7 +292,7 @@ def _extremes(extremes: Extremes) -> dict[str, Any]:
 
 def numbers(study: Study, by: str) -> MotionNumbers:
     """Find the motion of a scene by a road: what is asked for of it, and what the forces rest on."""
-    linkage = study["linkage"]
+    linkage = study.of(LinkageStudy)
     orders = numbers_of(study.plans)
     borne = any("linkage" in row.needs for row in study.rows)
     order = ACCELERATIONS.number if borne else max(orders, default=0)

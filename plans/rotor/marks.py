@@ -9,11 +9,10 @@ from geometry.board import Mark
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
-from plans.rotor.study import BEARINGS, REACTIONS
+from plans.rotor.study import BEARINGS, REACTIONS, RotorStudy
 from plans.words.words import languages, message, written
 
 if TYPE_CHECKING:
-    from plans.rotor.study import RotorStudy
     from plans.study import Study
 
 REACTION_LETTERS = frozenset(f"R_{bearing}{prime}" for bearing in BEARINGS for prime in ("", "'"))
@@ -25,7 +24,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
 
     A mass, m_1 or m_I, is told by its static moment.
     """
-    rotor: RotorStudy = study["rotor"]
+    rotor = study.of(RotorStudy)
     index = name.removeprefix("m_")
     mark = _find(rotor, name) or _find(rotor, f"m_{index}D_{index}")
     if mark is None:

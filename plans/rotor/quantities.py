@@ -39,7 +39,7 @@ def compare_rotor(study: RotorStudy) -> Comparison:
 
 def comparison_of(study: Study) -> Comparison:
     """Compare both roads of a scene's rotor (row of the table of techniques)."""
-    return compare_rotor(study["rotor"])
+    return compare_rotor(study.of(RotorStudy))
 
 
 class _Compared(NamedTuple):
@@ -120,7 +120,7 @@ def _vanishing(name: str, unit: str, terms: Sequence[complex], slack: float) -> 
 
 def numbers(study: Study, by: str) -> Numbers:
     """Balance the rotor of a scene by a road: every rotor can be balanced."""
-    rotor: RotorStudy = study["rotor"]
+    rotor = study.of(RotorStudy)
     borne = REACTIONS in study.plans
     found = balance(rotor.rotor, borne) if by == ANALYSIS else _constructed(rotor, borne)
     data: dict[str, Any] = {}
