@@ -15,7 +15,7 @@ S = TypeVar("S")
 
 
 class Study:
-    """The memo of a scene: study.of(LinkageStudy), or study["linkage"], is the linkage's study, made on first demand."""
+    """The memo of a scene: study.of(LinkageStudy), or study["linkage"], is its linkage, studied on first demand."""
 
     def __init__(self, scene: Scene, plans: Iterable[str] | None = None) -> None:
         self.scene = scene

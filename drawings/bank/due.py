@@ -22,9 +22,9 @@ from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, couple_letters, letters
 from plans.bank.quantities import bank_by_hand
 from plans.bank.study import BankStudy
-from plans.checks.comparison import Comparison, Finding
 from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
 from plans.model.motion import Complexes
+from plans.quantity import Comparison, Quantity
 from plans.study import Study
 
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
@@ -373,7 +373,7 @@ def plan_of(one: Polygon) -> str:
     return f"{kind}-{abs(one.signed)}{'' if one.signed > 0 else '-back'}"
 
 
-def _is_told(one: Finding) -> bool:
+def _is_told(one: Quantity) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a static moment."""
     told = one.plan in (HARMONICS, COMPENSATORS) and one.name.startswith(("F_", "M_", "mr_"))
     return told and bool(abs(one.analysis[0]) > one.allowed[0] / 2)

@@ -30,9 +30,9 @@ from plans.bank.harmonics import FORCE, MOMENT, STATIC, letters, roman
 from plans.bank.harmonics import MOMENT as M
 from plans.bank.quantities import bank_by_hand
 from plans.bank.study import BankStudy
-from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
 from plans.model.balance.bank import BankBalance, Compensator
 from plans.model.motion import Complexes
+from plans.quantity import EQUILIBRIUM, Comparison, Quantity
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -71,19 +71,19 @@ def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledT
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
-def _result(one: Finding, drafting: Drafting) -> TableRow:
+def _result(one: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding: values to their own digits, as orders differ by powers."""
     known = float(one.allowed[0]) * 10 ** (FIGURES - 1)
     own = one._replace(largest=max(float(abs(one.analysis[0])), known))  # rounding has no digits
     return row_by_hand(own, f"{lowered_bank(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language)
 
 
-def compared(comparison: Comparison) -> list[Finding]:
+def compared(comparison: Comparison) -> list[Quantity]:
     """List what the table of results tells."""
     return [one for one in comparison.findings if _is_told(one)]
 
 
-def _is_told(one: Finding) -> bool:
+def _is_told(one: Quantity) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a mass, more than rounding."""
     kept = one.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and one.plan != EQUILIBRIUM
     return kept and abs(one.analysis[0]) > one.allowed[0]

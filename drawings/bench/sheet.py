@@ -27,7 +27,7 @@ from drawings.pens.svg import svg
 from drawings.sheets.table import SHEETS
 from plans.bench.quantities import quantities
 from plans.bench.trial import BUDGET, Errors, Road, Row, Times, interleaved
-from plans.checks.by_hand import SLIP
+from plans.by_hand import SLIP
 from plans.forces.friction_quantities import forces_by_hand
 from plans.linkage.by_hand import MotionByHand
 from plans.scene.scene import Scene

@@ -20,10 +20,10 @@ from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.sizing import RATIO, dimensions
 from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
-from plans.checks.comparison import Finding
 from plans.model.cam import DWELL, TABLE, Cam, Phase
 from plans.model.cam_motion import CamFound, Extreme, Shock, ToldProfile, told_turns
 from plans.model.motion import Floats
+from plans.quantity import Quantity
 from plans.study import Study
 
 MM, DEGREES, RPM = 1000.0, math.degrees(1), 30 / math.pi
@@ -51,7 +51,7 @@ class CamNumbers:
     """The numbers of one cam in the units that are told, and how far rounding may move each."""
 
     values: CamValues
-    findings: Mapping[str, Finding]
+    findings: Mapping[str, Quantity]
 
     @property
     def found(self) -> CamFound:

@@ -22,9 +22,9 @@ from plans.cam.numbers import cam_by_hand, readings
 from plans.cam.quantities import of_cam
 from plans.cam.results import results
 from plans.cam.study import CYCLOGRAM, CamDrawing, CamStudy
-from plans.checks.comparison import Finding
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
+from plans.quantity import Quantity
 from plans.study import Study
 
 LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
@@ -54,7 +54,7 @@ class _Contents(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> Draft:
     """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
     contents = _contents(drawing, exact, compared, drafting)
@@ -62,7 +62,7 @@ def _draft(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], dr
     return first._replace(instead=tuple(further))
 
 
-def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Finding], drafting: Drafting) -> _Contents:
+def _contents(drawing: CamDrawing, exact: CamFound, compared: Sequence[Quantity], drafting: Drafting) -> _Contents:
     """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
     by_hand = any(readings(drawing))
     return _Contents(

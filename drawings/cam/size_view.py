@@ -18,9 +18,9 @@ from geometry.board import Mark
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches
 from plans.cam.results import Result
 from plans.cam.sizing import Sizing, Tangent
-from plans.checks.comparison import Finding
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Points
+from plans.quantity import Quantity
 
 NAME, QUANTITY = "sizes", "l"
 DEPTH = 0.3  # of the diagram's height: how far the region is shown below O
@@ -226,7 +226,7 @@ def title(one: Result, drafting: Drafting) -> str:
 def _line(own: Result, exact: Result, drafting: Drafting) -> TableRow:
     name = title(own, drafting)
     largest = abs(exact.value) or 1.0
-    finding = Finding.of((NAME, own.letter, own.unit), (own.value, exact.value), 0.0, largest)
+    finding = Quantity.of((NAME, own.letter, own.unit), (own.value, exact.value), 0.0, largest)
     line = row_by_hand(finding, name, (0,), drafting.language)
     if own.given:
         return TableRow(name, (line.cells[0], drafting.word("cam given"), NOTHING))

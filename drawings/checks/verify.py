@@ -23,7 +23,7 @@ from drawings.paper.strokes import Arc, Leaf, Text
 from drawings.paper.walk import unstated
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
-from plans.checks.comparison import Comparison, Lone
+from plans.quantity import Comparison, Lone
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 

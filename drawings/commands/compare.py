@@ -12,7 +12,7 @@ from drawings.files.file_error import print_json
 from drawings.lettering.words import decimal
 from drawings.report.report import left_out, plan_width
 from drawings.report.table import quantity
-from plans.checks.comparison import Comparison, Finding, together
+from plans.quantity import Comparison, Quantity, together
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.words.words import term, word
@@ -67,14 +67,14 @@ def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
     yield word(language, f"compare.{verdict}", worst=decimal(f"{worst:.3f}", language))
 
 
-def _line(finding: Finding, named: int, language: str) -> str:
+def _line(finding: Quantity, named: int, language: str) -> str:
     name, unit = quantity(finding.name, language), term(language, "text_unit", finding.unit)
     sizes = f"{finding.largest:>14.6g} {_worst(finding):>12.2e}"
     shares = f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
     return f"{name:<{named}} {decimal(sizes, language)} {unit:<6}{decimal(shares, language)}"
 
 
-def _plain_finding(finding: Finding) -> dict[str, object]:
+def _plain_finding(finding: Quantity) -> dict[str, object]:
     excess = float(finding.excess.max())
     return {
         "plan": finding.plan,
@@ -87,5 +87,5 @@ def _plain_finding(finding: Finding) -> dict[str, object]:
     }
 
 
-def _worst(finding: Finding) -> float:
+def _worst(finding: Quantity) -> float:
     return float(np.nanmax(finding.difference)) if np.isfinite(finding.difference).any() else 0.0

@@ -16,9 +16,9 @@ from drawings.sheets.table import SHEETS
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
 from geometry.steps import Reading, Span, behind
-from plans.checks.comparison import Finding
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
 from plans.model.motion import ORDERS, POSITIONS
+from plans.quantity import Quantity
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named, technique_of
@@ -100,7 +100,7 @@ def _indices() -> Iterator[tuple[str, str]]:
         yield from ((text, key) for key, text in own.items() if text != key)
 
 
-def _quantity(study: Study, name: str) -> Finding | None:
+def _quantity(study: Study, name: str) -> Quantity | None:
     """Find a quantity that the tables tell, whether or not it was drawn: R_0 of the first cam, K2:R_0 of K2."""
     of, _, own = name.rpartition(":")
     wanted = {name, f"Σ{name}", own, f"{own} {of}"}
@@ -109,7 +109,7 @@ def _quantity(study: Study, name: str) -> Finding | None:
     return next(exact, next((one for letters, one in told if letters.partition(" ")[0] == name), None))
 
 
-def _told(one: Finding, name: str, position: int) -> Explanation:
+def _told(one: Quantity, name: str, position: int) -> Explanation:
     """Tell a quantity in a position by both roads, after the steps behind what shows it."""
     count = len(one.construction)
     if not 0 <= position < count and count > 1:

@@ -15,10 +15,10 @@ from drawings.lettering.words import decimal, fixed, number
 from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
 from drawings.report.table import chapter, header, heading, row
-from plans.checks.comparison import Finding
 from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Course, Diagrams, chord_error
 from plans.model.motion import Floats
+from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, said, word
 
@@ -157,7 +157,7 @@ def remarks(study: Study) -> list[Message]:
     return []
 
 
-def _values(found: Diagrams, findings: Sequence[Finding], language: str) -> Iterator[str]:
+def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Iterator[str]:
     """Tabulate the course; v by a chord stands with the position from which it goes on."""
     yield chapter(language, "diagrams")
     told = [findings[k] for k in TOLD]
@@ -170,7 +170,7 @@ def _values(found: Diagrams, findings: Sequence[Finding], language: str) -> Iter
     yield from _errors(found, told, language)
 
 
-def _cell(finding: Finding, k: int, language: str) -> str:
+def _cell(finding: Quantity, k: int, language: str) -> str:
     """Write a value by construction; what is but a rounding of the largest is 0."""
     if k == len(finding.construction):  # no step goes on from the last position
         return ""
@@ -180,7 +180,7 @@ def _cell(finding: Finding, k: int, language: str) -> str:
     return number(0.0 if abs(value) <= float(finding.allowed[k]) else value, language, FULL)
 
 
-def _errors(found: Diagrams, told: Sequence[Finding], language: str) -> Iterator[str]:
+def _errors(found: Diagrams, told: Sequence[Quantity], language: str) -> Iterator[str]:
     """Tell how far the chords are out at the most, and where."""
     numbers = found.axis.numbers
     pairs: tuple[tuple[Floats, Floats], ...] = (

@@ -29,13 +29,13 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
-from plans.checks.comparison import Finding
 from plans.dynamics.numbers import SEGMENTS
 from plans.dynamics.numbers import results as quantities
 from plans.forces.statics import Statics
 from plans.model.dynamics import Cycle, Methods, Reduced, Speeds, Task, Wheel
 from plans.model.motion import Floats
 from plans.model.run import Account
+from plans.quantity import Quantity
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -118,7 +118,7 @@ def results(own: Account, exact: Account, methods: Methods | None, drafting: Dra
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
-def _compared(one: Finding, drafting: Drafting) -> TableRow:
+def _compared(one: Quantity, drafting: Drafting) -> TableRow:
     letter = drafting.true(one.name, "T") if one.name in SEGMENTS else one.name
     named = drafting.letter(letter) + (f", {drafting.word(one.unit)}" if one.unit else "")
     own, exact = float(one.construction[0]), float(one.analysis[0])

@@ -12,12 +12,12 @@ import numpy as np
 
 from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter, word
-from plans.checks.comparison import Finding
 from plans.forces.bill import ActingForce, ExpectedForces, ForceBill
 from plans.forces.cut import Cut, Equation, indices
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.motion import NOTHING, POSITIONS, VELOCITIES
+from plans.quantity import Quantity
 
 REACTION = re.compile(r"R(?=(\^.)?_\d+(,\d+)?$)")
 EPS = float(np.finfo(np.float64).eps)
@@ -198,7 +198,7 @@ def lettered(statics: Statics, name: str) -> str:
     return letter(statics.study.language, with_index(head)) + slash + line
 
 
-def named(statics: Statics, comparison: ForceComparison) -> Iterator[tuple[str, Finding]]:
+def named(statics: Statics, comparison: ForceComparison) -> Iterator[tuple[str, Quantity]]:
     """Give the findings of forces, each with what its row of the table is lettered: R_34, M_bal (by lever)."""
     for one in comparison.of("forces"):
         name, _, how = one.name.partition(" ")

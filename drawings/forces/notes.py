@@ -12,7 +12,7 @@ from drawings.lettering.phrase import Slot, joined, numbered, phrase
 from drawings.lettering.words import number, runs, word
 from drawings.linkage.notes import accord, driving, lengths
 from geometry.board import at
-from plans.checks.by_hand import SLIP
+from plans.by_hand import SLIP
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics, told_line
 from plans.model.machine import ALWAYS, GEAR, Force, Moment

@@ -16,7 +16,6 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters, Formula
 from drawings.report.report import gap_line, gap_lines
 from drawings.report.table import chapter, header, row
-from plans.checks.comparison import Finding
 from plans.forces.cut import indices
 from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.quantities import ForceComparison
@@ -26,6 +25,7 @@ from plans.forces.stroke import asks
 from plans.model.kinetostatics import Friction, Kinetostatics
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.model.motion import FORCES, NOTHING, Floats
+from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -80,12 +80,12 @@ def balancing_table(comparison: ForceComparison, told: BalancingQuantity, langua
     yield ""
 
 
-def _way(one: Finding, language: str) -> str:
+def _way(one: Quantity, language: str) -> str:
     """Tell in words which way finds it; it has one letter in all columns."""
     return term(language, "quantity_part", one.name.partition(" ")[2])
 
 
-def _own(one: Finding) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _own(one: Quantity) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     """Give what a way finds: the lever is of the construction, powers and energy are of the analysis."""
     return np.real(one.construction if one.name.endswith(LEVER) else one.analysis)
 

@@ -35,7 +35,6 @@ from drawings.sheets.documents import unknown
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, see_ordinates
 from geometry.board import at
-from plans.checks.comparison import Finding
 from plans.forces.cut import Cut, ForcePlan, indices
 from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.primary import BALANCING, balancing_quantity
@@ -46,10 +45,11 @@ from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats
+from plans.quantity import Quantity
 from plans.study import Study
 
 
-def label(finding: Finding, language: str, reactions: str) -> str:
+def label(finding: Quantity, language: str, reactions: str) -> str:
     """Name a finding of the forces as the sheet does, with its unit: "R_{34}, N"."""
     name, _, how = finding.name.partition(" ")
     letter = force_letter(name, language, reactions)

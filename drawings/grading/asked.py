@@ -17,7 +17,7 @@ from drawings.paper.walk import groups
 from geometry.board import Mark
 from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
 from geometry.steps import Span
-from plans.checks.by_hand import SLIP
+from plans.by_hand import SLIP
 from plans.techniques import named, technique_of
 
 Place: TypeAlias = tuple[str, int | None]  # a plan and its position

@@ -16,7 +16,7 @@ from drawings.grading.seeing.onlooker import BEGIN, END, scales_of, spelled
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups, texts
-from plans.checks.by_hand import SLIP
+from plans.by_hand import SLIP
 
 FORCE = "force"  # the kind of marks that are not to scale
 TIP = 1.0  # mm: how far the tip of an arrowhead may be from the end of its line

@@ -14,25 +14,25 @@ from drawings.layout.table import table as measure
 from drawings.lettering.words import fixed, letter, word
 from drawings.page.scale import Drafting
 from drawings.paper.walk import tied
-from plans.checks.comparison import Comparison, Finding
 from plans.model.motion import ORDERS
+from plans.quantity import Comparison, Quantity
 
 BY_HAND = ("by plan", "by analysis", "by hand")
 NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
 
 
-def rows(lines: Sequence[Sequence[Finding]], positions: tuple[int, ...], language: str) -> list[TableRow]:
+def rows(lines: Sequence[Sequence[Quantity]], positions: tuple[int, ...], language: str) -> list[TableRow]:
     """Give a row for each velocity, acceleration, part or rate by positions; what is one by its cause has one row."""
     return [row_by_hand(same[0], label(same, language), positions, language) for same in lines]
 
 
-def told(comparison: Comparison, parts: Sequence[Finding] = (), given: Collection[str] = ()) -> list[Finding]:
+def told(comparison: Comparison, parts: Sequence[Quantity] = (), given: Collection[str] = ()) -> list[Quantity]:
     """List what a table tells: of each plan the points, the parts, the links.
 
     Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.
     """
-    found: list[Finding] = []
+    found: list[Quantity] = []
     for order in ORDERS[1:]:
         own = [one for one in comparison.of(order.plan) if np.nanmax(np.abs(one.construction), initial=0.0) > 0]
         points = [one for one in own if one.unit == order.point.unit]
@@ -41,12 +41,12 @@ def told(comparison: Comparison, parts: Sequence[Finding] = (), given: Collectio
     return [one for one in found if one.name not in given]
 
 
-def _is_something(part: Finding) -> bool:
+def _is_something(part: Quantity) -> bool:
     """Tell whether a part is anywhere more than rounding."""
     return bool(np.nanmax(np.abs(part.construction), initial=0.0) > np.nanmax(part.allowed, initial=0.0))
 
 
-def _new(parts: Sequence[Finding], points: Sequence[Finding]) -> list[Finding]:
+def _new(parts: Sequence[Quantity], points: Sequence[Quantity]) -> list[Quantity]:
     """Leave out a normal part that is the whole acceleration of a point."""
     known, whole = {one.name for one in parts}, {one.name for one in points}
     return [
@@ -54,19 +54,19 @@ def _new(parts: Sequence[Finding], points: Sequence[Finding]) -> list[Finding]:
     ]
 
 
-def row_by_hand(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> TableRow:
+def row_by_hand(finding: Quantity, name: str, positions: tuple[int, ...], language: str) -> TableRow:
     """Give the row of a finding under a name: by plan, by analysis, what a hand may be out."""
     return TableRow(name, tuple(cell for k in positions for cell in _cells_by_hand(finding, k, language)))
 
 
-def label(same: Sequence[Finding], language: str) -> str:
+def label(same: Sequence[Quantity], language: str) -> str:
     """Name findings of a motion that are one as the table does, with their unit: "v_{D} = v_{S5}, m/s"."""
     names = (one.name.split("_", 1) for one in same)
     letters = " = ".join(letter(language, f"{symbol}_{{{index}}}") for symbol, index in names)
     return f"{letters}, {word(language, same[0].unit)}"
 
 
-def _pair(finding: Finding, position: int, language: str) -> tuple[str, str] | None:
+def _pair(finding: Quantity, position: int, language: str) -> tuple[str, str] | None:
     """Write a value by plan and by analysis; None at a gap."""
     both = finding.construction[position], finding.analysis[position]
     if np.isnan(np.abs(both)).any():
@@ -79,11 +79,11 @@ def _told(value: Any) -> float:
     return float(abs(value)) if np.iscomplexobj(value) else float(value)
 
 
-def _places(finding: Finding) -> int:
+def _places(finding: Quantity) -> int:
     return max(DIGITS - 1 - math.floor(tied(math.log10(finding.largest))), 0)
 
 
-def _cells_by_hand(finding: Finding, position: int, language: str) -> tuple[Cell, Cell, Cell]:
+def _cells_by_hand(finding: Quantity, position: int, language: str) -> tuple[Cell, Cell, Cell]:
     pair, places = _pair(finding, position, language), _places(finding)
     if pair is None:
         return NOTHING, NOTHING, NOTHING

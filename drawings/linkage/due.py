@@ -20,7 +20,6 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.analytic.points import placed
-from plans.checks.comparison import Finding
 from plans.linkage.by_hand import MotionByHand
 from plans.linkage.letters import unnamed
 from plans.linkage.parts import alike
@@ -31,6 +30,7 @@ from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME, Output
 from plans.model.motion import ORDERS, POSITIONS, Extremes
+from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import word
 
@@ -192,18 +192,18 @@ class _Linkage:
                 yield from cells(VALUES, row, told_by, k, may_lack=lost)
 
 
-def named(told: Sequence[Finding], language: str) -> dict[str, Finding]:
+def named(told: Sequence[Quantity], language: str) -> dict[str, Quantity]:
     """Give findings of velocities and accelerations by their letters as they are read."""
     plans = [order.plan for order in ORDERS[1:]]
     return {_letter(one, language): one for one in told if one.plan in plans}
 
 
-def _letter(one: Finding, language: str) -> str:
+def _letter(one: Quantity, language: str) -> str:
     symbol, _, index = one.name.partition("_")
     return Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain
 
 
-def is_something(one: Finding) -> bool:
+def is_something(one: Quantity) -> bool:
     """Tell whether a finding is more than rounding in some position, by the analysis."""
     most = np.nanmax(np.abs(one.analysis), initial=0.0)
     return bool(most > 2 * np.nanmax(one.allowed, initial=0.0))

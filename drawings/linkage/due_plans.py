@@ -14,7 +14,6 @@ from drawings.lettering.vector_letters import with_index
 from drawings.page.scale import Drafting
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
-from plans.checks.comparison import Finding
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
 from plans.linkage.letters import POLES
@@ -26,6 +25,7 @@ from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ACCELERATIONS, ORDERS, VELOCITIES
+from plans.quantity import Quantity
 
 Masses = Mapping[str, tuple[int, complex]]
 SHORT = 0.1  # mm: a shorter vector may be a point
@@ -129,7 +129,7 @@ class VectorPlans:
         return Analysed(self.study.mechanism, self.comparison.analysis, k, written)
 
     @cached_property
-    def parts(self) -> tuple[Finding, ...]:
+    def parts(self) -> tuple[Quantity, ...]:
         """The relative, normal, tangential, Coriolis vectors by both roads, and those of mass centres."""
         return findings(self.study, self.comparison, self.masses)
 

@@ -9,8 +9,7 @@ import numpy as np
 from drawings.lettering.phrase import Slot, joined, phrase, slotted
 from drawings.lettering.words import fixed, number, runs, span, word
 from drawings.report.report import share
-from plans.checks.by_hand import SLIP
-from plans.checks.comparison import Finding
+from plans.by_hand import SLIP
 from plans.linkage.pressure import interval
 from plans.linkage.primaries import ram as cylinder
 from plans.linkage.quantities import MotionComparison
@@ -18,6 +17,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula, mechanism_class
 from plans.model.mechanism import Ram
 from plans.model.motion import Floats, Rates
+from plans.quantity import Quantity
 from plans.words.words import said as worded
 
 ALIKE = 1 - 1e-6  # conditions of positions that mirror each other differ by their rounding alone
@@ -51,7 +51,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str, by_h
     return [*said, *both, *([word(language, "hand note", slip=number(SLIP, language))] if both and by_hand else [])]
 
 
-def accord(findings: Sequence[Finding], kappa: Floats, language: str) -> list[str]:
+def accord(findings: Sequence[Quantity], kappa: Floats, language: str) -> list[str]:
     """Say once how far plan and analysis are apart, and where the mechanism is worst conditioned; nothing of gaps."""
     known = np.flatnonzero(np.isfinite(kappa))
     if not len(known):

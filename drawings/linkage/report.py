@@ -20,7 +20,6 @@ from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions
 from drawings.report.table import chapter, header, row
-from plans.checks.comparison import Finding
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.margin import Barrier
 from plans.linkage.parts import alike
@@ -31,6 +30,7 @@ from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.dyad import Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Ram, Slide
 from plans.model.motion import PLANS, POSITIONS, VELOCITIES
+from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -299,14 +299,14 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             yield ""
 
 
-def _heading(same: Sequence[Finding], letters: Formula) -> str:
+def _heading(same: Sequence[Quantity], letters: Formula) -> str:
     """Name a quantity of a point or of a link by its letter, or by all that it has, with its unit."""
     names = (one.name.split("_", 1) for one in same)
     told = " = ".join(letters.letter(f"{symbol}_{{{index}}}") for symbol, index in names)
     return f"${told}$, {letters.drafting.word(same[0].unit)}"
 
 
-def _cell(finding: Finding, position: int, language: str) -> str:
+def _cell(finding: Quantity, position: int, language: str) -> str:
     roads = (finding.construction, finding.analysis)
     ours, theirs = (_text(values[position], finding.largest, language) for values in roads)
     return ours if ours == theirs else f"{ours}<br>{theirs}"

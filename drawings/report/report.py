@@ -12,10 +12,10 @@ from drawings.lettering.words import decimal, fixed, runs
 from drawings.page.scale import Drafting
 from drawings.report.formula import Chapters
 from drawings.report.table import REPORTS, chapter, header, heading, quantity, row
-from plans.checks.by_hand import SLIP
-from plans.checks.comparison import Comparison, Finding, together
+from plans.by_hand import SLIP
 from plans.model.mechanism import Drive
 from plans.model.motion import Gap
+from plans.quantity import Comparison, Quantity, together
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
@@ -44,7 +44,7 @@ def nothing(scene: Scene) -> list[str]:
 NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
 
 
-def agreed(findings: Sequence[Finding], drafting: Drafting, by_hand: bool = True) -> Iterator[str]:
+def agreed(findings: Sequence[Quantity], drafting: Drafting, by_hand: bool = True) -> Iterator[str]:
     """Say how far construction and analysis are apart, and what the column of the hand tells; nothing of nothing."""
     if findings:
         yield drafting.word("accord of roads", share=share(findings))
@@ -52,14 +52,14 @@ def agreed(findings: Sequence[Finding], drafting: Drafting, by_hand: bool = True
             yield drafting.word("polygon hand note", slip=drafting.number(SLIP))
 
 
-def share(findings: Sequence[Finding]) -> str:
+def share(findings: Sequence[Quantity]) -> str:
     """Write the least power of ten of the largest values that no difference is beyond."""
     shares = [_apart(one) for one in findings if one.largest > 0]
     power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
     return f"10^{{−{-power}}}" if power else "1"
 
 
-def _apart(one: Finding) -> float:
+def _apart(one: Quantity) -> float:
     """Give the worst difference as a share of the largest value, or of its own where a jam makes that larger."""
     sizes = np.fmax(np.abs(one.construction), one.largest)
     return float(np.nanmax(one.difference / sizes, initial=0.0))
@@ -157,7 +157,7 @@ def plan_width(plans: Iterable[str], language: str) -> int:
     return max((PLAN_WIDTH, *(len(term(language, "plan", plan)) for plan in plans)))
 
 
-def _worst(findings: Sequence[Finding], language: str) -> str:
+def _worst(findings: Sequence[Quantity], language: str) -> str:
     worst = max(findings, key=lambda finding: (peak(finding.excess), peak(finding.difference)))
     per_cent = max(finding.per_cent for finding in findings)
     unit, name = term(language, "text_unit", worst.unit), quantity(worst.name, language)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
 
-from plans.checks.comparison import Finding
+from plans.quantity import Quantity
 from plans.words.words import term, word, written
 
 
@@ -24,7 +24,7 @@ def header(heads: Sequence[str]) -> list[str]:
     return [row(heads).replace("|  |", "| |"), "|" + "---|" * len(heads)]
 
 
-def heading(finding: Finding, language: str) -> str:
+def heading(finding: Quantity, language: str) -> str:
     """Name a quantity with its unit."""
     return f"{quantity(finding.name, language)}, {term(language, 'text_unit', finding.unit)}"
 

@@ -14,9 +14,9 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.rotor import moment
-from plans.checks.by_hand import by_hand as slipping
-from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
+from plans.by_hand import by_hand as slipping
 from plans.model.rotor import Balance, Rotor, permissible
+from plans.quantity import EQUILIBRIUM, Comparison, Quantity
 from plans.rotor.balancing import COUPLES, UNBALANCES, moment_letters, unbalance_letters
 from plans.rotor.study import RotorStudy
 from plans.study import Study
@@ -165,7 +165,7 @@ class _Rotor:
                 told = size, size, by_hand(slips.get((one.name, 0), math.nan), one.largest)
                 yield from cells(RESULTS, f"{row}, {self.drafting.word(one.unit)}", told, digits=DIGITS)
 
-    def _findings(self) -> Iterator[Finding]:
+    def _findings(self) -> Iterator[Quantity]:
         return (one for one in self.comparison.findings if one.plan != EQUILIBRIUM)
 
     def notes(self) -> Iterator[Expected]:

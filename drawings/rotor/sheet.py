@@ -22,9 +22,9 @@ from drawings.rotor.polygon import polygon as rotor_polygon
 from drawings.rotor.report import RotorNotes
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, figures_facts
-from plans.checks.by_hand import by_hand
-from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding
+from plans.by_hand import by_hand
 from plans.model.rotor import Balance, Correction, Rotor, Unbalance
+from plans.quantity import EQUILIBRIUM, Comparison, Quantity
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -70,12 +70,12 @@ def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
     return _table(RESULTS, [_line(one, drafting) for one in compared(comparison)], "quantity", BY_HAND, drafting)
 
 
-def compared(comparison: Comparison) -> list[Finding]:
+def compared(comparison: Comparison) -> list[Quantity]:
     """List what the table of results tells."""
     return [one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0]
 
 
-def _line(finding: Finding, drafting: Drafting) -> TableRow:
+def _line(finding: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding; what vanishes is 0 by both roads."""
     line = row_by_hand(finding, _name(finding, drafting), (0,), drafting.language)
     if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
@@ -83,7 +83,7 @@ def _line(finding: Finding, drafting: Drafting) -> TableRow:
     return line
 
 
-def _name(finding: Finding, drafting: Drafting) -> str:
+def _name(finding: Quantity, drafting: Drafting) -> str:
     head, _, after = finding.name.partition("'")
     prime = "'" if finding.name.endswith("'") else after
     return f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"

@@ -39,7 +39,7 @@ ROUNDS = 64  # bisection alone makes 53 digits of a stride
 ROUNDINGS = 2.0  # of a crank angle: a step of so much is none
 
 # Of stations (3, N, links, 3) to a quantity and its slope by the crank angle, (2, N).
-Quantity: TypeAlias = Callable[[Floats], Floats]
+Measure: TypeAlias = Callable[[Floats], Floats]
 
 
 def cyclogram(road: Analysis, task: CyclogramTask, output: Output, watched: Watched | None) -> Cyclogram | None:
@@ -141,7 +141,7 @@ class _Around(NamedTuple):
     def _travel(self, stations: Floats) -> Floats:
         return self.coordinate.along(stations)[:2]
 
-    def _turning(self, watched: Watched) -> Quantity:
+    def _turning(self, watched: Watched) -> Measure:
         """Give how fast two links turn against each other, or the first against the frame, by the crank angle."""
         first, second = (
             self.shape.constraints.numbers.index(link)
@@ -171,7 +171,7 @@ class _Around(NamedTuple):
         own = self.shape.mechanism.links[link].points[point]
         return complex(place(self.shape.constraints, poses[None], link, own)[0])
 
-    def _between(self, quantity: Quantity, target: float, stroke: _Stroke) -> list[tuple[float, float]]:
+    def _between(self, quantity: Measure, target: float, stroke: _Stroke) -> list[tuple[float, float]]:
         """Give the neighbouring crank angles of a stroke between which a quantity passes its target."""
         way = np.sort((self.sense * (self.turn.angles - stroke.begin)) % FULL)
         inner = way[(way > 0.0) & (way < abs(stroke.end - stroke.begin))]
@@ -179,7 +179,7 @@ class _Around(NamedTuple):
         above = self._at(phi, quantity)[0] >= target
         return [(float(phi[k]), float(phi[k + 1])) for k in np.flatnonzero(above[1:] != above[:-1])]
 
-    def _roots(self, quantity: Quantity, brackets: list[tuple[float, float]]) -> Floats:
+    def _roots(self, quantity: Measure, brackets: list[tuple[float, float]]) -> Floats:
         """Close in on zeros between crank angles: by Newton's steps, by halves where they lead out, (N,)."""
         low, high = np.array(brackets).reshape(-1, 2).T.copy()
         rising = self._at(high, quantity)[0] >= 0.0
@@ -196,7 +196,7 @@ class _Around(NamedTuple):
                 break
         return np.asarray(phi)
 
-    def _at(self, phi: Floats, quantity: Quantity) -> Floats:
+    def _at(self, phi: Floats, quantity: Measure) -> Floats:
         """Give a quantity at any crank angles, rad, (2, N)."""
         return quantity(self._stations(phi)) if len(phi) else np.zeros((2, 0))
 

@@ -19,7 +19,6 @@ from plans.analytic.balance.mass_centre import bodies, sizes, vectors
 from plans.analytic.kinetostatics import kinetostatics
 from plans.balance.shares import drawing, positions_around
 from plans.balance.study import CENTRE, COUNTERWEIGHTS, BalanceStudy
-from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
 from plans.linkage.quantities import MotionComparison, cap, with_analysis
 from plans.linkage.study import LinkageStudy
@@ -27,6 +26,7 @@ from plans.model.balance.linkage import EPS, NONE, ROUNDING, SHARE, Balance, Cou
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
+from plans.quantity import Quantity
 
 
 class Weights:
@@ -68,7 +68,7 @@ class Weights:
             return 0.0
         return abs(shared(self.mechanism, {point: self.loose(point) for point in self.found.left}))
 
-    def findings(self, ours: Balance, theirs: Balance) -> Iterator[Finding]:
+    def findings(self, ours: Balance, theirs: Balance) -> Iterator[Quantity]:
         """Compare every counterweight, and every mass that stays."""
         for one, other in zip(ours.counterweights, theirs.counterweights, strict=True):
             yield from self._of(one, other)
@@ -77,7 +77,7 @@ class Weights:
             pair = ours.left.get(point, 0j), theirs.left.get(point, 0j)
             yield _weights_finding(f"m_{point}", "kg", pair, self.loose(point), largest)
 
-    def _of(self, one: Counterweight, other: Counterweight) -> Iterator[Finding]:
+    def _of(self, one: Counterweight, other: Counterweight) -> Iterator[Quantity]:
         slack, link = self.slack(one.link), one.link
         yield _weights_finding(f"U_{link}", "kg*m", (one.moment, other.moment), slack, max(abs(one.moment), slack))
         off = 2 * EPS * one.mass + uncertain(one, slack)
@@ -89,8 +89,8 @@ class Weights:
             )
 
 
-def _weights_finding(name: str, unit: str, pair: tuple[Any, Any], allowed: float, largest: float) -> Finding:
-    return Finding.of((COUNTERWEIGHTS, name, unit), pair, allowed, largest)
+def _weights_finding(name: str, unit: str, pair: tuple[Any, Any], allowed: float, largest: float) -> Quantity:
+    return Quantity.of((COUNTERWEIGHTS, name, unit), pair, allowed, largest)
 
 
 class Stretch(NamedTuple):
@@ -121,7 +121,7 @@ class Stretch(NamedTuple):
         bounds, count = errors(*marks), len(self.motion.kappa)
         return [np.asarray(np.broadcast_to(bounds[mark].place, count)) for mark in marks]
 
-    def capped(self, findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    def capped(self, findings: Iterable[Quantity]) -> tuple[Quantity, ...]:
         """Allow no more than a share of the largest where the construction is sharp."""
         return cap(self.study, list(findings), self.drafts)
 
@@ -191,13 +191,13 @@ class Centre:
         own = self.turning + self.given * self.stretch.rate * self.stretch.size
         return self.stretch.allowed(own, ACCELERATION, self.sizes[2])
 
-    def findings(self, plan: str, ours: MassCentre, theirs: MassCentre) -> Iterator[Finding]:
+    def findings(self, plan: str, ours: MassCentre, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare place, main vector and main moment."""
         yield _finding(plan, f"r_S{self.mark}", "m", (ours.r, theirs.r), self.placed, self.sizes[0] / self.mass)
         yield _finding(plan, f"Φ{self.mark}", "N", (ours.force, theirs.force), self.shaken, self.sizes[1])
         yield _finding(plan, f"M_Φ{self.mark}", "N*m", (ours.moment, theirs.moment), self.rocked, self.sizes[2])
 
-    def polygons(self, theirs: MassCentre) -> Iterator[Finding]:
+    def polygons(self, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare the polygons of static moments and of inertia forces."""
         place, force = self._row(self.drawing.place, theirs.r), self._row(self.drawing.shaking.end, theirs.force)
         static = self.sizes[0] / self.mass
@@ -207,7 +207,7 @@ class Centre:
         allowed = self.stretch.allowed(own, ACCELERATION, self.sizes[1])
         yield _finding(CENTRE, f"ΣΦ{self.mark}", "N", (force, theirs.force), allowed, self.sizes[1])
 
-    def vectors(self) -> Iterator[Finding]:
+    def vectors(self) -> Iterator[Quantity]:
         """Compare the vectors of main points with sums over the paths from each mass to the frame."""
         theirs, terms = vectors(self.solid, self.points.tree.stems), self.points.moments
         for link, ours in self.points.vectors.items():
@@ -225,8 +225,8 @@ class Centre:
         return np.where(np.isnan(like), np.nan, np.broadcast_to(mark.point, len(like)))
 
 
-def _finding(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Finding:
-    return Finding.of((plan, name, unit), pair, allowed, largest)
+def _finding(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Quantity:
+    return Quantity.of((plan, name, unit), pair, allowed, largest)
 
 
 class Centres:
@@ -235,7 +235,7 @@ class Centres:
     def __init__(self, study: BalanceStudy, stretch: Stretch, ours: Balance, theirs: Balance, weights: Weights) -> None:
         self.study, self.stretch, self.ours, self.theirs, self.weights = study, stretch, ours, theirs, weights
 
-    def findings(self) -> Iterator[Finding]:
+    def findings(self) -> Iterator[Quantity]:
         """Compare both, and hold them against what the frame must bear."""
         for one, other in ((self.ours.before, self.theirs.before), (self.ours.after, self.theirs.after)):
             if one is not None and other is not None:
@@ -247,7 +247,7 @@ class Centres:
                 if after:
                     yield from self.stretch.capped([self._still(centre, one.centre)])
 
-    def _held(self, centre: Centre, ours: MassCentre) -> Iterator[Finding]:
+    def _held(self, centre: Centre, ours: MassCentre) -> Iterator[Quantity]:
         """Compare the main vector and moment with what the frame holds where inertia alone acts."""
         machine = self.study.loaded if centre.after else self.study.machine
         alone = replace(machine, gravity=0j, forces=(), moments=(), springs=())
@@ -261,7 +261,7 @@ class Centres:
         largest = max(centre.sizes[2], size * self.stretch.size)
         yield _judged(CENTRE, f"ΣM_0{centre.mark}", "N*m", (ours.moment, moment), allowed, largest)
 
-    def _still(self, centre: Centre, ours: MassCentre) -> Finding:
+    def _still(self, centre: Centre, ours: MassCentre) -> Quantity:
         """Hold what must rest: the mass centre, but for what is left at sliders and the share that the crank bears."""
         motion, left = self.stretch.motion.construction, self.ours.left
         moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
@@ -271,7 +271,7 @@ class Centres:
         kept = sum(map(abs, left.values())) * self.stretch.size
         own = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
         allowed = own + float(np.fmax.reduce(own))
-        return Finding.vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
+        return Quantity.vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
 
     @property
     def _crank(self) -> int:
@@ -300,7 +300,7 @@ def frame_holds(forces: Kinetostatics) -> tuple[Complexes, Floats]:
     return force, moment
 
 
-def _judged(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Finding:
+def _judged(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Quantity:
     """Put two beside each other where both have an answer."""
     ours, theirs = pair
     theirs = np.where(np.isnan(theirs), ours, theirs)

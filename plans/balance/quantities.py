@@ -17,7 +17,6 @@ from plans.analytic.kinematics import Analysis
 from plans.balance.centre import Centre, Centres, Stretch, Weights, scene_stretch, turn_stretch
 from plans.balance.shares import positions_around
 from plans.balance.study import CENTRE, COSTS, COUNTERWEIGHTS, BalanceStudy
-from plans.checks.comparison import Comparison, Finding, Numbers, gap_numbers, pairs, plain
 from plans.forces.cut import indices
 from plans.forces.loading import loading
 from plans.forces.quantities import ForceFindings
@@ -27,6 +26,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.balance.linkage import ANALYSIS, EPS, Balance, Choice, Counterweight, MassCentre, Shares, State
 from plans.model.mechanism import FRAME
 from plans.model.motion import ACCELERATIONS, Floats, Motion
+from plans.quantity import Comparison, Numbers, Quantity, gap_numbers, pairs, plain
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -41,7 +41,7 @@ class Costs:
         self.study, self.course, self.stretch, self.weights = study, course, stretch, weights
         self.ours, self.theirs = roads
 
-    def findings(self) -> Iterator[Finding]:
+    def findings(self) -> Iterator[Quantity]:
         """Compare all of it."""
         for after in (False, True):
             one, other = self._states(after)
@@ -71,7 +71,7 @@ class Costs:
         borne = max(force, moment / self.stretch.size)
         return ForceFindings(statics, self.stretch.motion, one.forces, other.forces, plans, borne)
 
-    def _forces(self, after: bool) -> Iterator[Finding]:
+    def _forces(self, after: bool) -> Iterator[Quantity]:
         """Compare reactions and what the drive gives; what the counterweights are off, the reactions magnify."""
         both, mark = self.forces(after), "'" if after else ""
         off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
@@ -98,7 +98,7 @@ class Costs:
 HALVINGS = 60  # of an interval of shares, down to rounding
 
 
-def share_findings(costs: Costs) -> Iterator[Finding]:
+def share_findings(costs: Costs) -> Iterator[Quantity]:
     """Compare the curves of the largest shaking force and the largest reaction of the shaft, and both best shares."""
     ours, theirs = costs.ours.shares, costs.theirs.shares
     if ours is None or theirs is None:
@@ -118,7 +118,7 @@ def _allowed(costs: Costs, shaft: str) -> list[Floats]:
 
 def _of(
     named: tuple[str, str], largest: Callable[[float], float], off: float, ours: Shares, theirs: Shares
-) -> Iterator[Finding]:
+) -> Iterator[Quantity]:
     name, letters = named
     curve = (ours.curve, theirs.curve)
     yield _finding(f"{letters}(k)", "N", [[getattr(one, name) for one in row] for row in curve], off)
@@ -145,9 +145,9 @@ def _reach(largest: Callable[[float], float], share: float, end: float, level: f
     return abs(far - share)
 
 
-def _finding(name: str, unit: str, rows: Sequence[Sequence[float]], allowed: float) -> Finding:
+def _finding(name: str, unit: str, rows: Sequence[Sequence[float]], allowed: float) -> Quantity:
     ours, theirs = (np.array(row) for row in rows)
-    return Finding.of((COSTS, name, unit), (ours, theirs), allowed, float(np.fmax.reduce(np.abs(ours))))
+    return Quantity.of((COSTS, name, unit), (ours, theirs), allowed, float(np.fmax.reduce(np.abs(ours))))
 
 
 @dataclass(frozen=True)
@@ -156,7 +156,7 @@ class BalanceComparison(Comparison):
 
     construction: Balance
     analysis: Balance
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
     motion: MotionComparison
 
     @property

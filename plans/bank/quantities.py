@@ -16,14 +16,14 @@ from plans.balance.study import BalanceStudy
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import FORCE, HARMONICS, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
-from plans.checks.by_hand import MOST_SIDES, by_hand
-from plans.checks.comparison import EQUILIBRIUM, Comparison, Finding, Numbers
+from plans.by_hand import MOST_SIDES, by_hand
 from plans.forces.statics import Statics
 from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.balance.bank import ANALYSIS, BankBalance, Compensator, Harmonic
 from plans.model.balance.linkage import Counterweight
 from plans.model.motion import ACCELERATIONS, Complexes
+from plans.quantity import EQUILIBRIUM, Comparison, Numbers, Quantity
 from plans.rotor.balancing import polygon
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ class _Compared(NamedTuple):
         """How far a moment of the bank can be out."""
         return self._single * math.fsum(abs(float(one.place)) for one in self.ours.task.members)
 
-    def harmonics(self) -> Iterator[Finding]:
+    def harmonics(self) -> Iterator[Quantity]:
         """Compare every vector of every order."""
         largest, arm = _largest(self.ours.single), max(abs(float(one.place)) for one in self.ours.task.members)
         rows = (
@@ -111,7 +111,7 @@ class _Compared(NamedTuple):
                 allowed = one.slack + theirs[order].slack + bound
                 for signed, found, other in _pairs(order, one, theirs[order]):
                     named = HARMONICS, letters(kind, signed), unit
-                    yield Finding.of(named, (found, other), allowed, most, self._shown(kind, signed))
+                    yield Quantity.of(named, (found, other), allowed, most, self._shown(kind, signed))
 
     def _shown(self, kind: str, signed: int, times: float = -1.0) -> Mark | None:
         """Give what is read off the polygon of an order, so many times what closes it, on a board of its figure.
@@ -129,7 +129,7 @@ class _Compared(NamedTuple):
         closed = polygon(board, board.given("0", 0j), f"-{kind}", laid)
         return board.turn(kind, closed.closing, times)
 
-    def compensators(self) -> Iterator[Finding]:
+    def compensators(self) -> Iterator[Quantity]:
         """Compare the masses of the compensators, with the directions in which they stand."""
         largest = max((one.with_crank + one.against for one in self.ours.compensators), default=0.0)
         for one, other in zip(self.ours.compensators, self.theirs.compensators, strict=True):
@@ -139,16 +139,16 @@ class _Compared(NamedTuple):
             for signed, found, theirs in zip((order, -order), _weights(one), _weights(other), strict=True):
                 shown = self._shown(FORCE, signed, 1 / (signed * self.ours.task.speed) ** 2)
                 named = COMPENSATORS, letters(STATIC, signed), "kg*m"
-                yield Finding.of(named, (found, theirs), allowed, largest, shown)
+                yield Quantity.of(named, (found, theirs), allowed, largest, shown)
             residual = max(one.residual, other.residual)
             named, pair = (COMPENSATORS, f"{FORCE}·z,{order}", "N*m"), (one.residual, other.residual)
-            yield Finding.of(named, pair, 2 * force * offset, residual)
+            yield Quantity.of(named, pair, 2 * force * offset, residual)
             if one.couple is not None and other.couple is not None:
                 allowed *= 2 * offset / (one.asked.shafts or math.inf)
                 couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (one, other))
-                yield Finding.of((COMPENSATORS, couple_letters(order), "kg*m"), (couple, theirs), allowed, one.couple)
+                yield Quantity.of((COMPENSATORS, couple_letters(order), "kg*m"), (couple, theirs), allowed, one.couple)
 
-    def whole(self) -> Iterator[Finding]:
+    def whole(self) -> Iterator[Quantity]:
         """Compare the whole force and moment over the turn, before and after the compensators."""
         ours, theirs = self.ours, self.theirs
         force = ours.force_slack + theirs.force_slack
@@ -161,9 +161,9 @@ class _Compared(NamedTuple):
             (WHOLE_MOMENT, "N*m", ours.moment, theirs.moment, moment, shares.largest_moment),
         )
         for name, unit, found, other, allowed, largest in rows:
-            yield Finding.of((HARMONICS, name, unit), (found, other), allowed, largest)
+            yield Quantity.of((HARMONICS, name, unit), (found, other), allowed, largest)
 
-    def transforms(self) -> Iterator[Finding]:
+    def transforms(self) -> Iterator[Quantity]:
         """See that the whole force and moment over the turn have the harmonics that the polygons gave them."""
         ours, most = self.ours, self.study.whole
         arms = math.fsum(abs(float(one.place)) for one in ours.task.members)
@@ -177,9 +177,9 @@ class _Compared(NamedTuple):
                 allowed = slack + one.slack + weight * (self._single + self._beyond(order))
                 for signed, found, _ in _pairs(order, one, one):
                     named = EQUILIBRIUM, f"{letters(kind, signed)}(φ)", unit
-                    yield Finding.of(named, (found, row[signed]), allowed, largest)
+                    yield Quantity.of(named, (found, row[signed]), allowed, largest)
 
-    def balanced(self) -> Iterator[Finding]:
+    def balanced(self) -> Iterator[Quantity]:
         """See that the compensators leave nothing of their orders."""
         row, members = _transform(self.ours.left), len(self.ours.task.members)
         for one in self.ours.compensators:
@@ -187,7 +187,7 @@ class _Compared(NamedTuple):
             allowed = self.ours.left_slack + self._taken + self._bank + members * self._beyond(order)
             for signed in (order, -order):
                 named = EQUILIBRIUM, f"{letters(FORCE, signed)}'", "N"
-                yield Finding.of(named, (0j, row[signed]), allowed, self.study.whole.largest)
+                yield Quantity.of(named, (0j, row[signed]), allowed, self.study.whole.largest)
 
     @property
     def _taken(self) -> float:
@@ -264,7 +264,7 @@ def _peak(values: Complexes, slack: float) -> float:
     return found if found > slack else 0.0
 
 
-def bank_by_hand(findings: Iterable[Finding], scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
+def bank_by_hand(findings: Iterable[Quantity], scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
     """Give what a hand may be out in the polygons that a sheet shows, by the names of the findings.
 
     `scales` are those of the figures, N or N*m a mm: "order_forces-2-back". A mass of a compensator is read off what

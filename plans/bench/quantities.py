@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from plans.bench.trial import Errors, Road
-from plans.checks.comparison import Finding
+from plans.quantity import Quantity
 from plans.study import Study
 
 CONSTRUCTION, ANALYSIS = "{}: construction", "{}: analysis, compared"
@@ -17,18 +17,18 @@ DEFINED = (
 )
 
 
-def quantities(study: Study, technique: str) -> Sequence[Finding]:
+def quantities(study: Study, technique: str) -> Sequence[Quantity]:
     """Give the quantities of a technique by both roads."""
-    found: Sequence[Finding] = study.comparison(technique).findings
+    found: Sequence[Quantity] = study.comparison(technique).findings
     return found
 
 
-def apart(found: Sequence[Finding]) -> Errors | None:
+def apart(found: Sequence[Quantity]) -> Errors | None:
     """Judge the quantities of a technique by how far its two roads are apart."""
     return Errors.of({f"{one.plan}: {one.name}": _share(one) for one in found})
 
 
-def _share(one: Finding) -> float:
+def _share(one: Quantity) -> float:
     """Give the largest difference in shares of the plan's largest; what one road alone finds is infinitely wrong."""
     if not np.isfinite(one.excess).all():
         return float("inf")
@@ -38,7 +38,7 @@ def _share(one: Finding) -> float:
     return 0.0 if (one.excess <= 1.0).all() else float("inf")
 
 
-def follows(found: Sequence[Finding], count: int | None) -> bool:
+def follows(found: Sequence[Quantity], count: int | None) -> bool:
     """Tell whether a technique finds something at every position, so that more of them are more work."""
     return any(one.construction.size == count for one in found)
 

@@ -9,17 +9,17 @@ import numpy as np
 
 from geometry.board import Board, Mark, between
 from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
+from plans.by_hand import SLIP, Slipping
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram
 from plans.cam.centre.rocker_sizes import laid_end as laid_on_arc
 from plans.cam.sizes import laid_end
 from plans.cam.sizing import SIZES as BOARD
 from plans.cam.sizing import Sizing
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
-from plans.checks.by_hand import SLIP, Slipping
-from plans.checks.comparison import Numbers, pairs, plain
 from plans.model.cam import ROLLER
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
 from plans.model.motion import Floats
+from plans.quantity import Numbers, pairs, plain
 
 if TYPE_CHECKING:
     from plans.study import Study

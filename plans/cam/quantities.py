@@ -18,10 +18,10 @@ from plans.cam.results import results
 from plans.cam.sizing import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.cam.verdicts import TERM, Pair, Slack, Verdicts
-from plans.checks.comparison import Comparison, Finding
 from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Flaw, Points, Pressing
 from plans.model.motion import Floats, Gap
+from plans.quantity import Comparison, Quantity
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -115,7 +115,7 @@ def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES,
     return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
 
 
-def quantities_of(study: Study) -> tuple[Finding, ...]:
+def quantities_of(study: Study) -> tuple[Quantity, ...]:
     """Give what is compared of a scene's cams, and what the tables of their sizes tell."""
     found: Comparison = study.comparison("cam")
     ours, theirs = found.construction.cams, found.analysis.cams
@@ -123,13 +123,13 @@ def quantities_of(study: Study) -> tuple[Finding, ...]:
     return *found.findings, *(one for both in zip(ours, theirs, names, strict=True) for one in _told(*both))
 
 
-def _told(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Finding]:
+def _told(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]:
     pairs = zip(results(ours), results(theirs), strict=True)
     for one, other in ((one, other) for one, other in pairs if not one.where):
-        yield Finding.of((SIZES, f"{one.letter}{of}", one.unit), (one.value, other.value), np.inf)
+        yield Quantity.of((SIZES, f"{one.letter}{of}", one.unit), (one.value, other.value), np.inf)
 
 
-def of_cam(comparison: Comparison, name: str) -> list[Finding]:
+def of_cam(comparison: Comparison, name: str) -> list[Quantity]:
     """List what was compared of one cam beside its law: sizes, profile, extremes, forces."""
     lone = len(comparison.analysis.cams) == 1
     return [one for one in comparison.findings if one.plan != LAWS and (lone or one.name.endswith(f" {name}"))]
@@ -164,7 +164,7 @@ class Compared:
         """How far rounding can move 1/ρ at the place of an extreme, 1/m."""
         return max(float(np.max(slack.curvature)) for slack in self.near(one))
 
-    def findings(self, plans: frozenset[str]) -> Iterator[Finding]:
+    def findings(self, plans: frozenset[str]) -> Iterator[Quantity]:
         """Compare what is asked for."""
         if LAWS in plans:
             yield from self.laws()
@@ -182,15 +182,15 @@ class Compared:
         """What both roads say of it beside its shape."""
         return Verdicts(self.drawing, self.theirs, self.slack, self.near)
 
-    def said(self) -> Iterator[Finding]:
+    def said(self) -> Iterator[Quantity]:
         """Compare contact forces, flaws, and what would mend those."""
         verdicts = self.verdicts
         yield from map(self._pair, (*verdicts.forces(), *verdicts.flaws(), *verdicts.remedies()))
 
-    def _pair(self, one: Pair) -> Finding:
+    def _pair(self, one: Pair) -> Quantity:
         return self._row(*one)
 
-    def laws(self) -> Iterator[Finding]:
+    def laws(self) -> Iterator[Quantity]:
         """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
         own, other = self.ours.contour.travel, self.theirs.contour.travel
         for order, name in enumerate(("S", "S'", "S''")):
@@ -199,7 +199,7 @@ class Compared:
             size, its = abs(one.value), abs(self.theirs.peaks[name].value)
             yield self._one(LAWS, f"{name}_max", self._units[order], size, its, self.slack.travel(order))
 
-    def diagrams(self) -> Iterator[Finding]:
+    def diagrams(self) -> Iterator[Quantity]:
         """Compare the chords with the same chords by the ordinates of the analysis."""
         drawn = self.drawing.diagrams
         edges, slope, s = drawn.strips.edges, *self.chords
@@ -225,7 +225,7 @@ class Compared:
         """What S' gains over the strips by the mean ordinates of the analysis's S''."""
         return _gains(self.theirs.cam, self.drawing.diagrams.strips.edges)[0]
 
-    def sizes(self) -> Iterator[Finding]:
+    def sizes(self) -> Iterator[Quantity]:
         """Compare the main sizes and the roller."""
         own, other = self.ours, self.theirs
         if not own.cam.translates:
@@ -241,7 +241,7 @@ class Compared:
             radius = own.sharpest.value**2 * self.bent(own.sharpest) if own.sharpest else 0.0
             yield self._one(SIZES, "r_r", "m", own.roller, other.roller, radius + self.slack.centre)
 
-    def profile(self) -> Iterator[Finding]:
+    def profile(self) -> Iterator[Quantity]:
         """Compare the profile at the numbered positions."""
         own, other, slack = self.ours.contour, self.theirs.contour, self.slack
         yield self._row(PROFILE, "K", "m", own.tip, other.tip, slack.lever)
@@ -262,7 +262,7 @@ class Compared:
         edge = 0.0 if self.ours.cam.flat else np.nan
         return _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
 
-    def extremes(self) -> Iterator[Finding]:
+    def extremes(self) -> Iterator[Quantity]:
         """Compare the largest pressure angles and the sharpest places."""
         own, other = self.ours, self.theirs
         for kind, one in own.pressure.items():
@@ -277,14 +277,14 @@ class Compared:
     def _units(self) -> Sequence[str]:
         return dimensions(self.ours.cam)
 
-    def _one(self, plan: str, name: str, unit: str, own: complex, other: complex, allowed: float) -> Finding:
+    def _one(self, plan: str, name: str, unit: str, own: complex, other: complex, allowed: float) -> Quantity:
         return self._row(plan, name, unit, np.array([own]), np.array([other]), allowed)
 
     def _row(
         self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
-    ) -> Finding:
+    ) -> Quantity:
         name = name if self.lone else f"{name} {self.ours.cam.name}"
-        return Finding.of((plan, name, unit), (own, other), allowed, _most(own))
+        return Quantity.of((plan, name, unit), (own, other), allowed, _most(own))
 
 
 def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:

@@ -10,11 +10,11 @@ import numpy as np
 
 from geometry.meet import EPS
 from plans.analytic import cyclogram as analysis
-from plans.checks.comparison import Comparison, Finding, Numbers
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.linkage.quantities import ANALYSIS as ROUNDINGS
 from plans.linkage.quantities import MOST_ALLOWED, road_of
 from plans.model.cyclogram import ANALYSIS, BEGIN, END, TURN, Cyclogram, Position
+from plans.quantity import Comparison, Numbers, Quantity
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ class CyclogramComparison(Comparison):
 
     construction: Cyclogram
     analysis: Cyclogram
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
 
     @property
     def apart(self) -> Message:
@@ -53,7 +53,7 @@ def comparison_of(study: Study) -> CyclogramComparison:
     return compare_cyclogram(study.of(CyclogramStudy))
 
 
-def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Finding]:
+def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Quantity]:
     unit = "m" if ours.sliding else "rad"
     rounding = ROUNDINGS * EPS * kappa
     yield _finding("H", unit, ours.stroke, theirs.stroke, rounding * ours.stroke, ours.stroke)
@@ -68,7 +68,7 @@ def _findings(ours: Cyclogram, theirs: Cyclogram, kappa: float) -> Iterator[Find
         yield _finding("φ_rise", "rad", ours.window.angle, theirs.window.angle, allowed, TURN)
 
 
-def _position(number: int, one: Position, other: Position | None, rounding: float) -> Iterator[Finding]:
+def _position(number: int, one: Position, other: Position | None, rounding: float) -> Iterator[Quantity]:
     """Compare the turn of the main shaft in a position, and the pressure angle where that is extreme."""
     turned = np.nan if other is None else one.turned + _apart(one.turned, other.turned)
     yield _finding(f"φ_{number}", "rad", one.turned, turned, _allowed(one, rounding), TURN)
@@ -86,8 +86,8 @@ def _apart(one: float, other: float) -> float:
     return (other - one + TURN / 2) % TURN - TURN / 2
 
 
-def _finding(name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
-    return Finding.of((CYCLOGRAM, name, unit), (one, other), allowed, largest)
+def _finding(name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Quantity:
+    return Quantity.of((CYCLOGRAM, name, unit), (one, other), allowed, largest)
 
 
 def numbers(study: Study, by: str) -> Numbers:

@@ -11,13 +11,13 @@ import numpy as np
 from geometry.calculus import ROUNDINGS
 from geometry.meet import EPS
 from plans.analytic.diagrams import ExactCourse, alone, diagrams
-from plans.checks.comparison import Comparison, Finding, Numbers, plain
 from plans.diagrams.study import DIAGRAMS, DiagramsStudy
 from plans.linkage.quantities import ANALYSIS, MotionComparison, compare, solved
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.diagrams import FEWEST, Diagrams
 from plans.model.motion import ACCELERATIONS, ORDERS, Floats
+from plans.quantity import Comparison, Numbers, Quantity, plain
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class DiagramsComparison(Comparison):
 
     construction: Diagrams
     analysis: Diagrams
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
     exact: ExactCourse  # the output's course anywhere on the axis, by analysis
 
 
@@ -70,12 +70,12 @@ class _Bounds:
         self.own, self.ours, self.theirs, self.motion = own, ours, theirs, motion
         self.axis, self.omega = ours.axis, own.course.omega
 
-    def findings(self) -> Iterator[Finding]:
+    def findings(self) -> Iterator[Quantity]:
         """Compare S, v, a at the positions, v and a by chords, and exactly where these belong."""
         letters = LETTERS[self.own.course.travel.sliding]
         units = self.own.units
         for order, (ours, theirs) in enumerate(zip(self.ours.at, self.theirs.at, strict=True)):
-            yield Finding.of((DIAGRAMS, letters[order], units[order]), (ours, theirs), self._plan(order))
+            yield Quantity.of((DIAGRAMS, letters[order], units[order]), (ours, theirs), self._plan(order))
         chords = (
             (f"{letters[1]} chords", units[1], self.ours.speeds, self.theirs.speeds, self._speeds),
             (f"{letters[1]} middles", units[1], self.ours.true_speeds, self.theirs.true_speeds, self._middle(1)),
@@ -83,7 +83,7 @@ class _Bounds:
             (f"{letters[2]} middles", units[2], self.ours.true_growths, self.theirs.true_growths, self._middle(2)),
         )
         for name, unit, ours, theirs, allowed in chords:
-            yield Finding.of((DIAGRAMS, name, unit), (ours, theirs), allowed)
+            yield Quantity.of((DIAGRAMS, name, unit), (ours, theirs), allowed)
 
     def _plan(self, order: int) -> Floats:
         """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""

@@ -9,7 +9,6 @@ import numpy as np
 
 from geometry.errors import ConstructionError
 from plans.analytic.dynamics.speeds import Swing
-from plans.checks.comparison import Finding, Numbers, gap_numbers, plain
 from plans.dynamics.form import DYNAMICS, DynamicsForm
 from plans.dynamics.quantities import DynamicsComparison, compare_dynamics
 from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS, DynamicsStudy
@@ -17,6 +16,7 @@ from plans.linkage.quantities import compare
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
 from plans.model.motion import VELOCITIES, Floats, Pace, Rates
 from plans.model.run import Account, Failure, Run, Stage, SteadyTurn
+from plans.quantity import Numbers, Quantity, gap_numbers, plain
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
@@ -134,19 +134,19 @@ def _failure(why: Failure) -> dict[str, Any]:
     return {**why._asdict(), "advice": str(why.message)}
 
 
-def quantities_of(study: Study) -> tuple[Finding, ...]:
+def quantities_of(study: Study) -> tuple[Quantity, ...]:
     """Give what is compared of a machine's motion, and what the table of results tells."""
     found: DynamicsComparison = study.comparison("dynamics")
     return *found.findings, *results(found.construction, found.exact)
 
 
-def results(own: Account, exact: Account) -> Iterator[Finding]:
+def results(own: Account, exact: Account) -> Iterator[Quantity]:
     """Put the results of the strips beside those without their error; segments are parts of one length."""
     cuts = () if exact.flywheel is None else exact.flywheel.cuts
     for one, other in zip(_results(own), _results(exact), strict=True):
         named, value = one
         largest = sum(map(abs, cuts)) if named[1] in SEGMENTS else abs(other[1])
-        yield Finding.of(named, (value, other[1]), np.inf, largest)
+        yield Quantity.of(named, (value, other[1]), np.inf, largest)
 
 
 def _results(account: Account) -> Iterator[tuple[tuple[str, str, str], float]]:

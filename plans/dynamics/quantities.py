@@ -38,7 +38,6 @@ from plans.analytic.dynamics.speeds import (
     without_flywheel,
     without_flywheel_of_points,
 )
-from plans.checks.comparison import Comparison, Finding
 from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
 from plans.forces.loading import loading
 from plans.forces.stroke import Stroke
@@ -48,6 +47,7 @@ from plans.model.kinetostatics import Loading
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 from plans.model.run import Account, Run
+from plans.quantity import Comparison, Quantity
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -67,7 +67,7 @@ class Reductions(NamedTuple):
     motion: MotionComparison
     theirs: Account
 
-    def findings(self) -> Iterator[Finding]:
+    def findings(self) -> Iterator[Quantity]:
         """Compare reduced moment, inertia and its slope."""
         ours, lever = self.study.reduced, self.study.reduction.own
         pairs = (
@@ -80,7 +80,7 @@ class Reductions(NamedTuple):
             largest = _gross(marks)
             off = lever.off(marks) * (2 if field == "slope" else 1)
             allowed = off + ANALYSIS * EPS * self.motion.kappa ** (order + 1) * largest
-            yield Finding.of((REDUCTION, name, unit), values, allowed, largest)
+            yield Quantity.of((REDUCTION, name, unit), values, allowed, largest)
 
 
 def _gross(marks: Iterable[Mark]) -> float:
@@ -103,7 +103,7 @@ class Chords:
         areas = np.cumsum(np.diff(cycle.turned) * self.mean)
         self.work = works.curve.slacks + np.concatenate(([0.0], areas))
 
-    def findings(self) -> Iterator[Finding]:
+    def findings(self) -> Iterator[Quantity]:
         """Compare all that is drawn over the turn."""
         ours, theirs = self.ours, self.theirs
         yield self._breaks()
@@ -125,19 +125,19 @@ class Chords:
     def _surplus(self) -> Floats:
         return np.asarray(self.work + self.work[-1] + 4 * EPS * _largest(self.ours.work))
 
-    def _breaks(self) -> Finding:
+    def _breaks(self) -> Quantity:
         """Compare where the moment jumps or bends, of each road the nearest of the other; position 0 is always one."""
         ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
         pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
         both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
         return _finding(WORKS, "φ", "rad", (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
 
-    def _settled(self) -> Finding:
+    def _settled(self) -> Quantity:
         """See that the exact turn is exact."""
         allowed = self.turn.noise if self.turn.settled else 0.0
-        return Finding.of((WORKS, "M_red, J_red exact", ""), (self.turn.error, 0.0), allowed, 1.0)
+        return Quantity.of((WORKS, "M_red, J_red exact", ""), (self.turn.error, 0.0), allowed, 1.0)
 
-    def _flywheel(self, ours: Flywheel, theirs: Flywheel) -> Iterator[Finding]:
+    def _flywheel(self, ours: Flywheel, theirs: Flywheel) -> Iterator[Quantity]:
         steep, mass = ours.slopes[1], 2 * float(self.mass.max())
         cut = float(self._surplus.max()) + steep * mass
         largest = max(map(abs, (*ours.cuts, *theirs.cuts, _largest(self.ours.work))))
@@ -149,7 +149,7 @@ class Chords:
         energy = steep * whole + cut
         yield _single(FLYWHEEL, "T_0", "J", ours.energy, theirs.energy, energy, abs(ours.energy))
 
-    def _methods(self, ours: Flywheel) -> Iterator[Finding]:
+    def _methods(self, ours: Flywheel) -> Iterator[Quantity]:
         """Compare J0 by the other methods, from the points of the same loop."""
         task, told = self.study.task, self.study.methods
         if told is None or task.delta is None:
@@ -167,7 +167,7 @@ class Chords:
         for name, (one, other) in pairs.items():
             yield _single(FLYWHEEL, f"J_0 {name}", "kg*m2", one, other, allowed, largest)
 
-    def _rim(self, theirs: Flywheel) -> Iterator[Finding]:
+    def _rim(self, theirs: Flywheel) -> Iterator[Quantity]:
         """Compare mass and section of the rim."""
         one, other = self.study.wheel, wheel(theirs.inertia, self.study.task.rim)
         if one is None or other is None or self.wheels[0] is None:
@@ -184,7 +184,7 @@ class Chords:
         far = max(map(abs, (*ours.cuts, _largest(self.ours.work))))
         return 2 * (cut + 4 * EPS * far) / (high - low) + 8 * EPS * high / (high - low) * abs(ours.whole)
 
-    def _speeds(self, names: tuple[str, str], ours: Speeds | None, theirs: Speeds | None) -> Iterator[Finding]:
+    def _speeds(self, names: tuple[str, str], ours: Speeds | None, theirs: Speeds | None) -> Iterator[Quantity]:
         """Compare a motion; one road alone that lets the machine stop is infinitely off."""
         told = ours or theirs
         if told is None:
@@ -231,12 +231,12 @@ def _largest(values: Floats) -> float:
 
 def _finding(
     plan: str, name: str, unit: str, pair: tuple[Floats, Floats], allowed: Floats, largest: float | None = None
-) -> Finding:
-    return Finding.of((plan, name, unit), pair, allowed, _largest(pair[1]) if largest is None else largest)
+) -> Quantity:
+    return Quantity.of((plan, name, unit), pair, allowed, _largest(pair[1]) if largest is None else largest)
 
 
-def _single(plan: str, name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
-    return Finding.of((plan, name, unit), (one, other), allowed, largest)
+def _single(plan: str, name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Quantity:
+    return Quantity.of((plan, name, unit), (one, other), allowed, largest)
 
 
 ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
@@ -248,7 +248,7 @@ class DynamicsComparison(Comparison):
 
     construction: Account
     analysis: Account
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
     motion: MotionComparison
     exact: Account
     turn: Exact | None = None  # the exact turn at any angle; None where the crank cannot turn fully

@@ -13,13 +13,13 @@ import numpy as np
 
 from geometry.meet import EPS, cross, dot
 from geometry.precision import OWN
-from plans.checks.comparison import Finding
 from plans.linkage.quantities import largest_of
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Floats, Motion
+from plans.quantity import Quantity
 
 
 class LinkForce(NamedTuple):
@@ -86,7 +86,7 @@ def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Flo
 
 def balance(
     name: str, parts: Sequence[LinkForce], own: Floats, most: tuple[float, float] | None = None
-) -> tuple[Finding, Finding]:
+) -> tuple[Quantity, Quantity]:
     """Sum forces and moments about the shaft; `own` is the bound m of the places.
 
     `most` are the largest force N and moment N*m of the machine: on a link that nothing loads rounding alone is left.
@@ -100,8 +100,8 @@ def balance(
     lever = (arms * off).sum(axis=0) + (sizes * own).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
     most = largest(parts) if most is None else most
     return (
-        Finding.vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
-        Finding.vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
+        Quantity.vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
+        Quantity.vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
     )
 
 
@@ -111,9 +111,9 @@ def largest(parts: Sequence[LinkForce]) -> tuple[float, float]:
     return largest_of([np.abs(one.force) for one in parts]), largest_of(moments)
 
 
-def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], own: Floats) -> list[Finding]:
+def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], own: Floats) -> list[Quantity]:
     """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
-    found: list[Finding] = []
+    found: list[Quantity] = []
     most = largest(parts)
     for link in sorted(set(mechanism.links) - {FRAME}):
         found += balance(str(link), [one for one in parts if one.link == link], own, most)
@@ -122,7 +122,7 @@ def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[Link
     return [*found, *balance("whole", parts, own, most)]
 
 
-def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slack: Floats, turning: Floats) -> Finding:
+def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slack: Floats, turning: Floats) -> Quantity:
     """Sum the power W of all that acts on the moving links: reactions of ideal pairs have none (M5.8).
 
     `slack` m/s and `turning` rad/s are the bounds of the velocities.
@@ -143,4 +143,4 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slac
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
     fastest = [np.abs(point.v) for point in motion.points.values()]
     most = max(largest_of([sizes]), largest(parts)[0] * largest_of(fastest))
-    return Finding.vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)
+    return Quantity.vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)

@@ -8,8 +8,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.hand_error import SlippingHand, slopes
-from plans.checks.by_hand import SLIP, Slipping, errors_by_hand
-from plans.checks.comparison import Comparison, Finding
+from plans.by_hand import SLIP, Slipping, errors_by_hand
 from plans.forces.cut import indices
 from plans.forces.force_template import ForcePlans
 from plans.forces.friction import rate
@@ -20,6 +19,7 @@ from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction
 from plans.model.machine import Rubbing
 from plans.model.mechanism import Mechanism
 from plans.model.motion import VELOCITIES, Floats
+from plans.quantity import Comparison, Quantity
 
 FRICTION = "friction"  # the plan of the findings
 ORDER = 3  # powers rest on reactions
@@ -28,7 +28,7 @@ ORDER = 3  # powers rest on reactions
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
 def compare_friction(
     statics: Statics, motion: MotionComparison, forces: Comparison, theirs: Friction
-) -> tuple[Friction, tuple[Finding, ...]]:
+) -> tuple[Friction, tuple[Quantity, ...]]:
     """Give friction by construction, and compare it with that of the analysis, over forces that are compared."""
     study, ours = statics.study, statics.friction
     assert ours is not None  # the machine has friction
@@ -50,7 +50,7 @@ class _Compared:
         self.ours, self.theirs = both
         self.known = np.isfinite(self.ours.lost + self.theirs.lost)
         named = {finding.name: finding for finding in forces.of("forces")}
-        self.named: Callable[[str], Finding | None] = named.get
+        self.named: Callable[[str], Quantity | None] = named.get
         self.slow = self._off("ω_")  # rad/s that any link's rate may differ by
         self.slip = self._off("v_") + self.slow * self.forces.size  # m/s that of any point of a link may
         reactions = self.forces.reactions
@@ -106,13 +106,13 @@ class _Compared:
         largest = max(self.largest, largest_of([self.ours.useful]))
         return with_analysis(forces * self.slip + moments * self.slow, ORDER, self.motion.kappa, largest)
 
-    def finding(self, named: tuple[str, str], pair: tuple[Floats, Floats], allowed: Floats, largest: float) -> Finding:
+    def finding(self, named: tuple[str, str], pair: tuple[Floats, Floats], allowed: Floats, largest: float) -> Quantity:
         """Put one quantity by both roads beside each other, where both have forces."""
         count = len(pair[0])
         ours, theirs = (np.where(self.known, row, np.nan) if count == len(self.known) else row for row in pair)
-        return Finding.of((FRICTION, *named), (ours, theirs), allowed, largest)
+        return Quantity.of((FRICTION, *named), (ours, theirs), allowed, largest)
 
-    def powers(self, loads: Loading) -> Iterator[Finding]:
+    def powers(self, loads: Loading) -> Iterator[Quantity]:
         """Compare the powers lost in the pairs, and those that the useful loads take."""
         for key, ours in self.ours.powers.items():
             pair = ours, self.theirs.powers[key]
@@ -120,7 +120,7 @@ class _Compared:
         self.off_used, used = self._used(loads), (self.ours.useful, self.theirs.useful)
         yield self.finding(("N_us", "W"), used, self.off_used, max(self.largest, largest_of([self.ours.useful])))
 
-    def locking(self) -> Iterator[Finding]:
+    def locking(self) -> Iterator[Quantity]:
         """Compare friction over driving force, and the power that drives, of the pairs that a group moves.
 
         The construction's share is that of its ray, over the part of the ray that drives: kappa once.
@@ -131,7 +131,7 @@ class _Compared:
             yield self.finding((f"locking {_index(key)}", "1"), (ours, self.theirs.locking[key]), allowed, largest)
             yield self._driving(key)
 
-    def _driving(self, key: str) -> Finding:
+    def _driving(self, key: str) -> Quantity:
         one, rubs = self.forces.reactions[key], self.machine.friction[key]
         arm = (self.forces.size if one.along is None else 1.0) * (1.0 + self.ours.locking[key])
         most = max((finding.allowed for finding in self.compared.of("forces") if finding.unit == "N"), key=_most)
@@ -142,7 +142,7 @@ class _Compared:
         pair = self.ours.driving[key], self.theirs.driving[key]
         return self.finding((f"driving {_index(key)}", "W"), pair, allowed, largest)
 
-    def efficiency(self) -> Iterator[Finding]:
+    def efficiency(self) -> Iterator[Quantity]:
         """Compare the efficiencies where the power is more than what its own roundings allow."""
         lost = sum((self._lost(key) for key in self.ours.powers), np.zeros(len(self.ours.phi)))
         off, whole = lost + self.off_used, self.ours.useful + self.ours.lost
@@ -152,7 +152,7 @@ class _Compared:
             told = np.array([self.ours.cycle], dtype=float), np.array([self.theirs.cycle], dtype=float)
             yield self.finding(("η cycle", "1"), told, np.array([np.nansum(off) / np.nansum(whole)]), 1.0)
 
-    def wear(self) -> Iterator[Finding]:
+    def wear(self) -> Iterator[Quantity]:
         """Compare the shares of the pairs in the work of friction, where that is more than its own roundings allow."""
         total = float(np.nansum(self.ours.lost))
         lost = {key: float(np.nansum(self._lost(key))) for key in self.ours.powers}
@@ -163,7 +163,7 @@ class _Compared:
             allowed = np.array([(lost[key] + self.ours.wear[key] * sum(lost.values())) / total])
             yield self.finding((f"wear {_index(key)}", "1"), pair, allowed, 1.0)
 
-    def jams(self) -> Iterator[Finding]:
+    def jams(self) -> Iterator[Quantity]:
         """Compare where pairs jam: one road alone may only where the ratio is 1, or the power 0, to its rounding."""
         named = {finding.name: finding for finding in self.locking()}
         for key, ratio in self.ours.locking.items():

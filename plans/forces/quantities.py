@@ -14,7 +14,6 @@ from geometry.precision import errors
 from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
-from plans.checks.comparison import Comparison, Finding, Numbers, gap_numbers, pairs, plain
 from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.force_template import ForcePlans
@@ -27,6 +26,7 @@ from plans.linkage.quantities import ANALYSIS, MotionComparison, MotionNumbers, 
 from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction
 from plans.model.machine import Track
 from plans.model.motion import FORCES, ORDERS, Floats
+from plans.quantity import Comparison, Numbers, Quantity, gap_numbers, pairs, plain
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -41,12 +41,12 @@ class ForceComparison(Comparison):
 
     construction: Kinetostatics
     analysis: Kinetostatics
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
     motion: MotionComparison
     friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
 
     @property
-    def exact(self) -> tuple[Finding, ...]:
+    def exact(self) -> tuple[Quantity, ...]:
         """The findings of forces but for the energy's, which is found by differences of positions."""
         return tuple(one for one in self.of(FORCES) if not one.name.endswith(ENERGY))
 
@@ -124,12 +124,12 @@ class ForceFindings:
         count = len(self.ours.phi)
         return np.zeros(count) if mark is None else np.broadcast_to(self.errors[mark].place, count)
 
-    def finding(self, named: tuple[str, str], pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
+    def finding(self, named: tuple[str, str], pair: tuple[Any, Any], off: Floats, largest: float) -> Quantity:
         """Put one quantity by both roads beside each other."""
         allowed = with_analysis(off, ORDER, self.motion.kappa, largest)
-        return Finding.of((FORCES, *named), pair, allowed, largest)
+        return Quantity.of((FORCES, *named), pair, allowed, largest)
 
-    def reactions(self) -> Iterator[Finding]:
+    def reactions(self) -> Iterator[Quantity]:
         """Compare the reactions, and the moments of the sliding pairs."""
         for key, ours in self.ours.reactions.items():
             theirs, support, index = self.theirs.reactions[key], self.supports[key], indices(ours.giver, ours.taker)
@@ -138,7 +138,7 @@ class ForceFindings:
                 pair = ours.moment, theirs.moment
                 yield self.finding((f"M_{index}", "N*m"), pair, self.off(support.moment), self.largest * self.size)
 
-    def balancing(self, loads: Loading) -> Iterator[Finding]:
+    def balancing(self, loads: Loading) -> Iterator[Quantity]:
         """Compare what the drive gives: with the equilibrium and the power of the other road; the lever."""
         plan, hung_on, machine = self.plans.plan, self.plans.lever, self.statics.machine
         road, solved = self.motion.road, self.motion.analysis
@@ -155,7 +155,7 @@ class ForceFindings:
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
         yield self._told_by("power", (ours.moment, powered), off, largest)
 
-    def _whole(self, told: Finding) -> Finding:
+    def _whole(self, told: Quantity) -> Quantity:
         """Hold the force itself of what a slide is pushed with, beside its moment over the drive's unit."""
         ours, theirs = self.ours.balancing.force, self.theirs.balancing.force
         if not self.statics.study.mechanism.drive.pushed or ours is None or theirs is None:
@@ -177,7 +177,7 @@ class ForceFindings:
         drive = self.statics.study.mechanism.drive
         return balancing_quantity(drive) if drive.pushed else BalancingQuantity(BALANCED, "N*m")
 
-    def cylinder(self, found: Mapping[Track, Stroke]) -> Iterator[Finding]:
+    def cylinder(self, found: Mapping[Track, Stroke]) -> Iterator[Quantity]:
         """Compare the force of a cylinder that turns the crank, where one does: its power is that of all others."""
         statics, motion, drive = self.statics, self.motion, self.statics.study.mechanism.drive
         if drive.ram is None:
@@ -188,13 +188,13 @@ class ForceFindings:
         off = self.off(self.plans.plan.balancing) / arm
         yield self.finding((DRIVING, "N"), (ours, theirs), off, max(self.largest, largest_of([np.abs(ours)])))
 
-    def _told_by(self, how: str, pair: tuple[Any, ...], off: Floats, largest: float) -> Finding:
+    def _told_by(self, how: str, pair: tuple[Any, ...], off: Floats, largest: float) -> Quantity:
         """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
         name, unit, share = self._told
         both = share * pair[0], share * pair[1]
         return self.finding((f"{name} {how}".strip(), unit), both, share * off, share * largest)
 
-    def energy(self, loads: Loading) -> Finding:
+    def energy(self, loads: Loading) -> Quantity:
         """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""
         plan, machine, ours = self.plans.plan, self.statics.machine, self.ours.balancing
         off, largest = self.off(plan.balancing), self._largest_moment
@@ -211,7 +211,7 @@ class ForceFindings:
         arm = mechanism.drive.unit if mechanism.drive.pushed else max(map(abs, crank))
         return max(largest_of([np.abs(self.ours.counted(self.ours.balancing.moment))]), self.largest * arm)
 
-    def sums(self) -> Iterator[Finding]:
+    def sums(self) -> Iterator[Quantity]:
         """Check the equilibrium of every link, group and the whole, and the power, by the construction alone."""
         study, machine = self.statics.study, self.statics.machine
         motion = self.motion.construction

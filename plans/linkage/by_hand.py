@@ -9,8 +9,7 @@ import numpy as np
 
 from geometry.hand_error import SlippingHand, slopes
 from geometry.steps import Span
-from plans.checks.by_hand import SLIP, Slipping, errors_by_hand
-from plans.checks.comparison import Finding, Shown
+from plans.by_hand import SLIP, Slipping, errors_by_hand
 from plans.linkage.drafts import Drafts
 from plans.linkage.letters import Masses
 from plans.linkage.parts import findings, spans
@@ -18,6 +17,7 @@ from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POSITIONS, Floats
+from plans.quantity import Quantity, Shown
 
 
 class MotionByHand(NamedTuple):
@@ -31,7 +31,7 @@ class MotionByHand(NamedTuple):
     masses: Masses
 
     @property
-    def parts(self) -> tuple[Finding, ...]:
+    def parts(self) -> tuple[Quantity, ...]:
         """The parts of all velocities and accelerations by both roads."""
         return findings(self.study, self.comparison, self.masses)
 

@@ -14,7 +14,6 @@ import numpy as np
 from geometry.board import Mark, between
 from geometry.precision import errors
 from geometry.steps import Span
-from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
@@ -26,6 +25,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Group
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, VELOCITIES, Complexes, Floats, Motion, Order
+from plans.quantity import Quantity
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -131,7 +131,7 @@ class Part(NamedTuple):
     analysis: Complexes
 
 
-def quantities_of(study: Study) -> tuple[Finding, ...]:
+def quantities_of(study: Study) -> tuple[Quantity, ...]:
     """Give what is compared of a scene's motion, and the parts of its velocities and accelerations."""
     linkage = study.of(LinkageStudy)
     compared: MotionComparison = study.comparison("linkage")
@@ -140,7 +140,7 @@ def quantities_of(study: Study) -> tuple[Finding, ...]:
     return *compared.findings, *findings(linkage, compared, unnamed(linkage.scene, linkage.mechanism.links))
 
 
-def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses = NONE) -> tuple[Finding, ...]:
+def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses = NONE) -> tuple[Quantity, ...]:
     """Compare the parts of all velocities and accelerations over the positions of a study, (N,) m/s or m/s2.
 
     `masses` are the mass centres that no point names, by their letters: link, and place in its own frame.
@@ -157,7 +157,7 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
         largest = comparison.of(part.order.plan)[0].largest
         allowed = with_analysis(own, part.order.number, comparison.kappa, largest)
         named = part.order.plan, part.name, part.order.point.unit
-        told.append(Finding.of(named, (ours, theirs), allowed, largest, part.span))
+        told.append(Quantity.of(named, (ours, theirs), allowed, largest, part.span))
     return tuple(told)
 
 
@@ -166,7 +166,7 @@ def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = 
     return {part.name: part.span for part in _Parts(study, drafts, motion, masses).all()}
 
 
-def alike(told: Iterable[Finding], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Finding, ...]]:
+def alike(told: Iterable[Quantity], mechanism: Mechanism, masses: Masses = NONE) -> list[tuple[Quantity, ...]]:
     """Put together what is one vector or one rate by its cause: of a link that never turns, of links joined by a slide.
 
     `told` are findings of velocities and accelerations; each stays in the place of the first that it is put with.
@@ -174,7 +174,7 @@ def alike(told: Iterable[Finding], mechanism: Mechanism, masses: Masses = NONE) 
     turning = mechanism.turning_with
     carried = {name: link for name, (link, _) in masses.items() if turning[link] == FRAME}
     carried |= {name: n for n, link in mechanism.links.items() if turning[n] == FRAME for name in link.points}
-    found: dict[tuple[str, object], list[Finding]] = {}
+    found: dict[tuple[str, object], list[Quantity]] = {}
     for one in told:
         symbol, _, index = one.name.partition("_")
         rate = symbol in (VELOCITIES.link.symbol, ACCELERATIONS.link.symbol)

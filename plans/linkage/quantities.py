@@ -17,7 +17,6 @@ from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.steps import Span
 from plans.analytic.kinematics import Analysis
-from plans.checks.comparison import Comparison, Finding, gap_numbers, pairs, plain
 from plans.linkage.drafts import Drafts
 from plans.linkage.margin import margins
 from plans.linkage.primaries import stroke
@@ -26,6 +25,7 @@ from plans.linkage.primaries.ram import lever, triangle
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME, Mechanism, Ram
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, Extremes, Floats, Motion, numbers_of, stroke_rates
+from plans.quantity import Comparison, Quantity, gap_numbers, pairs, plain
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ SYMBOLS = ("s", "v", "a")
 ROUNDINGS = 16.0  # of a distance by two places, each of a few roundings itself
 
 
-def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Iterator[Finding]:
+def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Iterator[Quantity]:
     """Hold the law of the cylinder that drives against the distance of its points, and what that grows by."""
     ram, told = study.mechanism.drive.ram, stroke_of(study.mechanism, len(solved.phi))
     assert ram is not None  # asked only where there is one
@@ -54,7 +54,7 @@ def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Itera
         largest = max(float(np.nanmax(np.abs(due), initial=0.0)), fastest)
         allowed = ROUNDINGS * EPS * (kappa * blunt) ** (k + 1) * largest
         named = ORDERS[k].plan, f"{SYMBOLS[k]}_{ram.foot}{ram.point}", ORDERS[k].point.unit
-        yield Finding.of(named, (due, row), allowed, largest)
+        yield Quantity.of(named, (due, row), allowed, largest)
 
 
 def stroke_of(mechanism: Mechanism, count: int) -> tuple[Floats, Floats, Floats]:
@@ -87,7 +87,7 @@ class MotionComparison(Comparison):
 
     construction: Motion
     analysis: Motion
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
     kappa: Floats  # condition of the scaled Jacobian at every position
     road: Analysis  # by which the analysis was made
 
@@ -107,7 +107,7 @@ def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     solved = road.motion(study.turn.phi, order)
     kappa = road.conditions(solved)
     drafts = study.drafts()
-    findings: list[Finding] = []
+    findings: list[Quantity] = []
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
@@ -135,7 +135,7 @@ def notches(study: LinkageStudy, drafts: Drafts | None = None) -> Floats:
     return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
 
 
-def cap(study: LinkageStudy, findings: Sequence[Finding], drafts: Drafts | None = None) -> tuple[Finding, ...]:
+def cap(study: LinkageStudy, findings: Sequence[Quantity], drafts: Drafts | None = None) -> tuple[Quantity, ...]:
     """Allow no more than MOST_ALLOWED of the largest, or of a value larger still, where the construction is sharp."""
     sharp = ~(notches(study, drafts).max(axis=0, initial=1.0) >= NOT_GRADED)
     sizes = (np.fmax(finding.largest, np.abs(finding.analysis)) for finding in findings)  # all but in a jam
@@ -160,7 +160,7 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
     apart[:2] = np.abs(np.angle(np.exp(1j * apart[:2])))
     units = ("rad", "rad", "m" if told.sliding else "rad", "rad")
     added = tuple(
-        Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
+        Quantity("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREME_NAMES, units, strict=True), strict=True)
     )
     return replace(comparison, findings=comparison.findings + added)
@@ -172,7 +172,7 @@ def _told(found: Extremes) -> Floats:
 
 def _points(
     study: LinkageStudy, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
-) -> Iterator[Finding]:
+) -> Iterator[Quantity]:
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
     pairs = [(drawn.points[n][order], solved.points[n][order]) for n in names]
     largest = largest_of([np.abs(ours) for ours, _ in pairs])
@@ -183,10 +183,10 @@ def _points(
         allowed = with_analysis(bounds[mark].place, order, kappa, largest)
         shown = Span(plan.pole, mark) if order else mark
         named = told.plan, f"{told.point.symbol}_{name}", told.point.unit
-        yield Finding.of(named, (ours, theirs), allowed, largest, shown)
+        yield Quantity.of(named, (ours, theirs), allowed, largest, shown)
 
 
-def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
+def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Quantity]:
     told = ORDERS[order]
     pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
     largest = (
@@ -195,7 +195,7 @@ def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Flo
     for number, (ours, theirs) in pairs.items():
         allowed = with_analysis(_turn_bound(drafts, order, number), order, kappa, largest)
         named, read = (told.plan, f"{told.link.symbol}_{number}", told.link.unit), drafts.plan(order).readings
-        one = Finding.of(named, (ours, theirs), allowed, largest, read.get(number))
+        one = Quantity.of(named, (ours, theirs), allowed, largest, read.get(number))
         yield one if order else one._replace(difference=np.abs(np.angle(np.exp(1j * (ours - theirs)))))
 
 

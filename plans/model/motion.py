@@ -12,7 +12,7 @@ from plans.model.mechanism import Drive
 from plans.words.words import Message
 
 
-class Quantity(NamedTuple):
+class Lettered(NamedTuple):
     """A quantity of a point or of a link: its key among the numbers, its symbol on a sheet, its unit."""
 
     key: str
@@ -25,13 +25,13 @@ class Order(NamedTuple):
 
     number: int
     plan: str
-    point: Quantity
-    link: Quantity
+    point: Lettered
+    link: Lettered
 
 
-POSITIONS = Order(0, "positions", Quantity("r", "r", "m"), Quantity("angle", "φ", "rad"))
-VELOCITIES = Order(1, "velocities", Quantity("v", "v", "m/s"), Quantity("omega", "ω", "rad/s"))
-ACCELERATIONS = Order(2, "accelerations", Quantity("a", "a", "m/s2"), Quantity("epsilon", "ε", "rad/s2"))
+POSITIONS = Order(0, "positions", Lettered("r", "r", "m"), Lettered("angle", "φ", "rad"))
+VELOCITIES = Order(1, "velocities", Lettered("v", "v", "m/s"), Lettered("omega", "ω", "rad/s"))
+ACCELERATIONS = Order(2, "accelerations", Lettered("a", "a", "m/s2"), Lettered("epsilon", "ε", "rad/s2"))
 ORDERS = (POSITIONS, VELOCITIES, ACCELERATIONS)
 PLANS = tuple(order.plan for order in ORDERS)
 # The orders by the keys of what their plans tell of a point, and of a link.

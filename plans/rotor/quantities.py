@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from geometry.steps import Span
 from plans.analytic.rotor import balance, moment
-from plans.checks.by_hand import MOST_SIDES
-from plans.checks.comparison import Comparison, Finding, Numbers, Shown
+from plans.by_hand import MOST_SIDES
 from plans.model.rotor import (
     ANALYSIS,
     EPS,
@@ -23,6 +22,7 @@ from plans.model.rotor import (
     letters,
     permissible,
 )
+from plans.quantity import Comparison, Numbers, Quantity, Shown
 from plans.rotor.balancing import COUPLES, UNBALANCES, unbalance_letters
 from plans.rotor.study import BEARINGS, REACTIONS, RotorStudy
 
@@ -54,7 +54,7 @@ class _Compared(NamedTuple):
         """The rotor."""
         return self.study.rotor
 
-    def sums(self) -> Iterator[Finding]:
+    def sums(self) -> Iterator[Quantity]:
         """Compare what is unbalanced."""
         largest = max(one.moment * abs(self.rotor.arm(one.place)) for one in self.rotor.masses)
         couple = self.study.drawing.moments.closing if self.rotor.dynamic else None
@@ -70,7 +70,7 @@ class _Compared(NamedTuple):
         ends = [side.end for side in drawing.forces.sides if side.vector in given]
         return Span(drawing.forces.board["0"], ends[-1]) if ends else None
 
-    def corrections(self) -> Iterator[Finding]:
+    def corrections(self) -> Iterator[Quantity]:
         """Compare the counterweights."""
         largest = max(self._largest_mass, *(abs(one.moment.value) for one in self.ours.corrections))
         pairs = zip(self.ours.corrections, self.theirs.corrections, self.study.drawing.corrections, strict=True)
@@ -78,7 +78,7 @@ class _Compared(NamedTuple):
             named = UNBALANCES, unbalance_letters(one.plane.name), "kg*m"
             yield self._finding(named, one.moment, other.moment, largest, drawn.mark)
 
-    def reactions(self) -> Iterator[Finding]:
+    def reactions(self) -> Iterator[Quantity]:
         """Compare what the bearings bear, before and after."""
         found = (*self.ours.before, *self.ours.after)
         marks = [mark for each in self.study.reactions for mark in each.marks]
@@ -86,7 +86,7 @@ class _Compared(NamedTuple):
         for one, other, mark in zip(found, (*self.theirs.before, *self.theirs.after), marks, strict=True):
             yield self._finding((REACTIONS, mark.name, "N"), one, other, largest, mark)
 
-    def left(self) -> Iterator[Finding]:
+    def left(self) -> Iterator[Quantity]:
         """Sum all static moments and, of a rotor with two planes, their moments about the first: both must vanish."""
         corrections = self.ours.corrections
         slack = sum(one.moment.slack for one in corrections)
@@ -105,17 +105,17 @@ class _Compared(NamedTuple):
 
     def _finding(
         self, named: tuple[str, str, str], one: Resultant, other: Resultant, largest: float, shown: Shown | None
-    ) -> Finding:
+    ) -> Quantity:
         drawing = self.study.drawing
         few = max(len(drawing.moments.sides), len(drawing.forces.sides)) <= MOST_SIDES
         pair = one.value, other.value
-        return Finding.of(named, pair, max(one.slack, other.slack), largest, shown if few else None)
+        return Quantity.of(named, pair, max(one.slack, other.slack), largest, shown if few else None)
 
 
-def _vanishing(name: str, unit: str, terms: Sequence[complex], slack: float) -> Finding:
+def _vanishing(name: str, unit: str, terms: Sequence[complex], slack: float) -> Quantity:
     total = math.hypot(math.fsum(one.real for one in terms), math.fsum(one.imag for one in terms))
     sizes = [abs(one) for one in terms]
-    return Finding.vanishing(name, unit, total, ROUNDING * EPS * math.fsum(sizes) + slack, max(sizes))
+    return Quantity.vanishing(name, unit, total, ROUNDING * EPS * math.fsum(sizes) + slack, max(sizes))
 
 
 def numbers(study: Study, by: str) -> Numbers:

@@ -15,8 +15,8 @@ from drawings.paper.strokes import Leaf
 from drawings.report.table import REPORTS
 from drawings.sheets.table import SHEETS
 from plans.bench.quantities import roads
-from plans.checks.comparison import Comparison, Finding
 from plans.explanation import NoMark
+from plans.quantity import Comparison, Quantity
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named, sheet_of
@@ -47,7 +47,7 @@ def shown(request: pytest.FixtureRequest) -> Shown:
 
 def test_its_quantities_have_names_by_both_roads_and_words_in_both_languages(shown: Shown) -> None:
     compared: Comparison = shown.study.comparison(shown.technique)
-    told: Sequence[Finding] = shown.study.quantities(shown.technique)
+    told: Sequence[Quantity] = shown.study.quantities(shown.technique)
     assert compared.agrees and {one.name for one in compared.findings} <= {one.name for one in told}
     for language in languages():
         known = words(language)

@@ -8,12 +8,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from plans.checks.comparison import Finding
 from plans.forces.quantities import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
+from plans.quantity import Quantity
 from plans.scene.scene import parse_scene
 
 CASES = Path(__file__).parents[1] / "cases"
@@ -54,7 +54,7 @@ def of_road(comparison: ForceComparison, road: str) -> Kinetostatics:
     return (comparison.construction, comparison.analysis)[ROADS.index(road)]
 
 
-def finding(comparison: ForceComparison, name: str) -> Finding:
+def finding(comparison: ForceComparison, name: str) -> Quantity:
     """Give the finding of a name."""
     (found,) = (one for one in comparison.findings if one.name == name)
     return found

@@ -11,7 +11,6 @@ import numpy as np
 from hypothesis import given
 
 from geometry.board import at
-from plans.checks.comparison import EQUILIBRIUM
 from plans.forces.friction import rate
 from plans.forces.quantities import compare_forces
 from plans.linkage.assembly_limits import at_angles
@@ -20,6 +19,7 @@ from plans.linkage.quantities import compare
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
+from plans.quantity import EQUILIBRIUM
 from tests.plans.derivatives import REACH, derivative
 from tests.plans.loaded import Loaded, loaded, push
 

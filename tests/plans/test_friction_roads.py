@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.checks.comparison import Finding
 from plans.forces import friction
 from plans.forces.friction_quantities import FRICTION
 from plans.forces.quantities import compare_forces
@@ -19,6 +18,7 @@ from plans.linkage.quantities import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Friction
 from plans.model.machine import Rubbing
+from plans.quantity import Quantity
 from plans.scene.scene import read_scene
 from tests.gallery import LINKAGES
 from tests.parts import some
@@ -36,7 +36,7 @@ def rubbed(one: Loaded, f: float, radius: float, length: float) -> Loaded:
     return replace(one, machine=replace(one.machine, friction=friction))
 
 
-def of_friction(one: Loaded) -> list[Finding]:
+def of_friction(one: Loaded) -> list[Quantity]:
     return [found for found in compare_forces(one.statics, compare(one.study)).findings if found.plan == FRICTION]
 
 

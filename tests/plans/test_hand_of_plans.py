@@ -12,14 +12,14 @@ import pytest
 from geometry import hand_error
 from geometry.board import between
 from geometry.steps import Reading, Span
-from plans.checks.by_hand import SLIP
-from plans.checks.comparison import Shown
+from plans.by_hand import SLIP
 from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.statics import Statics
 from plans.linkage.by_hand import MotionByHand
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats
+from plans.quantity import Shown
 from plans.scene.scene import read_scene
 from tests import draughtsman
 from tests.draughtsman import Draughtsman, copies

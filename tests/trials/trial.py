@@ -7,10 +7,10 @@ from random import Random
 
 import numpy as np
 
-from plans.checks.comparison import Comparison
 from plans.linkage.quantities import MotionComparison, compare, compare_extremes
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import FORCES, Motion
+from plans.quantity import Comparison
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.trials.chains import chain

@@ -19,7 +19,7 @@ from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
 from geometry.hand_error import POINT
 from geometry.steps import Reading
-from plans.checks.by_hand import SLIP
+from plans.by_hand import SLIP
 
 SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"

@@ -22,10 +22,10 @@ from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, texts
 from geometry.steps import Reading
-from plans.checks.comparison import Finding
 from plans.diagrams.quantities import DiagramsComparison
 from plans.linkage.by_hand import MotionByHand
 from plans.model.motion import ORDERS
+from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import term
 
@@ -37,7 +37,7 @@ class Known(NamedTuple):
     apart: float
 
 
-def findings_of(study: Study, kind: str, table: str) -> Mapping[str, Finding]:
+def findings_of(study: Study, kind: str, table: str) -> Mapping[str, Quantity]:
     """Give the findings that the rows of a table tell, by their letters as they are read; of no other table any."""
     if (kind, table) == ("kinematics", TABLE):
         linkage, comparison = study["linkage"], study.comparison("linkage")
@@ -65,12 +65,12 @@ def columns_of(study: Study, kind: str, table: str) -> Mapping[tuple[str, str], 
     }
 
 
-def known(one: Finding | None, position: int | None) -> Known | None:
+def known(one: Quantity | None, position: int | None) -> Known | None:
     """Give what the analysis knows of a row in a position, as a table tells it; None where it knows nothing.
 
     >>> import numpy as np
     >>> row = np.array([3 + 4j])
-    >>> known(Finding("velocities", "v_B", "m/s", row, row, np.zeros(1), np.zeros(1), 5.0), 0)
+    >>> known(Quantity("velocities", "v_B", "m/s", row, row, np.zeros(1), np.zeros(1), 5.0), 0)
     Known(value=5.0, apart=0.0)
     """
     if one is None or position is None or not 0 <= position < len(one.analysis):

@@ -18,7 +18,7 @@ from drawings.measure.transform import Affine
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Curve, Line, Polyline, Stroke
 from drawings.paper.walk import flat, group_named, texts
-from plans.checks.by_hand import SLIP
+from plans.by_hand import SLIP
 
 # mm: a curve goes through a place if a hand that slips by four times a fair one's has drawn it so.
 THROUGH = 2 * np.sqrt(2) * 4 * SLIP

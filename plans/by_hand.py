@@ -10,8 +10,8 @@ import numpy as np
 from geometry.board import Mark, between
 from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
 from geometry.steps import Reading, Span
-from plans.checks.comparison import Finding, Shown
 from plans.model.motion import Floats
+from plans.quantity import Quantity, Shown
 
 SLIP = 0.2  # mm to either side: a fair hand's
 MOST_SIDES = 40  # of a polygon that is laid off side by side; of more a sheet draws the sum alone
@@ -20,7 +20,7 @@ Slipping: TypeAlias = Callable[..., dict[Mark, Slopes]]  # of a hand and marks
 
 
 def by_hand(
-    findings: Iterable[Finding], scales: Mapping[str, float], position: int = 0, by: Slipping = slopes
+    findings: Iterable[Quantity], scales: Mapping[str, float], position: int = 0, by: Slipping = slopes
 ) -> dict[tuple[str, int], float]:
     """Give within what 95 of 100 drawings are of what is read off boards in a position, by the names of the findings.
 

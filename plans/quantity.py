@@ -1,4 +1,4 @@
-"""What both roads found, beside each other: findings, and the gaps that one road alone names (сравнение двух путей)."""
+"""The one list of quantities: each by both roads, their comparison, the gaps that one road alone names (величины)."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ EQUILIBRIUM = "equilibrium"  # by what sums that must vanish are told: no plan d
 Shown: TypeAlias = Span | Reading | Mark  # a vector between two marks, a rate, a force or a moment
 
 
-class Finding(NamedTuple):
+class Quantity(NamedTuple):
     """One quantity over all positions by both roads, with the allowed difference; NaN at gaps.
 
     What the construction shows of it is what `explain` tells the steps of, and what a hand may be out in.
@@ -120,9 +120,9 @@ class Comparison:
 
     construction: Any
     analysis: Any
-    findings: tuple[Finding, ...]
+    findings: tuple[Quantity, ...]
 
-    def of(self, plan: str) -> tuple[Finding, ...]:
+    def of(self, plan: str) -> tuple[Quantity, ...]:
         """Give the findings of one plan."""
         return tuple(finding for finding in self.findings if finding.plan == plan)
 
@@ -138,7 +138,7 @@ class Comparison:
         return message("check.differ", name=worst.name, times=f"{float(worst.excess.max()):.3g}")
 
     @property
-    def foremost(self) -> Finding:
+    def foremost(self) -> Quantity:
         """The finding with the largest difference in units of its allowed one."""
         return max(self.findings, key=lambda finding: float(finding.excess.max()))
 
@@ -166,6 +166,6 @@ def _alone(road: Road, other: Road) -> Iterator[Lone]:
     yield from (Lone(road.by, gap) for gap in road.unanswered if (gap.position, gap.plan, gap.reason) not in named)
 
 
-def together(comparisons: Iterable[Comparison]) -> Sequence[Finding]:
+def together(comparisons: Iterable[Comparison]) -> Sequence[Quantity]:
     """Give the findings of some comparisons in their order."""
     return [finding for comparison in comparisons for finding in comparison.findings]
