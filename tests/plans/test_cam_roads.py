@@ -1,7 +1,9 @@
-"""Both roads to a cam's profile agree at every turn, for every follower, both senses, both signs of e."""
+"""Cams by both roads at many turns, derivatives of their values, and peaks of their laws."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -9,10 +11,16 @@ import pytest
 
 from geometry.meet import EPS
 from plans.analytic.cam.contour import contour
-from plans.cam.course import Course
-from plans.cam.profile.profile import profile
-from plans.model.cam import Cam, Phase
-from plans.model.cam_motion import Sizes
+from plans.analytic.cam.findings import cam_found as analysed
+from plans.cam.course import Course, positions
+from plans.cam.profile.contact import Contact, pressure, pressure_slope
+from plans.cam.profile.findings import cam_found
+from plans.cam.profile.profile import curvature, curvature_slope, profile, slip, slip_slope
+from plans.cam.profile.touch import Tip, Touch, Value
+from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, Law, Load, Phase
+from plans.model.cam_motion import BEND, SLOPE, CamFound, Sizes
+from tests.parts import some
+from tests.plans.law_cams import BLOCKS, LIFT, LINES, RISING, STEADY, law_cam, usual
 from tests.plans.textbook_cams import FLAT_BASE, START, cam, offset_sizes, pivot, rocker
 
 TURNS = 3600
@@ -74,3 +82,109 @@ def bends_alike(own, one, other, long) -> bool:
         return bool((np.abs(1 / one.radius - 1 / other.radius) <= 16 * EPS * big / size**2 * (1 + big / size)).all())
     lead = 1 - own.follower.sense * one.travel.slope if own.rocks else 1.0
     return bool((np.abs(one.radius - other.radius) <= 16 * EPS * big / np.abs(lead) ** 3).all())
+
+
+STEP = 1e-5  # rad: differences are then good to about nine digits of the third derivative
+ROLLER = 0.01
+LOADED = Contact(Load(2.0, 100.0, 50.0, 2000.0), 20.0, ROLLER)
+CAMS = {
+    "guide": (cam(), offset_sizes()),
+    "rocker": (rocker(), pivot(rocker())),
+    "rocker against": (rocker(sense=-1, turns=-1), pivot(rocker(sense=-1, turns=-1), complex(0.12, -0.07))),
+    "flat": (cam(end="flat"), Sizes(FLAT_BASE)),
+    "flat rocker": (rocker("flat", face=0.005), pivot(rocker("flat"), FACE)),
+    "flat rocker against": (rocker("flat", 1, -1, 0.005), pivot(rocker("flat", 1, -1), FACE)),
+}
+VALUES: dict[str, tuple[Value, Value]] = {
+    "pressure": (pressure, pressure_slope),
+    "resistance": (LOADED.resistance, LOADED.resistance_slope),
+    "force": (LOADED.force, LOADED.force_slope),
+}
+ROUND: dict[str, tuple[Value, Value]] = {
+    "curvature": (curvature, curvature_slope),
+    "slip": (lambda tip: slip(tip, tip.lever, ROLLER), lambda tip: slip_slope(tip, ROLLER)),
+}
+FLAT: dict[str, tuple[Value, Value]] = {
+    "place": (lambda tip: Touch(tip).place, lambda tip: Touch(tip).place_slope),
+    "radius": (lambda tip: Touch(tip).radius, lambda tip: Touch(tip).radius_slope),
+    "slip": (lambda tip: Touch(tip).slip, lambda tip: Touch(tip).slip_slope),
+}
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_a_derivative_is_that_of_its_value(name: str) -> None:
+    own, sizes = CAMS[name]
+    turned = np.radians([7.0, 31.0, 52.0, 88.0, 113.0, 157.0, 171.0, 196.0, 229.0])
+    for told, (value, slope) in (VALUES | (FLAT if own.flat else ROUND)).items():
+        rise = (at(own, sizes, turned + STEP, value) - at(own, sizes, turned - STEP, value)) / (2 * STEP)
+        assert at(own, sizes, turned, slope) == pytest.approx(rise, rel=1e-6, abs=1e-7 * np.abs(rise).max()), told
+
+
+def at(own: Cam, sizes: Sizes, turned: np.ndarray, value: Callable[[Tip], np.ndarray]) -> np.ndarray:
+    return value(Tip(Course(own), sizes, turned))
+
+
+SIZES = Sizes(0.05, 0.01)
+PI = math.pi
+TRAPEZOID, SINE = 8 * PI / (2 + PI), 4 * PI**2 / (4 + PI)  # accelerations of the modified trapezoid and sine
+# Largest s' and s'' of a phase of length 1 and lift 1 (M2.2).
+BOOK = {
+    "constant acceleration": (2, 4),
+    "cosine": (PI / 2, PI**2 / 2),
+    "sine": (2, 2 * PI),
+    "3-4-5": (1.875, 10 / math.sqrt(3)),
+    "4-5-6-7": (2.1875, 84 * math.sqrt(5) / 25),
+    "trapezoid": (2, 16 / 3),
+    "modified trapezoid": (2, TRAPEZOID),
+    "modified sine": (4 * PI / (4 + PI), SINE),
+}
+
+
+def draw(cam: Cam) -> CamFound:
+    return cam_found(Course(cam), SIZES, positions(cam))
+
+
+def analyse(cam: Cam) -> CamFound:
+    return analysed(cam, SIZES, positions(cam))
+
+
+ROADS = pytest.mark.parametrize("road", [draw, analyse])
+
+
+@ROADS
+@pytest.mark.parametrize("name", some([name for name in LAWS if name != "constant velocity"], 2))
+def test_peaks_are_those_of_the_handbook(road, name):
+    """Of a return three quarters as long as the rise: there both are larger, the slope below 0."""
+    peaks = road(usual(Law(name))).peaks
+    slope, bend = BOOK[name]
+    back = 0.75 * RISING
+    assert peaks[SLOPE].value == pytest.approx(-slope * LIFT / back, rel=1e-14)
+    assert peaks[SLOPE].turned == pytest.approx(1.25 * RISING + back / 2, rel=1e-9)
+    assert abs(peaks[BEND].value) == pytest.approx(bend * LIFT / back**2, rel=1e-13)
+
+
+@ROADS
+def test_peaks_between_samples_are_found_at_their_places(road):
+    """3-4-5: the acceleration is largest at (3 - sqrt 3)/6 of the phase, here at no whole part of a degree."""
+    cam = law_cam((RISE, 100, Law("3-4-5")), (RETURN, 137, Law("sine")), (DWELL, 123, None))
+    found = road(cam).peaks[BEND]
+    places = np.radians(100) * (3 + np.array([-1, 1]) * math.sqrt(3)) / 6
+    assert np.abs(found.turned - places).min() < 1e-11
+    assert abs(found.value) == pytest.approx(10 / math.sqrt(3) * LIFT / math.radians(100) ** 2, rel=1e-14)
+
+
+@ROADS
+@pytest.mark.parametrize(("law", "peak"), [(STEADY, 2 / 0.3), (BLOCKS, None)])
+def test_a_peak_may_be_a_corner_or_a_jump(road, law, peak):
+    found = road(law_cam((RISE, 90, law), (RETURN, 200, Law("sine")), (DWELL, 70, None))).peaks
+    if peak is None:  # of a shape the last ordinate, three halves of the first ones
+        assert abs(found[BEND].turned - math.radians(90)) < 1e-15
+        return
+    assert found[BEND].value == pytest.approx(peak * LIFT / math.radians(90) ** 2, rel=1e-14)
+    assert found[SLOPE].turned == pytest.approx(0.3 * math.radians(90), rel=1e-14)
+
+
+@ROADS
+@pytest.mark.parametrize("law", [Law("constant velocity"), LINES])
+def test_at_a_hard_shock_the_acceleration_has_no_largest_value(road, law):
+    assert road(usual(law)).peaks.keys() == {SLOPE}

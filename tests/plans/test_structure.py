@@ -1,17 +1,36 @@
-"""Structure: the crank and its groups found whatever the order of the tables, and what is no dyad refused (6.4.4)."""
+"""Structure: groups by Assur, their formula, a plate of three links, and parts of the plans."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import permutations
+from pathlib import Path
+from typing import NamedTuple
 
+import numpy as np
 import pytest
 
+from geometry.board import Mark
+from geometry.meet import Sizes
+from plans.forces.equilibrium import LinkForce, balances
+from plans.linkage.groups import lead, rrr
+from plans.linkage.groups.kinds import KINDS, Kind
+from plans.linkage.groups.vectors import Vector
+from plans.linkage.letters import Letters
+from plans.linkage.parts import Expected, findings
+from plans.linkage.plan import Plan
+from plans.linkage.pressure import interval
+from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import NUMBERS, decompose, formula, mechanism_class
-from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
-from plans.scene.scene import parse_scene
+from plans.model.dyad import NUMBERS, Dyad, Pair, decompose, formula, mechanism_class, pairs
+from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError, Way
+from plans.model.motion import Floats
+from plans.scene.scene import parse_scene, read_scene
+from tests.parts import some
 from tests.plans import linkages
+from tests.plans.linkages import ALONG_X, four_bar
+from tests.plans.studies import study_of
 
 TABLES = {
     "frame": "[mechanism.frame]\nO = [0, 0]\nC = [0, -0.350]\n",
@@ -103,3 +122,133 @@ def test_a_triad_is_refused_by_name():
     with pytest.raises(StructureError, match="class III") as caught:
         decompose(linkages.triad())
     assert caught.value.links == (2, 3, 4, 5)
+
+
+PLATE = {"B": 0.3 + 0j, "D": 0.25 + 0.1j}  # in the rocker's frame
+PLATE_GUIDE = Slide(6, FRAME, ALONG_X, ALONG_X, "E", "")
+ROD = {5: {"D": 0j, "E": 0.6 + 0j}, 6: {"E": 0j}}
+SKETCH = {"B": 0.2 + 0.28j, "D": 0.15 + 0.2j, "E": 0.9 + 0j}
+
+
+class Three(NamedTuple):
+    """A dyad RRR and the plate."""
+
+    dyad: Dyad
+    plate: int
+    kind: str = "three"
+    order: str = "III"
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        return (*self.dyad.links, self.plate)
+
+    @property
+    def label(self) -> str:
+        return f"III({','.join(map(str, self.links))})"
+
+    @property
+    def outer_pairs(self) -> tuple[Pair, ...]:
+        return self.dyad.outer_pairs
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        return (*self.dyad.inner_pairs, Pair(self.dyad.links[1], self.plate, self.dyad.pin))
+
+
+def positions(plan: Plan, group: Three, side: Sizes) -> None:
+    rrr.positions(plan, group.dyad, side)
+    _weld(plan, group)
+
+
+def velocities(plan: Plan, group: Three) -> None:
+    rrr.velocities(plan, group.dyad)
+    _weld(plan, group)
+
+
+def accelerations(plan: Plan, group: Three) -> None:
+    rrr.accelerations(plan, group.dyad)
+    _weld(plan, group)
+
+
+def meeting(plan: Plan, group: Three) -> Mark:
+    return lead.meeting(plan, group.dyad)
+
+
+def vectors(group: Three) -> Iterator[Vector]:
+    return rrr.vectors(group.dyad)
+
+
+def pressure(plan: Plan, group: Three) -> Floats:
+    return rrr.pressure(plan, group.dyad)
+
+
+def extremes(plan: Plan, group: Three, side: float) -> list[Mark]:
+    return rrr.extremes(plan, group.dyad, side)
+
+
+def _weld(plan: Plan, group: Three) -> None:
+    plan.images[group.plate] = plan.images[group.dyad.links[1]]
+    if plan.below:
+        plan.readings[group.plate] = plan.readings[group.dyad.links[1]]
+
+
+@pytest.fixture(autouse=True)
+def row(monkeypatch: pytest.MonkeyPatch) -> None:
+    kind = Kind(positions, velocities, accelerations, 2, meeting, vectors, pressure, extremes=extremes)
+    monkeypatch.setitem(KINDS, "three", kind)
+
+
+def studied(plate: bool) -> LinkageStudy:
+    """Study a four-bar that moves a slider by its rocker's point D, or by the same point of a plate on the rocker."""
+    bar = four_bar(0.1, 0.35, 0.3, 0.35, sketch=SKETCH)
+    wing = {4: PLATE} if plate else {3: {**bar.links[3].points, "D": PLATE["D"]}}
+    links = {**bar.links, **{number: Link(number, points) for number, points in {**wing, **ROD}.items()}}
+    study = study_of(replace(bar, links=links, slides=(PLATE_GUIDE,), output=Output(6, "E")), None, 24)
+    four = Dyad("RRR", (2, 3), (1, FRAME), ("A", "C"), "B")
+    last = Dyad("RRP", (5, 6), (4 if plate else 3, FRAME), ("D", PLATE_GUIDE), "E")
+    study.__dict__["groups"] = (Three(four, 4) if plate else four, last)
+    return study
+
+
+def test_it_is_drawn_as_the_same_links_without_the_plate_are() -> None:
+    three, two = studied(True), studied(False)
+    ours, theirs = three.motion(), two.motion()
+    assert ours.points.keys() == theirs.points.keys() and not ours.gaps
+    for name, point in theirs.points.items():
+        assert all(np.array_equal(one, other) for one, other in zip(ours.points[name], point, strict=True)), name
+    assert all(np.array_equal(one, other) for one, other in zip(ours.links[4], ours.links[3], strict=True))
+    ends, same = three.extreme_positions, two.extreme_positions
+    assert ends is not None and same is not None and ends.extremes == same.extremes
+
+
+def test_its_pressure_angle_and_its_barriers_are_those_of_its_row() -> None:
+    three, two = studied(True), studied(False)
+    assert not three.barriers
+    for group, other in zip(three.groups, two.groups, strict=True):
+        assert interval(three.sweep, group) == interval(two.sweep, other)
+
+
+def test_its_class_its_pairs_and_its_vectors_are_told() -> None:
+    study = studied(True)
+    assert formula(study.mechanism, study.groups) == "I(0,1) -> III(2,3,4) -> II2(5,6)"
+    assert mechanism_class(study.groups) == "III"
+    keys = [pair.key for pair in pairs(study.mechanism, study.groups)]
+    assert keys == ["0-1", "1-2", "0-3", "2-3", "3-4", "4-5", "0-6", "5-6"]
+    arrows = Expected(study.mechanism, study.motion(), 0, Letters(study.mechanism)).arrows(study.groups)
+    assert ("velocities", "a", "b") in arrows and ("accelerations", "n_BA", "b") in arrows
+    parts = [LinkForce(link, *5 * [np.zeros(24)]) for link in study.mechanism.links if link != FRAME]
+    sums = balances(study.mechanism, study.groups, parts, np.zeros(24))
+    assert any("2-3-4" in found.name for found in sums)
+
+
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+SCENES = ("shaper", "oscillating-cylinder", "squeezer", "walking-leg", "planer", "v-engine", "tangent")
+
+
+@pytest.mark.parametrize("name", some(SCENES, 3))
+def test_every_part_is_what_its_formula_says(name: str) -> None:
+    study = LinkageStudy(read_scene(GALLERY / f"{name}.toml"))
+    told = findings(study, compare(study), {"S": (2, 0.03 + 0.02j)})
+    assert {one.name.partition("_")[0] for one in told} >= {"v", "a", "a^n", "a^t"}
+    for one in told:
+        assert np.nanmax(one.excess) <= 1, one.name
