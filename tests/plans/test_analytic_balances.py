@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from plans.analytic.energy import energy_balance
 from plans.analytic.power import balancing_moment, borne
-from plans.model.dyad import Pair
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.model.mechanism import FRAME, Mechanism
@@ -177,16 +176,3 @@ def test_the_energy_balance_alone_sees_wrong_inertia(monkeypatch, fault):
     for module in ("kinetostatics", "power"):
         monkeypatch.setattr(f"plans.analytic.{module}.borne", fault)
     assert seen(shaper()) == (False, True)
-
-
-def test_a_three_lead_group_is_no_obstacle():
-    told = [(0, 1, "O"), (1, 2, "A1"), (2, 3, "B1"), (0, 4, "A2"), (0, 5, "A3"), (3, 4, "B2"), (3, 5, "B3")]
-    bodies = {n: Body(n, 2.0 * n, 0.01 * n, 0.05 + 0.02j) for n in range(1, 6)}
-    loads = steady(1, {(3, 0.1 + 0.1j): 40 - 70j}, {3: 2.0})
-    run = Run(linkages.triad(), machine(bodies), np.array([0.4]), loads, tuple(Pair(*pair) for pair in told))
-    assert not run.forces.gaps
-    in_balance(run)
-    moment = run.forces.balancing.moment
-    assert balancing_moment(*run.case) == pytest.approx(moment, rel=1e-11)
-    energy = energy_balance(*run.case)
-    assert abs(energy.moment - moment) <= energy.allowed < 1e-4 * abs(moment)

@@ -15,7 +15,7 @@ from plans.analytic.power import balancing_moment, reduced_inertia, reduced_mome
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body
 from plans.model.mechanism import Way
-from plans.model.motion import Floats, Gap
+from plans.model.motion import Floats
 from tests.parts import first
 from tests.plans import linkages
 from tests.plans.machines import SHAPER, Run, machine, steady
@@ -142,15 +142,6 @@ def test_a_dead_centre_has_no_reactions(beside):
     run = Run(DOUBLE_ROCKER, machine(TWO), np.array([1.4, pi / 2 - beside]))
     assert gaps(run.forces) == {1: ("forces", "dead centre")}
     assert np.isnan(balancing_moment(*run.case)[1])
-
-
-def test_a_gap_of_the_motion_has_no_forces_whatever_the_equations_say():
-    run = Run(ROCKER, machine(), TURN, steady(12, {(3, 0j): 100 + 0j, (2, 0.2 + 0j): 50j}))
-    told = Gap(4, float(TURN[4]), "velocities", "dead centre", "B", 0.0, "")
-    run.motion = run.motion._replace(gaps=(told,))
-    assert gaps(run.forces) == {4: ("velocities", "dead centre")}
-    assert np.flatnonzero(np.isnan(balancing_moment(*run.case))).tolist() == [4]
-    assert np.flatnonzero(np.isinf(energy_balance(*run.case).allowed)).tolist() == [4]
 
 
 def test_too_near_a_dead_centre_the_energy_balance_does_not_judge():

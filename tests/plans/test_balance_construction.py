@@ -52,15 +52,6 @@ def test_main_moment_holds_against_frame_and_drive(text: str) -> None:
     assert its.before.centre.moment == pytest.approx(-held, rel=1e-12, abs=1e-13 * most)
 
 
-def test_yoke_has_a_variable_vector_of_its_own() -> None:
-    its = study(YOKE)
-    (one,) = its.points().variables
-    assert (one.stem.link, one.share) == (3, 4 / 7)
-    side = its.drawing().main.sides[-1]
-    d = its.linkage.motion(0).points["D"].r
-    assert side.vector.point == pytest.approx(4 / 7 * d)
-
-
 def test_block_and_pin_that_slide_leave_both_their_masses() -> None:
     """A slotted crank drives a pin along a fixed line: the block in the slot goes with the pin."""
     mechanism = tangent_mechanism(0.3)
@@ -141,3 +132,11 @@ def test_share_of_the_reciprocating_mass(least: str, place: Place) -> None:
         assert (other.shaking if least == FORCE else other.reactions["0-1"]) > getattr(best, row)
     assert len(shares.curve) == SHARES
     assert min(getattr(one, row) for one in shares.curve) >= getattr(best, row)
+
+
+def test_mechanism_that_is_balanced_already_needs_nothing() -> None:
+    first = study(FOUR_BAR, asked(FULL, Place(1, mass=9), Place(2, mass=6)))
+    again = BalanceStudy(first.linkage, first.loaded_statics, first.task)
+    assert [(one.mass, one.moment, one.needed) for one in again.counterweights] == [(0, 0, False)] * 2
+    assert again.balance.still
+    assert again.loaded == first.loaded

@@ -30,7 +30,6 @@ from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from tests.parts import examples
 from tests.plans import machine_alterations as altered
-from tests.plans.alterations import renamed
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, asked, study
 from tests.plans.chains import chains, numbers
 from tests.plans.loaded import Loaded, loaded, machines
@@ -115,18 +114,6 @@ def test_everything_enlarged(one: Loaded, times: float) -> None:
 @given(weighed(), st.sampled_from((-1.0, 0.01, 3.0, -3.0)))
 def test_a_crank_driven_faster_or_the_other_way_shakes_as_the_square(one: Loaded, times: float) -> None:
     alike(one, centre(altered.quickened(one, times)), force=lambda f: times**2 * f, moment=times**2)
-
-
-@few
-@given(weighed(), st.data())
-def test_the_tree_of_links_told_by_other_numbers_and_in_another_order(one: Loaded, data: st.DataObject) -> None:
-    moving = [link for link in one.mechanism.links if link != FRAME]
-    told = {FRAME: FRAME} | dict(zip(moving, data.draw(st.permutations(moving)), strict=True))
-    names = sorted({point for link in one.mechanism.links.values() for point in link.points})
-    letters = dict(zip(names, data.draw(st.permutations(names)), strict=True))
-    bodies = {told[body.link]: body._replace(link=told[body.link]) for body in one.machine.bodies.values()}
-    other = Loaded(renamed(one.mechanism, letters, told), replace(one.machine, bodies=bodies), one.phi)
-    alike(one, centre(other))
 
 
 @few

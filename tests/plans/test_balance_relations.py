@@ -15,8 +15,7 @@ from plans.balance.study import BalanceStudy, substituted
 from plans.balance.weights import Refused, begins
 from plans.linkage.drafts import Drafts
 from plans.model.balance.linkage import FULL, NONE, PARTIAL, Place, Task
-from plans.model.machine import Body, Transmission
-from plans.model.mechanism import FRAME
+from plans.model.machine import Transmission
 from tests.plans.loaded import Loaded, loaded, push
 
 HEAVY = 30.0  # kg, of every counterweight: as heavy as the heaviest links
@@ -73,27 +72,3 @@ def test_what_is_left_at_sliders_is_all_that_shakes_a_balanced_machine(one, aim)
     left = -sum(mass * complex(points[point].a[0]) for point, mass in its.left.items())
     moved = sum(abs(mass * points[point].a[0]) for point, mass in its.left.items())
     assert abs(force - left) <= one.margin * (sizes + moved)
-
-
-@push
-@given(loaded(), st.data())
-def test_a_mass_at_a_pin_is_balanced_alike_on_either_of_its_links(one, data):
-    hinges = {point: links for point, links in one.mechanism.hinges.items() if FRAME not in links}
-    assume(hinges)
-    point = data.draw(st.sampled_from(sorted(hinges)))
-    ways = [_with(bare(one), link, point) for link in hinges[point]]
-    assume(all(bearable(way, PARTIAL).machine == way.machine for way in ways))
-    first, *others = (balance(way, PARTIAL).counterweights for way in ways)
-    for other in others:
-        for weight, same in zip(first, other, strict=True):
-            assert weight.link == same.link
-            assert abs(same.moment - weight.moment) <= one.margin * max(abs(w.moment) for w in first), weight.link
-
-
-def _with(one: Loaded, link: int, point: str) -> Loaded:
-    """Put ten kilograms on a link at one of its points."""
-    at, bodies = one.mechanism.links[link].points[point], dict(one.machine.bodies)
-    own = bodies.get(link, Body(link, 0.0, 0.0, 0j))
-    mass = own.mass + 10.0
-    bodies[link] = own._replace(mass=mass, centre=(own.mass * own.centre + 10.0 * at) / mass)
-    return replace(one, machine=replace(one.machine, bodies=bodies))

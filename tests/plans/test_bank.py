@@ -13,7 +13,7 @@ from hypothesis import given
 from plans.bank.engines import ENGINES
 from plans.bank.harmonics import NotSettled, roman
 from plans.bank.quantities import compare_bank
-from plans.model.balance.bank import ORDERS, Asked, BankTask, Harmonic, Member, Unit
+from plans.model.balance.bank import Asked, BankTask, Harmonic, Member, Unit
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import examples
@@ -170,16 +170,6 @@ def test_speed_and_mass(road) -> None:
     fast = road(BOOK._replace(speed=-60.0, unit=BOOK.unit._replace(reciprocating=19.0)))
     alike(fast.forces, {n: turned(one, 1, 1, 18.0) for n, one in slow.forces.items()}, 18.0)
     assert fast.compensators[0].with_crank == pytest.approx(2 * slow.compensators[0].with_crank, rel=1e-14)
-
-
-def test_a_star_of_three_closes_to_nothing() -> None:
-    """Forces of three cylinders vanish but for every third order; what vanishes is zero, and has no compensator."""
-    bank = task(ENGINES[3].members, orders=ORDERS)._replace(asked=(Asked(1, offset=0.1, shafts=0.2),))
-    found = drawn(bank)
-    assert [one.size > 0 for one in found.forces.values()] == [False, False, False, True]
-    (one,) = found.compensators
-    assert (one.with_crank, one.with_angle, one.against, one.residual, one.couple) == (0.0, None, 0.0, 0.0, 0.0)
-    assert np.array_equal(found.left, found.force)
 
 
 def test_letters_of_orders() -> None:

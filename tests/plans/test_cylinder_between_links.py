@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,13 +10,11 @@ import numpy as np
 import pytest
 
 from plans.forces import cylinder
-from plans.linkage.primaries import between, ram
-from plans.model.mechanism import Mechanism
+from plans.linkage.primaries import between
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import some
-from tests.plans.test_stroke_drive import by_cylinder
 
 CASES = Path(__file__).parents[1] / "cases"
 # The arms cross in their middles, E and F are 0.5 m from it, so that EF = 2 * 0.5 sin(phi); D is at 1.6 sin(phi).
@@ -71,29 +68,6 @@ def test_rates_are_the_slopes_of_places_over_time() -> None:
     for order, third in ((1, jerk), (2, more)):
         slopes = np.gradient(point[order - 1], step)[1:-1]
         assert np.abs(slopes - point[order][1:-1]).max() < 1.01 * step**2 / 6 * third
-
-
-def test_a_cylinder_that_a_triangle_holds_is_the_same_by_the_plans_of_its_linkage() -> None:
-    mechanism = by_cylinder()["linkage"].mechanism
-    other = as_between(mechanism)
-    ways = np.linspace(0.45, 0.55, 7)
-    phi = ram.positions(mechanism, ways).phi
-    assert ram.positions(other, ways).phi == pytest.approx(phi, abs=4e-15)
-    for own, theirs in zip(ram.pace(other)(phi), ram.pace(mechanism)(phi), strict=True):
-        assert own == pytest.approx(theirs, rel=1e-12)
-    assert ram.ways(other, phi) == pytest.approx(ways, rel=1e-14)
-    motion = by_cylinder()["linkage"].motion(0)
-    assert ram.lever(other, motion) == pytest.approx(ram.lever(mechanism, motion), rel=1e-12)
-
-
-def as_between(mechanism: Mechanism) -> Mechanism:
-    """Take a cylinder that a triangle holds for one between two links."""
-    own = mechanism.drive.ram
-    assert own is not None
-    loose = replace(mechanism, drive=mechanism.drive._replace(ram=own._replace(links=(0, 1))))
-    found = between.passage(loose)
-    assert found is not None and loose.drive.ram is not None
-    return replace(loose, drive=loose.drive._replace(ram=loose.drive.ram._replace(passage=found[0])))
 
 
 FAULTS = {

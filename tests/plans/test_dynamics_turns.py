@@ -12,7 +12,7 @@ from hypothesis import given
 
 from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
 from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel
-from plans.model.dynamics import Cycle, Task
+from plans.model.dynamics import Task
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Body, Force, Machine, Moment
 from plans.model.motion import Floats
 from tests.parts import examples
@@ -71,26 +71,6 @@ def test_a_load_by_its_way_is_that_of_a_stroke_that_turns_back_only_at_its_ends(
     every = np.linspace(0, 2 * pi, 50)
     assert ours.settled
     assert ours.moment(every) == pytest.approx(theirs.moment(every), abs=1e-10)
-
-
-def test_extremes_equal_at_two_places() -> None:
-    """A scotch yoke stands alike in both halves of its turn: the first of two equal touches counts."""
-    yoke = Steady(
-        linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0),
-        machine(Force("F", 3, "D", 0j, 500.0, None), bodies={3: Body(3, 2.0, 0.0, 0j)}),
-    )
-    found = yoke.exact
-    low, high = flywheel(found, TASK).touches
-    assert max(low.turned, high.turned) < pi
-    told = flywheel_of_points(Cycle("hand", *hand((0.0, 2.0, -1.0, 2.0, 0.0))), TASK).touches
-    assert told[1].turned == pytest.approx(pi / 2)
-
-
-def hand(surplus: tuple[float, ...]) -> tuple[Floats, ...]:
-    """Give the account of a turn in four strips at whose edges the energy has these values, J; the inertia is 1."""
-    turned = np.linspace(0, 2 * pi, 5)
-    means = np.diff(surplus) / (pi / 2)
-    return turned, np.zeros(0), np.stack((means, means), axis=1), means, np.array(surplus), np.ones(5)
 
 
 def measure(found: Exact) -> float:

@@ -89,21 +89,6 @@ def _tables(parts: list[Told]) -> tuple[list[Mapping], ...]:
 
 
 @push
-@given(loaded(), st.randoms(use_true_random=False))
-def test_other_names_and_numbers_and_another_order_change_nothing(one, chance):
-    names = sorted({name for link in one.mechanism.links.values() for name in link.points})
-    links = [number for number in sorted(one.mechanism.links) if number != FRAME]
-    points = dict(zip(names, chance.sample(names, len(names)), strict=True))
-    figures = {FRAME: FRAME} | dict(zip(links, chance.sample(links, len(links)), strict=True)) | {-1: -1}
-    new, old = altered.called(one, points, figures).told, one.told
-    forces, moments = (
-        {(figures[link], points[point], figures[other]): told for (link, point, other), told in table.items()}
-        for table in (old.forces, old.moments)
-    )
-    alike(old._replace(forces=forces, moments=moments), new)
-
-
-@push
 @given(loaded(kinds=(MOMENT, FORCE)))
 def test_a_steady_crank_reversed_reverses_only_what_is_against_the_motion(one):
     """Inertia goes by the square of the speed; a load against the motion turns about with it."""

@@ -83,3 +83,11 @@ def test_past_a_hard_shock_the_velocity_begins_anew() -> None:
 
 def test_every_step_says_why_in_every_language() -> None:
     assert all(said(mark.step.why, each) for mark in law_diagrams(usual(RULER)).board.marks for each in languages())
+
+
+@pytest.mark.parametrize("name", ["sine", "3-4-5", "4-5-6-7", "modified sine"])
+def test_mid_ordinates_are_of_the_second_order(name: str) -> None:
+    counts = (16, 64)
+    found = [law_diagrams(usual(Law(name), divisions=count)) for count in counts]
+    for pair in ([one.slope_departure.share for one in found], [one.travel_departure.share for one in found]):
+        assert order(pair, counts) == pytest.approx(2.0, abs=0.1)

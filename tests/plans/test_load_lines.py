@@ -82,20 +82,6 @@ def test_a_force_against_the_motion_of_one_from_the_other(by: str) -> None:
     assert (second == -first).all()
 
 
-def test_a_force_between_links_is_that_of_a_spring_of_the_same_pull() -> None:
-    """At 60 degrees a spring from the shaft to the rod's middle, 900 N/m and as good as without length, pulls so."""
-    named = "[mechanism.points]\nE = { on = 2, at = [0.2, 0] }\n"
-    ends = "between = ['O', 'E']\n"
-    one = ENGINE.replace("[0, 60, 90, 180, 270, 300]", "[60]") + named
-    far = float(abs(0.1 * WAYS[1] + 0.2 * rods()[1]))
-    pull = f"{FORCE}{ends}value = {-900 * far!r}\nuseful = false\n"
-    spring = f"[[loads.springs]]\n{ends}stiffness = 900\nfree = 0\n"
-    told, sprung = (compared(one + text).construction for text in (pull, spring))
-    assert told.balancing.moment == pytest.approx(sprung.balancing.moment, rel=1e-12)
-    for key, reaction in told.reactions.items():
-        assert reaction.force == pytest.approx(sprung.reactions[key].force, abs=1e-12)
-
-
 @pytest.mark.parametrize("road", ROADS)
 def test_the_pump_by_both_roads(road: str) -> None:
     """The power of the pressure is P times the speed at which AC shortens: M = P d(AC)/d phi (virtual work)."""

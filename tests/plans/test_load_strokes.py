@@ -137,21 +137,6 @@ def test_a_pump_that_presses_on_one_stroke_alone(by: str) -> None:
     assert compared(once).agrees
 
 
-@pytest.mark.parametrize("by", ROADS)
-def test_the_distance_of_two_points_has_a_stroke(by: str) -> None:
-    """From O to the piston of the engine it is the piston's own; from a fixed point to the rod's middle, any."""
-    both = f'[[loads.forces]]\nbetween = ["O", {{ on = 3, point = "B" }}]\n{CARD}'
-    share = [0, AT_60, AT_90, 1, AT_90, AT_60]
-    assert loaded(ENGINE + both, by).force() == pytest.approx(share, abs=1e-14)
-    middle = "[mechanism.points]\nE = { on = 2, at = [0.2, 0] }\n"
-    apart = Output(2, "E", parting=Parting("O", ("O", "E")))
-    told = found(ENGINE + middle, by, apart)
-    phi = np.linspace(0, 2 * np.pi, 100_001)
-    far = abs(0.05 * np.exp(1j * phi) + (0.1 * np.cos(phi) + np.sqrt(0.16 - 0.01 * np.sin(phi) ** 2)) / 2)
-    assert sorted(told.reach) == pytest.approx([far.min(), far.max()], abs=1e-9)
-    assert told.sliding
-
-
 def test_both_roads_agree_in_the_strokes_of_any_two_points() -> None:
     for far, line in (("O", ("O", "E")), ("A", ("A", "E")), ("C", ("C", "E"))):
         text = SHAPER.replace('4 = "BD"', '4 = "BDE"') + "[mechanism.points]\nE = { on = 4, at = [0.1, 0.07] }\n"

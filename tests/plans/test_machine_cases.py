@@ -138,15 +138,6 @@ def test_machine_that_runs_without_a_flywheel() -> None:
     assert light.analysis.before.extremes == pytest.approx(light.construction.before.extremes, rel=1e-12)
 
 
-def test_constant_moment_on_the_crank_takes_nothing_from_the_drive_unevenly() -> None:
-    """Nothing is left of the surplus but rounding, which is told as nothing; the links alone ask for a flywheel."""
-    found = compared('[[loads.moments]]\non = 1\nvalue = 50\nagainst = "motion"\n')
-    assert found.construction.cycle.driving == pytest.approx(50, rel=1e-14)
-    assert found.construction.cycle.surplus.tolist() == [0.0] * 25
-    for ours, theirs in zip(found.construction.flywheel.touches, found.analysis.flywheel.touches, strict=True):
-        assert ours == pytest.approx(theirs, rel=1e-12)
-
-
 def test_machine_without_any_inertia_in_a_position() -> None:
     """A slider alone stands still at its dead centres: no motor runs that up."""
     alone = text(asked="motor = { starting = 20, synchronous = 200 }").split("[masses]")

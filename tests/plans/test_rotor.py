@@ -168,18 +168,6 @@ def test_scale_of_masses(road, rotor, power) -> None:
 
 @ROADS
 @examples(4)
-@given(rotor=rotors(), by=st.fractions(-100, 100))
-def test_shift_along_the_shaft(road, rotor, by) -> None:
-    shifted = replace(
-        rotor,
-        masses=tuple(one._replace(place=one.place + by) for one in rotor.masses),
-        planes=tuple(one._replace(place=one.place + by) for one in rotor.planes),
-    )
-    near(road(shifted), road(rotor), rotor)
-
-
-@ROADS
-@examples(4)
 @given(rotor=rotors(), other=rotors())
 def test_superposition(road, rotor, other) -> None:
     """What balances two rotors' masses together is the sum of what balances each."""
