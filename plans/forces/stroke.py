@@ -15,7 +15,7 @@ from plans.words.words import Message, message
 
 TURN = 2 * np.pi
 # Up to kappa = 600 positions are graded, and the two roads agree in what a velocity is or where one is zero to
-# 8 eps kappa2 of the largest, of an angle to that share of a turn (plans.checks.compare): less is zero, or the same.
+# 8 eps kappa2 of the largest, of an angle to that share of a turn (plans.quantity): less is zero, or the same.
 KAPPA = 600.0
 FIT = 0.01  # share of a stroke that a diagram's lengths may differ by: as exactly as strokes are read off drawings
 ROUNDING = 8 * 2.0**-52 * KAPPA**2

@@ -17,7 +17,7 @@ from tests.gallery import GALLERY
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
-CAMS = ("plans.cam", "plans.analytic.cam", "plans.checks.cam", "plans.cyclogram", "drawings.cam")
+CAMS = ("plans.cam", "plans.analytic.cam", "plans.cyclogram", "drawings.cam")
 HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
 
 # Runs the command, then tells which modules it has imported and which plans each study has made.

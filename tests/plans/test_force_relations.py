@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.board import at
-from plans.checks.comparison import EQUILIBRIUM
+from plans.quantity import EQUILIBRIUM
 from plans.forces.friction import rate
 from plans.forces.quantities import compare_forces
 from plans.linkage.assembly_limits import at_angles
