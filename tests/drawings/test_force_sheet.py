@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from drawings.forces import sheet
+from drawings.forces.letters import BALANCE, PAIR
+from drawings.forces.lever_plan import hanging
 from drawings.linkage import kinematics
 from drawings.linkage.positions import force_positions
 from drawings.paper.strokes import Leaf, SheetError
@@ -18,14 +19,13 @@ from plans.forces.statics import Statics
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
-from plans.scene.scene import parse_scene, read_scene
+from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.held import measured
 from tests.parts import first
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 Checked = tuple[LinkageStudy, ForceComparison, Statics, Leaf]
 
 
@@ -37,12 +37,55 @@ def sheets_of(study: LinkageStudy) -> tuple[ForceComparison, Statics, tuple[Leaf
 
 @pytest.fixture(scope="module")
 def checked() -> Checked:
-    study = LinkageStudy(read_scene(GALLERY / "shaper-loaded.toml"))
-    comparison, statics, leaves = sheets_of(study)
-    return study, comparison, statics, leaves[0]
+    """The shaper at 60 degrees, driven by a gear: the worked example of methods M5.7 and M5.8."""
+    study = LinkageStudy(parse_scene(text_of("shaper")))
+    comparison, statics, (leaf,) = sheets_of(study)
+    return study, comparison, statics, leaf
 
 
 # With a ruler
+
+# methods' worked case M5.7, N.
+M57 = {
+    ("forces-4-5", "Φ_4"): 14.86350455 + 5.228213782j,
+    ("forces-4-5", "Φ_5"): 123.6578622 + 0j,
+    ("forces-4-5", "G_5"): -245.25j,
+    ("forces-4-5", "F_us"): 1500 + 0j,
+    ("forces-4-5", "R^t_34"): 0.8069359265 + 10.60216184j,
+    ("forces-4-5", "R^n_34"): -1639.328303 + 124.7701104j,
+    ("forces-4-5", "R_34"): -1638.521367 + 135.3722722j,
+    ("forces-4-5", "R_05"): 134.079514j,
+    ("forces-4-5", "R_54"): 1623.657862 - 111.170486j,
+    ("forces-2-3", "Φ_3"): 37.2201641 + 26.14106891j,
+    ("forces-2-3", "R_43"): 1638.521367 - 135.3722722j,
+    ("forces-2-3", "R_12"): -2537.127867 + 335.3600848j,
+    ("forces-2-3", "R_03"): 861.3863359 - 78.97888146j,
+    ("forces-1", "P_bal"): 1290.915752 - 1083.206931j,
+    ("forces-1", "R_21"): 2537.127867 - 335.3600848j,
+    ("forces-1", "R_01"): -3828.043619 + 1477.427016j,
+}  # fmt: skip
+
+
+def test_a_ruler_finds_the_forces_of_the_worked_example(checked: Checked) -> None:
+    found = measured(checked[3])
+    sides = {(one.plan, one.name): one for one in found.vectors}
+    for key, value in M57.items():
+        assert abs(sides[key].value - value) <= 2 * found.quantum * sides[key].scale + 1e-5, key  # their last digit
+        assert abs(sides[key].stated - value) <= 1e-5, key
+
+
+def test_the_lever_of_the_worked_example_needs_its_gear_force(checked: Checked) -> None:
+    """M5.8: the other forces have -2850.376673 W, and the gear force of 1685.170833 N balances them."""
+    drafts = checked[2].drafts().plans
+    assert drafts.lever is not None
+    pushes = hanging(drafts.plan, drafts.lever, 0).forces
+    (gear,) = (one for one in pushes if one.kind == BALANCE)
+    assert abs(abs(gear.value) - 1685.170833) < 1e-6
+    assert abs(gear.moment - 2850.376673) < 1e-6
+    assert abs(sum(one.moment for one in pushes)) < 1e-6
+    couples = [one for one in pushes if one.kind == PAIR]  # two forces each, none at the hinge
+    assert list(dict.fromkeys(one.name for one in couples)) == ["M^Φ_1/OA", "M^Φ_3/CA", "M^Φ_4/BD"]
+    assert all(one.at != 0 for one in couples)
 
 
 def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_scale(

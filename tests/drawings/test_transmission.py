@@ -1,4 +1,4 @@
-"""Symbols of drive and load: the pitch circle with its line of action, a spring between its ends, a coupling."""
+"""Symbols of drive and load: the pitch circle with its line of action, a coupling; forces and springs of nothing."""
 
 import cmath
 import math
@@ -6,9 +6,12 @@ import math
 import pytest
 
 from drawings.lettering.extent import bounds
+from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Circle, Line
 from drawings.symbols.couples import Gear, coupling, spring
+from drawings.symbols.figure import Subject
+from drawings.symbols.force_arrow import to_scale
 
 HAND = hand_of("A1")
 
@@ -31,21 +34,6 @@ def test_the_line_of_action_leaves_the_pitch_tangent_by_the_pressure_angle(at: f
     assert abs(((gear.centre - gear.contact) * action.conjugate()).imag) == pytest.approx(60 * math.cos(pressure))
 
 
-def test_a_large_wheel_may_be_drawn_by_the_arc_at_the_pinion() -> None:
-    arc = Gear(0j, 200.0, 1.0, 1j).draw(HAND, whole=False)[0]
-    assert isinstance(arc, Arc) and arc.sweep < math.pi / 2 and arc.at(0.5) == pytest.approx(cmath.rect(200, 1.0))
-
-
-@pytest.mark.parametrize("end", [40 + 0j, 10 + 30j, 3 + 0j])
-def test_a_spring_runs_between_its_ends_and_keeps_its_width(end: complex) -> None:
-    points = spring(0j, end, HAND).points
-    assert points[0] == 0j and points[-1] == end
-    turned = [point * end.conjugate() / abs(end) for point in points]
-    assert max(abs(point.imag) for point in turned) <= 3.0 + 1e-9
-    assert sum(turned[k].imag * turned[k + 1].imag < 0 for k in range(len(turned) - 1)) == 9
-    assert [point.real for point in turned] == sorted(point.real for point in turned)
-
-
 def test_a_spring_without_length_is_a_point() -> None:
     assert set(spring(5j, 5j, HAND).points) == {5j}
 
@@ -54,3 +42,9 @@ def test_the_plates_of_a_coupling_face_each_other_across_its_shaft() -> None:
     first, second, *shafts = coupling(50 + 50j, 1j, HAND)
     assert abs(first.start - second.start) == pytest.approx(1.6) and abs(first.end - first.start) == pytest.approx(12.0)
     assert len(shafts) == 2 and bounds(shafts[0])[3] <= bounds(shafts[1])[1]
+
+
+def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
+    one = to_scale("Φ_5", 0j, 20 + 20j, Scale(20.0, "F", "N"), Subject("forces-4-5", "F", 2))
+    (shaft,) = one.draw(HAND).strokes
+    assert isinstance(shaft, Line) and shaft.start == shaft.end == 20 + 20j
