@@ -1,4 +1,4 @@
-"""Cams whose profiles tests draw, of the methods and odd ones."""
+"""Cams whose profiles tests draw, of the methods and odd ones; how far places are from a profile."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
+import shapely
+
 from drawings.cam.profile_view import ProfileView, profile_view
+from geometry.curve import Piece, sampled
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
 from plans.model.cam import (
@@ -25,7 +28,8 @@ from plans.model.cam import (
     Follower,
     Law,
 )
-from plans.model.cam_motion import Sizes
+from plans.model.cam_motion import Points, Sizes
+from plans.model.motion import Floats
 from tests.plans import cam_phases
 
 LIFT = 0.03
@@ -100,3 +104,9 @@ EVERY = {
 def view_of(name: str) -> ProfileView:
     """Give one of them, made once."""
     return EVERY[name]()
+
+
+def apart(pieces: tuple[Piece, ...], spots: Points, sag: float) -> Floats:
+    """Give how far points, (N,) m, are from a profile whose chords may be off it by a sag."""
+    line = shapely.LineString([(spot.real, spot.imag) for spot in sampled(pieces, sag)])
+    return shapely.distance(line, shapely.points(spots.real, spots.imag))

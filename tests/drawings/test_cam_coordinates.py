@@ -26,7 +26,7 @@ from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
-from tests.drawings.nearness import apart
+from tests.drawings.cam_contours import apart
 from tests.drawings.planting import DrawingFault, planted
 from tests.gallery import GALLERY
 from tests.parts import first
@@ -59,7 +59,7 @@ def test_coordinates_are_those_of_the_analysis_and_on_the_drawn_path(case: Case)
     spots = (np.array(found["x_mm"]) + 1j * np.array(found["y_mm"])) * MM
     own = path(cam, sizes, -roller_of(cam))
     assert len(spots) == cam.coordinates + 1
-    assert apart(own.pieces, own.closed, spots).max() <= own.deviation + LAST * MM
+    assert apart(own.pieces, spots, LAST * MM).max() <= own.deviation + 2 * LAST * MM
     if not cam.translates:
         assert abs(spots[-1] - spots[0]) <= 2 * LAST * MM
         assert found["turned_deg"][-1] == 360

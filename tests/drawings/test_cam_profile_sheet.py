@@ -15,8 +15,6 @@ from plans.cam.results import results
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import view_of
 from tests.drawings.exhibits import SHEET, read_back
-from tests.drawings.pages import said
-from tests.parts import several
 
 
 def scene(size: str = "A3", language: str = "en") -> Scene:
@@ -29,26 +27,6 @@ def made(name: str, size: str = "A3", language: str = "en") -> tuple[Manufacture
     return shown, sheets(scene(size, language), [shown])
 
 
-def table(name: str, size: str = "A3") -> dict[str, tuple[str, ...]]:
-    """Give the rows of the table as they are read."""
-    _, leaves = made(name, size)
-    rows: dict[str, tuple[str, ...]] = {}
-    for group in (one for leaf in leaves for one in leaf.groups if one.name.startswith("radii")):
-        told = said(group)[3:]
-        rows |= {told[k]: tuple(told[k + 1 : k + 3]) for k in range(0, len(told), 3)}
-    return rows
-
-
-@pytest.mark.parametrize(("name", "format_", "wide"), [("groove", "A1", 420.0), ("rocker", "A1", 420.0)])
-def test_it_lies_on_the_smallest_format_that_takes_it_at_its_own_size(name: str, format_: str, wide: float) -> None:
-    """The format of the scene is the largest: what stands at 1:1 with its whole table on A3 lies on A3."""
-    (leaf,) = made(name, format_)[1]
-    assert leaf.width == wide
-    assert {one.scale for one in read_back(leaf).vectors} == {0.001}
-    assert "1:1" in [text for group in leaf.groups if group.name == "title-block" for text in said(group)]
-    assert len(table(name, format_)) == 72
-
-
 def test_a_smaller_format_lies_as_the_scene_wants_it() -> None:
     """A4 only stands upright: a scene that wants its sheets lying has the profile on no less than A3."""
     lying = scene().changed(sheet=scene().sheet.changed(orientation="landscape"))
@@ -59,28 +37,6 @@ def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_sce
     (leaf,) = made("rocker", "A4")[1]
     assert leaf.width == 210.0
     assert {one.scale for one in read_back(leaf).vectors} == {0.002}
-
-
-@pytest.mark.parametrize(
-    ("name", "language", "notes"),
-    several(
-        [
-            ("groove", "en", ("counter-clockwise", "Groove 26.132 mm wide", "r_{r} = 13.066 mm", "path of the mill's")),
-            (
-                "clockwise",
-                "ru",
-                ("по часовой стрелке", "Паз шириной 26,132 мм", "r_{р} = 13,066", "32,665, φ 240 … 360°"),
-            ),
-            ("undercut", "en", ("Roller", "Not to be made: ", "undercut", "crosses itself", "0.0001 mm at most")),
-            ("wedge", "en", ("goes to the left", "Datum: O, where the follower's point")),
-        ],
-        2,
-    ),
-)
-def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: tuple[str, ...]) -> None:
-    _, (leaf, *_) = made(name, "A3", language)
-    for one in notes:
-        assert one in leaf.description, one
 
 
 @pytest.mark.parametrize(

@@ -13,12 +13,11 @@ from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Group, Leaf, LineStyle
 from drawings.pens.svg import svg
 from drawings.symbols.figure import Subject, point
-from geometry.curve import sampled, straight
 from plans.analytic.cam.contour import contour
 from plans.cam.path import path
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
 from plans.model.cam_motion import Contour
-from tests.drawings.nearness import apart
+from tests.drawings.cam_contours import apart
 from tests.parts import first
 from tests.plans import cam_cases as cases
 from tests.plans.cam_cases import Case, every, roller_of, titled
@@ -58,13 +57,10 @@ def theirs(case: Case, parts: int) -> Contour:
 
 @pytest.mark.parametrize("case", first([one for one in every() if one[0].follower.end == ROLLER]), ids=titled)
 def test_roller_touches_the_written_profile_by_shapely(case: Case) -> None:
-    shapely = pytest.importorskip("shapely")
     cam, _ = case
     sag = 1e-8  # m: a fifth of it is lost at the middle of a chord
     profile = curves(measure(written(case)))[WORKING]
-    line = shapely.LineString([(spot.real, spot.imag) for spot in sampled(profile.pieces, sag)])
-    pitch = theirs(case, 720).pitch
-    gap = shapely.distance(line, shapely.points(pitch.real, pitch.imag)) - roller_of(cam)
+    gap = apart(profile.pieces, theirs(case, 720).pitch, sag) - roller_of(cam)
     assert np.abs(gap).max() <= profile.deviation + profile.quantum + sag
 
 
@@ -84,9 +80,3 @@ def test_figure_may_be_moved_but_not_turned_or_stretched() -> None:
         assert {miss.key.name for miss in check(transformed(how))} == {WORKING, PITCH, OUTER}
     with pytest.raises(SheetRefused, match=r"profile .*: it is stretched"):
         transformed("scale(1 1.1)")
-
-
-def test_a_place_beside_two_strands_is_nearest_to_its_own() -> None:
-    long, back = straight(0j, 1 + 0j), straight(1 + 0j, 0.9 + 0.003j)
-    spots = np.linspace(0.9, 1.0, 53).astype(np.complex128)
-    assert apart((long, back, straight(back.end, 0.9 + 1j)), False, spots) == pytest.approx(np.zeros(53), abs=1e-9)
