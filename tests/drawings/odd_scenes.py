@@ -129,6 +129,7 @@ def cams() -> Iterator[Odd]:
     yield Odd("cam of crowded limits", CROWDED, ("−α_{rise} = −17°", "α_{rise} = 17°"))
 
 
+LOADED = {"pump": ("'P'", "'P′'")}  # a force between two links stands at both ends
 CYCLOGRAMS = ("crank-rocker", "walking-leg", "press", "jaw-crusher", "scotch-yoke", "oscillating-cylinder")
 
 
@@ -138,6 +139,8 @@ def linkages() -> Iterator[Odd]:
     yield from (Odd(f"dyad of {name}", text_of(name)) for name in DYADS)
     for path in sorted((CASES / "strokes").glob("*.toml")):
         yield Odd(f"stroke of a {path.stem}", path.read_text(encoding="utf-8"))
+    for path in sorted((CASES / "loads").glob("*.toml")):
+        yield Odd(f"load of a {path.stem}", path.read_text(encoding="utf-8"), LOADED.get(path.stem, ()))
     ram = (CASES / "strokes" / "ram.toml").read_text(encoding="utf-8").replace('"forces"', '"kinematics"', 1)
     yield Odd("stroke whose ticks lie under a block", ram.replace("positions = 6", "positions = 60"))
 

@@ -54,14 +54,6 @@ def measured(drawn: Group) -> Measured:
     return found
 
 
-def test_both_scales_and_the_letters_of_both_axes_are_written() -> None:
-    said = {text.plain for text in flat(graph()) if isinstance(text, Text)}
-    assert "μφ = 2 °/mm;  μM = 2 N·m/mm" in said  # from -105 to 55 N*m in 112.5 mm: 1.4, and the next standard is 2
-    assert {"Mbal, N·m", "φ", *map(str, range(12))} <= said
-    russian = {text.plain for text in flat(graph(language="ru")) if isinstance(text, Text)}
-    assert "μφ = 2 °/мм;  μM = 2 Н·м/мм" in russian
-
-
 def test_the_curve_is_broken_at_a_gap_and_the_gap_has_no_ordinate() -> None:
     values = CURVE.values.copy()
     values[100:140] = math.nan

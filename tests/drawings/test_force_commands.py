@@ -4,15 +4,30 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
+from drawings.forces.report import friction_lines
 from tests.drawings.conftest import Run
-from tests.drawings.test_friction_report import STEEP
-from tests.plans.force_cases import ROADS, WORKED, text_of
+from tests.plans.force_cases import ROADS, WORKED, compared, text_of
+from tests.plans.scenes import scene
 
+STEEP = scene(
+    'title = "Steep rod"; sheets = ["forces"]',
+    frame="O = [0, 0]",
+    links="OA AB B",
+    lengths="OA = 0.07; AB = 0.09",
+    slides=["link = 3; along = { through = [0, 0], angle = 0 }"],
+    sketch="B = [0.16, 0]",
+    drive="link = 1; speed = 1; start = 7; positions = 12",
+    forces=['on = 3; point = "B"; against = "motion"; value = 100'],
+    friction='coefficient = 1.0; radius = "1 mm"',
+    sheet='language = "ru"',
+)
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 LOADED = GALLERY / "shaper-loaded.toml"
 SHAPER = WORKED["shaper"]
@@ -147,9 +162,9 @@ def test_masses_that_solve_is_asked_for_are_in_use(run: Run, tmp_path: Path) -> 
 
 def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> None:
     """A short rod leans up to 51 degrees to the guide: with f = 1 a force along it cannot drive the slider."""
-    scene = tmp_path / "steep.toml"
-    scene.write_text(STEEP.replace("start = 7\n", "").replace('"ru"', '"en"'), "utf-8")
-    code, _, err = run("draw", scene, "-o", tmp_path / "out")
+    steep = tmp_path / "steep.toml"
+    steep.write_text(STEEP.replace("start = 7\n", "").replace('"ru"', '"en"'), "utf-8")
+    code, _, err = run("draw", steep, "-o", tmp_path / "out")
     assert code == 4
     assert "pair 0-3 jams by friction in positions" in err
     assert "make the rod longer" in err
@@ -168,3 +183,15 @@ def test_a_failed_balance_withholds_the_sheet(run: Run, tmp_path: Path, monkeypa
     assert code == 5
     assert "M_bal power" in err
     assert not (tmp_path / "out").exists()
+
+
+def test_beside_a_position_that_all_but_jams_no_power_is_written_as_nothing() -> None:
+    comparison = compared(STEEP)
+    assert comparison.friction is not None
+    found = comparison.friction[0]
+    enormous = replace(found, lost=np.where(np.arange(len(found.lost)) == len(found.lost) - 1, 1e15, found.lost))
+    tables = [
+        [line.split(" | ")[1:-3] for line in friction_lines(comparison, one, "ru") if line[:3] == "| 0"]
+        for one in (found, enormous)
+    ]
+    assert tables[0] == tables[1] and tables[0] != []

@@ -2,37 +2,33 @@
 
 from __future__ import annotations
 
+"""The figure of a law's diagrams: poles and scales in line, smoothing told, a law that is level."""
 import math
 from functools import cache
-from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from drawings.cam import law_diagrams
 from drawings.cam.law_diagrams import LawFrame
-from drawings.cam.law_frame import LawPlate, rows
+from drawings.cam.law_frame import LawPlate
 from drawings.cam.notes import ACCELERATION, TRAVEL, VELOCITY, CamNotes
 from drawings.layout.picture import Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Leaf, Line
-from drawings.paper.walk import flat, texts
+from drawings.paper.strokes import Leaf
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of
 from plans.cam.tables import smoothing
 from plans.model.cam import DWELL, POINTED, RETURN, RISE, ROCKING, Follower, Law
 from plans.model.cam_motion import CamFound, Contour, Sizes
 from tests.drawings.exhibits import exhibited
-from tests.plans.law_cams import LINES, RULER, SMOOTH, STEADY, law_cam, usual
+from tests.plans.law_cams import RULER, SMOOTH, STEADY, law_cam, usual
 
 CAMS = {
     "smooth": usual(Law("sine"), Law("3-4-5")),
-    "hard": usual(Law("constant velocity")),
     "soft": usual(STEADY, Law("cosine")),
-    "table": usual(LINES, RULER),
-    "slides": usual(Law("sine"), Law("modified trapezoid"), translates=True),
     "no dwell": law_cam((RISE, 180, Law("cosine")), (RETURN, 180, Law("cosine")), divisions=12),
     "rocker": usual(Law("sine"), lift=math.radians(25), follower=Follower(ROCKING, POINTED, 0.12)),
     "level": law_cam((DWELL, 360, None)),
@@ -67,39 +63,6 @@ def test_the_scale_of_an_integral_follows_from_its_pole(name: str) -> None:
         assert frame.scales[below].mu == pytest.approx(frame.scales[key].mu * frame.spot.scale.mu * distance)
         size, (least, most) = frame.plate.hand.letter, frame.plate.proportions.pole
         assert least * size <= distance <= most * size
-
-
-def test_rays_and_chords_are_parallel_on_paper() -> None:
-    """The ray of a strip from its pole on the left, and the chord of the curve under it."""
-    frame = framed("smooth")
-    first, second, _ = frame.plate.rows
-    distance, shown = frame.distance(second), frame.plate.shown
-    assert distance is not None
-    axes, other = frame.axes(first), frame.axes(second)
-    drawn = next(part for part in frame.parts if part.name == frame.plate.named(f"{first.key}-pole")).lines
-    lines = [one for one in drawn if isinstance(one, Line) and one.start == axes.zero - distance]
-    rays = [one for one in lines if one.end.real == axes.zero.real and one.end.imag != axes.zero.imag]
-    x, y = shown.strips.edges, second.chords[0].y
-    chords = [
-        other.on(*map(float, end)) - other.on(*map(float, start)) for start, end in pairwise(zip(x, y, strict=True))
-    ]
-    off = [[abs(((ray.end - ray.start) * one.conjugate()).imag) / abs(one) for one in chords] for ray in rays]
-    assert len(rays) > 5 and max(map(min, off)) < 1e-9
-
-
-def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
-    top, slope, _ = rows(found("hard"))
-    assert top.impulses == ((0, 1), (8, -1), (9, -1), (17, 1))
-    assert not top.result.y.any() and top.flat
-    assert (slope.before[0], slope.after[8], slope.before[9]) == (0.0, 0.0, 0.0)
-    assert slope.after[0] == slope.before[8] > 0 > slope.after[9] == slope.before[17]
-    frame = framed("hard")
-    lines = frame.drawn(top).lines
-    arrows = [one for one in flat(lines) if isinstance(one, Line) and one.style == frame.plate.hand.result]
-    assert [math.copysign(1, (one.end - one.start).imag) for one in arrows] == [1, -1, -1, 1]
-    told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
-    assert told.count("∞") == 4 and "жёсткие удары: 0, 8, 9, 17" in told
-    assert not any("H1" in one or "S'' =" in one for one in told)
 
 
 @pytest.mark.parametrize(("language", "said"), [("en", "off its points by"), ("ru", "отступает не более чем на")])

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
 from drawings.report.report import headlines, remarks, report
+from plans.linkage.study import LinkageStudy
+from plans.model.machine import ways
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.balance_scenes import scene as balanced
@@ -16,6 +19,7 @@ from tests.drawings.bank_scenes import bank, compensator
 from tests.gallery import GALLERY
 from tests.plans.dynamics_scenes import PLANING, text
 from tests.plans.test_cam_marks import SIZES, TURNING, one
+from tests.plans.test_loading import ENGINE, ROCKER
 
 ENGLISH = '[sheet]\nlanguage = "en"\n'
 GRADED = "rotor.speed = 100\nrotor.mass = 20\n"
@@ -24,6 +28,11 @@ LOAD = "[cam.load]\nmass = 2\nforce = 100\n"
 FLAT = one("flat", '[cam.limits]\ncurvature = "5 mm"\n')
 WEAR = "by which it wears"
 STOPS = "the machine would stop"
+CASES, IN_ENGLISH = Path(__file__).parents[1] / "cases/loads", ('language = "ru"', 'language = "en"')
+JACK = (
+    "Working stroke: counter-clockwise, up, the faster of the two; "
+    "the crank turns 163.8029° over it, 196.1971° over the idle stroke"
+)
 NO_FLYWHEEL = "divisions = 24"
 
 
@@ -35,6 +44,15 @@ def gallery(name: str, sheet: str, more: str = "") -> str:
 
 def rotor(rows: str, more: str = "") -> str:
     return f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}{ENGLISH}'
+
+
+def case(name: str, *changes: tuple[str, str]) -> str:
+    """Give a loaded machine with some of its words changed."""
+    scene = (CASES / f"{name}.toml").read_text("utf-8")
+    for old, new in changes:
+        assert old in scene
+        scene = scene.replace(old, new)
+    return scene
 
 
 class Row(NamedTuple):
@@ -95,6 +113,33 @@ ROWS = {
         FLAT.replace("lift =", 'reach = "60 mm"\nlift ='), ["reach of the face 60 mm", "it reaches 60 mm"], ["must"]
     ),
     "the setting of a single cam": Row(one().replace("speed =", "setting = 306.9\nspeed ="), ["306.9°"]),
+    # Loads
+    "which way the working stroke goes": Row(
+        case("pumping-jack", IN_ENGLISH),
+        [
+            f"\n- {JACK}\n",
+            f"\n- Pш over the stroke. {JACK}\n",
+            "K = 1.19776298 of the slower, idle stroke over the faster, working one",
+        ],
+    ),
+    "without a choice only the loads tell the working stroke": Row(
+        case("pumping-jack", ('working = "up"\n', "")),
+        ["- Pш по ходу. Рабочий ход: по часовой стрелке, вниз, более медленный из двух; кривошип"],
+        ["\n- Рабочий ход", "быстрее"],
+    ),
+    "a force between two links": Row(case("pump", IN_ENGLISH), ["- P between B of link 2 and C of link 3, always"]),
+    "a load that rests on a reversal": Row(
+        case("press", IN_ENGLISH, ('during = "working direction"\n', "")),
+        [
+            "its point reverses 4 times in a turn, at 19.96°, 151.1°, 204.8°, 259.3°. If it should act",
+            'write during = "working direction"',
+        ],
+    ),
+    "a load that follows its stroke rests on no reversal": Row(
+        case("press", IN_ENGLISH),
+        ["F_us at G of link 7, wherever it goes as on the working stroke"],
+        ["its point reverses"],
+    ),
     # Motion of a machine
     "heavy enough without a flywheel": Row(
         text(asked='fluctuation = "1/5"\nshafts = [{ inertia = 40 }]'), ["heavy enough without a flywheel"]
@@ -144,3 +189,24 @@ def test_it_is_said(row: Row) -> None:
     said = told(row.scene)
     assert [one for one in row.said if one not in said] == []
     assert [one for one in row.unsaid if one in said] == []
+
+
+SLIDER, GUIDE = "B = [0.5, 0]", "[0, 0] }"
+
+
+@pytest.mark.parametrize(
+    ("scene", "named"),
+    [
+        (ENGINE, ("left",)),
+        (ENGINE.replace(GUIDE, "[0, 0], angle = 90 }").replace(SLIDER, "B = [0, 0.5]"), ("down",)),
+        (ENGINE.replace(GUIDE, "[0, 0], angle = 30 }").replace(SLIDER, "B = [0.4, 0.3]"), ("left", "down")),
+        (ENGINE.replace(GUIDE, "[0, 0], angle = 8 }"), ("left",)),
+        (ROCKER, ("clockwise",)),
+        (ROCKER + '[output]\npoint = "B"\n', ("clockwise", "right", "up")),
+    ],
+)
+def test_the_way_of_a_stroke_in_words(scene: str, named: tuple[str, ...]) -> None:
+    """From the outer dead centre the slider goes in; the rocker's end above C from 0.3 to 0.5 from O, to the right."""
+    study = LinkageStudy(parse_scene(scene))
+    low, high = (0.5, 0.3) if "AB" in scene and "CB" not in scene else (2.5, 1.5)
+    assert ways(study.mechanism, study.output, low, high) == named
