@@ -27,6 +27,7 @@ from drawings.paper.limits import QUANTUM
 from plans.linkage import quantities as comparing
 from plans.model.motion import Motion, PointMotion
 from tests.drawings.conftest import Run
+from tests.drawings.mechanisms import TWO_ROCKERS
 from tests.gallery import LINKAGES
 from tests.parts import first
 from tests.rows import over
@@ -34,29 +35,6 @@ from tests.rows import over
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = ROOT / "drawings/gallery/shaper.toml"
 PLAIN = ROOT / "tests/catalogue/plain.toml"
-
-# A four-bar whose crank cannot turn fully: the far positions are gaps.
-GAPPED = """
-title = "Two rockers"
-[mechanism.frame]
-O = [0, 0]
-C = [0.3, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.2
-AB = 0.15
-CB = 0.15
-[mechanism.sketch]
-B = [0.25, 0.14]
-[drive]
-link = 1
-speed = 10
-start = 60
-positions = 12
-"""
 
 
 def process(
@@ -71,7 +49,7 @@ def process(
 @pytest.fixture
 def gapped(tmp_path: Path) -> Path:
     scene = tmp_path / "rockers.toml"
-    scene.write_text(GAPPED, "utf-8")
+    scene.write_text(TWO_ROCKERS, "utf-8")
     return scene
 
 

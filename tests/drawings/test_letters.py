@@ -23,71 +23,28 @@ from tests.plans import linkages
 from tests.plans.alterations import renamed
 from tests.plans.loaded import Loaded
 from tests.plans.machines import machine
+from tests.plans.scenes import scene
 
 SIGNED = (
     "P'", "P''", "A3", "A'", "B1", "B2", "K2", "N3", "S2", "S3", "O1", "p", "p'", "π", "a", "n_B", "k_A", "Π", "Р",
 )  # fmt: skip
 NAMES = (*string.ascii_uppercase, *SIGNED)
-TWO_STONES = """
-[mechanism.frame]
-O = [0, 0]
-C = [0, -0.3]
-D = [0.4, 0]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "CB"
-4 = "A"
-5 = "DE"
-[mechanism.lengths]
-OA = 0.1
-CB = 0.5
-DE = 0.6
-[[mechanism.slides]]
-link = 2
-along = "CB"
-[[mechanism.slides]]
-link = 4
-along = "DE"
-[mechanism.sketch]
-B = [0.1, 0.2]
-E = [-0.2, 0.1]
-[drive]
-link = 1
-speed = 10
-positions = 12
-"""
-YOKE = """
-[mechanism.frame]
-O = [0, 0]
-C = [0, -0.35]
-[mechanism.links]
-1 = "OA"
-2 = "A"
-3 = "CB"
-4 = "B"
-5 = "DE"
-[mechanism.lengths]
-OA = 0.12
-CB = 0.7
-DE = 0.3
-[[mechanism.slides]]
-link = 2
-along = "CB"
-[[mechanism.slides]]
-link = 4
-along = "DE"
-[[mechanism.slides]]
-link = 5
-along = "OA"
-angle = 90
-[mechanism.sketch]
-B = [0.1, 0.3]
-[drive]
-link = 1
-speed = 10
-positions = 12
-"""
+TWO_STONES = scene(
+    frame="O = [0, 0]; C = [0, -0.3]; D = [0.4, 0]",
+    links="OA A CB A DE",
+    lengths="OA = 0.1; CB = 0.5; DE = 0.6",
+    slides=['link = 2; along = "CB"', 'link = 4; along = "DE"'],
+    sketch="B = [0.1, 0.2]; E = [-0.2, 0.1]",
+    drive="link = 1; speed = 10; positions = 12",
+)
+YOKE = scene(
+    frame="O = [0, 0]; C = [0, -0.35]",
+    links="OA A CB B DE",
+    lengths="OA = 0.12; CB = 0.7; DE = 0.3",
+    slides=['link = 2; along = "CB"', 'link = 4; along = "DE"', 'link = 5; along = "OA"; angle = 90'],
+    sketch="B = [0.1, 0.3]",
+    drive="link = 1; speed = 10; positions = 12",
+)
 MECHANISMS = {
     "slider-crank": linkages.slider_crank(0.06, 0.2, 0.02),
     "slotted lever": linkages.slotted_link(0.12, 0.35, 0.7),

@@ -34,6 +34,7 @@ from tests.drawings.pages import (
     texts,
 )
 from tests.parts import examples
+from tests.plans.scenes import scene
 
 
 @every_page
@@ -165,24 +166,13 @@ def test_an_orientation_that_the_standard_lacks_is_refused_with_advice(
         Page(name, orientation, standard)
 
 
-SCENE = """
-[mechanism.frame]
-O = [0, 0]
-C = [0.35, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = 0.1
-AB = 0.4
-CB = 0.3
-[mechanism.sketch]
-B = [0.39, 0.30]
-[drive]
-link = 1
-speed = 10
-"""
+SCENE = scene(
+    frame="O = [0, 0]; C = [0.35, 0]",
+    links="OA AB CB",
+    lengths="OA = 0.1; AB = 0.4; CB = 0.3",
+    sketch="B = [0.39, 0.30]",
+    drive="link = 1; speed = 10",
+)
 
 
 def test_the_scene_s_sheet_table_makes_the_page() -> None:
@@ -195,11 +185,11 @@ def test_the_scene_s_sheet_table_makes_the_page() -> None:
 def test_a_scene_that_asks_for_an_a4_lying_down_is_told_its_line(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    scene = tmp_path / "crank.toml"
-    scene.write_text(SCENE + '[sheet]\nformat = "A4"\norientation = "landscape"\n')
-    assert main(["draw", str(scene), "-o", str(tmp_path / "out")]) == 3
+    crank = tmp_path / "crank.toml"
+    crank.write_text(SCENE + '[sheet]\nformat = "A4"\norientation = "landscape"\n')
+    assert main(["draw", str(crank), "-o", str(tmp_path / "out")]) == 3
     told = capsys.readouterr().err
-    assert "crank.toml:20:1: sheet.orientation = landscape: expected portrait" in told and "Fix: " in told
+    assert "crank.toml:19:1: sheet.orientation = landscape: expected portrait" in told and "Fix: " in told
     assert not (tmp_path / "out").exists()
 
 

@@ -19,29 +19,18 @@ from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
+from tests.plans.scenes import scene
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 
-FOUR_BAR = """
-title = "Crank-rocker"
-[mechanism.frame]
-O = [0, 0]
-C = [0.35, 0]
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "CB"
-[mechanism.lengths]
-OA = {crank}
-AB = {rod}
-CB = {rocker}
-[mechanism.sketch]
-B = [0.39, 0.30]
-[drive]
-link = 1
-speed = {speed}
-start = {start}
-"""
+FOUR_BAR = scene(
+    'title = "Crank-rocker"',
+    frame="O = [0, 0]; C = [0.35, 0]",
+    links="OA AB CB",
+    lengths="OA = {crank}; AB = {rod}; CB = {rocker}",
+    sketch="B = [0.39, 0.30]",
+    drive="link = 1; speed = {speed}; start = {start}",
+)
 
 
 @cache

@@ -15,46 +15,21 @@ from drawings.sheets.table import SHEETS
 from plans.techniques import TECHNIQUES, named
 from tests.gallery import GALLERY
 from tests.parts import first, some
+from tests.plans.scenes import scene
 
 # A four-bar of which some positions are out of reach, with masses, and a rotor on whose bearings nothing is asked.
-ROTOR = """
-[rotor]
-bearings = [-0.1, 0.6]
-speed = "1500 rpm"
-[[rotor.masses]]
-mass = 1
-radius = 0.1
-angle = 30
-place = 0.1
-[[rotor.planes]]
-place = 0.5
-radius = 0.1
-[[rotor.planes]]
-place = 0
-radius = 0.1
-"""
-LINKAGE = """sheets = [{sheets}]
-[mechanism]
-frame = {{ O = [0, 0], C = [0.3, 0] }}
-[mechanism.links]
-1 = "OA"
-2 = "AB"
-3 = "BC"
-[mechanism.lengths]
-OA = 0.2
-AB = 0.2
-BC = 0.2
-[mechanism.sketch]
-A = [0.1, 0.17]
-B = [0.25, 0.2]
-[drive]
-link = 1
-speed = 10
-start = 60
-positions = 12
-[masses]
-2 = {{ mass = 1 }}
-"""
+BOTH = scene(
+    'sheets = ["forces", "rotor"]',
+    frame="O = [0, 0]; C = [0.3, 0]",
+    links="OA AB BC",
+    lengths="OA = 0.2; AB = 0.2; BC = 0.2",
+    sketch="A = [0.1, 0.17]; B = [0.25, 0.2]",
+    drive="link = 1; speed = 10; start = 60; positions = 12",
+    masses="2 = { mass = 1 }",
+    rotor='bearings = [-0.1, 0.6]; speed = "1500 rpm"',
+    rotor_masses=["mass = 1; radius = 0.1; angle = 30; place = 0.1"],
+    rotor_planes=["place = 0.5; radius = 0.1", "place = 0; radius = 0.1"],
+)
 
 
 def texts(rows: Mapping[str, Any]) -> Iterator[str]:
@@ -82,9 +57,9 @@ def trace_of(err: str) -> str:
 
 @pytest.fixture
 def both(tmp_path: Path) -> Path:
-    scene = tmp_path / "both.toml"
-    scene.write_text(LINKAGE.format(sheets='"forces", "rotor"') + ROTOR, "utf-8")
-    return scene
+    path = tmp_path / "both.toml"
+    path.write_text(BOTH, "utf-8")
+    return path
 
 
 def test_no_technique_hides_the_numbers_of_another(both: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -114,9 +89,9 @@ def test_positions_alone_are_drawn_and_nothing_else_is_made(
 ) -> None:
     text = (GALLERY / f"{name}.toml").read_text("utf-8").replace('start = "extreme"', "start = 30")
     lines = [line for line in text.splitlines() if not line.startswith(("sheets", "forces =", "hodographs"))]
-    scene = tmp_path / "alone.toml"
-    scene.write_text("\n".join(['sheets = ["positions"]', *lines]), "utf-8")
-    assert cli.main(["draw", str(scene), "-o", str(tmp_path / "out"), "--trace"]) == 0
+    alone = tmp_path / "alone.toml"
+    alone.write_text("\n".join(['sheets = ["positions"]', *lines]), "utf-8")
+    assert cli.main(["draw", str(alone), "-o", str(tmp_path / "out"), "--trace"]) == 0
     told = capsys.readouterr()
     assert (tmp_path / "out" / "alone-positions.svg").is_file()
     assert trace_of(told.err) == "positions"
