@@ -3,14 +3,12 @@
 import json
 import math
 import unicodedata
-from itertools import pairwise
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from drawings.lettering import alphabet
-from drawings.lettering.alphabet import SLANT, gap, glyph
+from drawings.lettering.alphabet import SLANT, glyph
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
@@ -47,15 +45,6 @@ def every_letter() -> list[str]:
 
 def points(letter: str) -> list[complex]:
     return [point for chain in glyph(letter).strokes for point in chain.points]
-
-
-def dense(letter: str) -> np.ndarray:
-    """Points along the strokes, a fifth of d apart at most."""
-    along = []
-    for line, closed in glyph(letter).strokes:
-        for a, b in pairwise((*line, line[0]) if closed else line):
-            along.append(a + (b - a) * np.linspace(0, 1, 2 + int(abs(b - a) / 0.2)))
-    return np.concatenate(along)
 
 
 def drawn(*texts: Text) -> list[complex]:
@@ -144,15 +133,6 @@ def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
     reach = [point.real for point in drawn(text)]
     assert min(reach) - size / 20 == pytest.approx(0, abs=size / 10)
     assert max(reach) + size / 20 == pytest.approx(text_width(text), abs=size / 10)
-
-
-@pytest.mark.part
-@over("left", "АГДЛРТУЧЪгтАLTVпрЖ"[:: 1 if parts.whole else 4])
-def test_neighbours_stay_a_gap_apart_wherever_they_face_each_other(left: str) -> None:
-    for right in RUSSIAN + RUSSIAN.lower():
-        shift = glyph(left).width + gap(left, right)
-        nearest = abs(dense(left)[:, None] - dense(right)[None, :] - shift).min()
-        assert nearest > 2.2 if gap(left, right) == 1 else nearest >= 2.9, right
 
 
 def test_lacking_letters_are_told_before_drawing() -> None:

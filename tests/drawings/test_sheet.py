@@ -7,12 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from drawings.lettering.lettering import UnknownLetter, lettered
-from drawings.lettering.specimen import specimen
+from drawings.lettering.lettering import UnknownLetter
 from drawings.linkage.kinematics import leaves, sheet
 from drawings.paper.strokes import Group, Leaf, Line, Text
 from drawings.paper.walk import flat
-from drawings.pens.svg import svg
 from drawings.sheets import leaves as laid
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
@@ -76,10 +74,6 @@ def test_a_position_that_is_a_gap_is_not_drawn_as_the_shown_one() -> None:
     study = LinkageStudy(parse_scene(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20) + "[sheet]\nposition = 6\n"))
     with pytest.raises(ValueError, match="position = 6"):
         sheet(study, compare(study))
-
-
-def test_the_alphabet_s_specimen_is_drawn_again_as_it_was() -> None:
-    assert svg(lettered(specimen())) == (GALLERY / "alphabet.svg").read_bytes()
 
 
 def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() -> None:
