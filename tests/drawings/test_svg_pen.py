@@ -197,6 +197,14 @@ def test_the_seal_counts_and_hashes() -> None:
     assert not sealed(source[:-20])
 
 
+def test_newlines_stand_only_between_groups() -> None:
+    source = pen.svg(everything())
+    assert b"\r" not in source
+    assert source.endswith(b"</svg>\n")
+    begun = (b"<?xml", b"<svg", b"<title", b"<desc", b"<metadata", b"<g ", b"</svg")
+    assert all(line.startswith(begun) for line in source.splitlines())
+
+
 def test_svgwrite_itself_finds_no_fault() -> None:
     """What we pass unchecked is valid by svgwrite's own tables, data- attributes apart."""
     [path] = drawn(Line(0j, 1), Arc(0j, 2, 0, 5))
