@@ -12,7 +12,7 @@ from drawings.eye.sheet import see
 from drawings.grading.asked import Allowance, Allowances, Asked, Place, PlanAsked, ends_of
 from drawings.grading.drawn_plan import from_marks
 from drawings.grading.feedback import allowance
-from drawings.grading.graded import OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import Hints, hints
@@ -59,7 +59,7 @@ def by_its_marks(source: bytes) -> Graded:
     try:
         measured = measure(source)
     except SheetRefused as refused:
-        return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
+        return Graded(UNREAD, reason=message("grade.refused", reason=refused.reason))
     found = (from_marks(plan, measured, None) for plan in _stated(measured))
     return Graded(PASS, drawn=tuple(plan for plan in found if plan is not None))
 

@@ -18,7 +18,7 @@ from drawings.files.file_error import print_json
 from drawings.grading.asked import Allowances, ungraded
 from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import allowance, feedback, idle_keys, is_plain, written
-from drawings.grading.graded import FAIL, MARKED, OURS, PART, PASS, REJECTED, Graded, grade
+from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.marking import RECORDS, Marking, MarkingError, read_marking
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import sheet_task
@@ -29,7 +29,7 @@ from geometry.regular_file import regular_bytes
 from plans.words.words import message, word
 
 # The exit codes of a class: the gravest first.
-CODES = {OURS: 1, REJECTED: 5, FAIL: 4, PART: 4, PASS: 0}
+CODES = {OURS: 1, UNREAD: 5, FAIL: 4, PASS: 0}
 
 
 def run(options: argparse.Namespace) -> int:
@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
         tell(word(language, "grade.ungraded", kind=kind))
     if not task.sheets:
         tell(word(language, "accept.ungraded", scene=plain_name(options.scene)))
-        return CODES[REJECTED]
+        return CODES[UNREAD]
     if idle := idle_keys(marking, task):
         tell(word(language, "grade.marks.idle", file=options.marks, names=idle))
     own = grade_own(originals, task, by)
@@ -94,7 +94,7 @@ def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], steps: H
     folder.mkdir(parents=True, exist_ok=True)
     taken = set[str]()
     for path, one in graded:
-        if one.outcome not in MARKED:
+        if one.reason is not None:
             continue
         source = _again(path, one)
         if source is None or not is_plain(source):

@@ -17,7 +17,7 @@ exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 
 4 drawn, but with gaps, marks too near a dead centre, a machine that stops, or a cam beyond its limit, undercut, not
 held by its spring, or with too short a face; 5 a self-check failed, sheet withheld;
 7 cannot read or write; 8 a named limit was exceeded. Of check: 0 whole; 4 whole as far as it could be checked;
-5 not as it was drawn. Of grade: 0 all right; 4 some with mistakes; 5 some rejected, which cannot be graded.
+5 not as it was drawn. Of grade: 0 all right; 4 some with mistakes; 5 some not read, or not all of them.
 
 a scene is one TOML file: what is studied, a linkage or a rotor, and what is asked of it.
 start from a scene of the gallery (plandraft new) and change it; every mistake is told with its line and what to write.

@@ -66,6 +66,14 @@ class DrawnPlan:
         return self.lettered and bool(one.letter) and abs(one.true) < 2 * SEEN * self.scale
 
     @property
+    def unread(self) -> Verdict | None:
+        """What is said of a plan whose arrows nothing but letters tells, and these not of all of them."""
+        lost = [one.name for one in self.lacking if self.lettered and not self.is_small(one)]
+        kind, names = (verdict.DOUBLED, self.doubled) if self.doubled else (verdict.UNNAMED, lost)
+        plan, position = self.asked.place
+        return Verdict(plan, position, "", kind, of=", ".join(dict.fromkeys(names))) if names else None
+
+    @property
     def fitted(self) -> float:
         """The scale by which it is nearest to what is asked for: of a plan on which none is written."""
         pairs = [

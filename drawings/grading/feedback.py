@@ -95,7 +95,7 @@ _GZIP = b"\x1f\x8b"
 def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: str) -> bytes:
     """Draw the feedback sheet of a graded one."""
     width, height = graded.paper
-    wrong = [one for one in gathered(graded.verdicts) if not one.good and one.kind not in verdict.UNGRADED]
+    wrong = [one for one in gathered(graded.verdicts) if not one.good and one.kind not in (verdict.DEAD, verdict.SMALL)]
     notes = list(_notes(path, wrong, hints, language))
     size = max(SIZE, height / SHARE)
     tall = max(height, 2 * MARGIN + LEADING * size * (len(notes) + 1))

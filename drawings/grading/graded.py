@@ -66,13 +66,12 @@ def plan_named(plan: str) -> Message:
     return message("grade.named.other", of=plan)
 
 
-PASS, FAIL, REJECTED, OURS = "right", "mistakes", "rejected", "error"
-PART = "incomplete"  # nothing is wrong, and something that is due is not read
-MARKED = (PASS, PART, FAIL)  # outcomes of a sheet that has points
+# Right, with mistakes, not read, by an error of ours. What is not read somebody has to look at himself.
+PASS, FAIL, UNREAD, OURS = "right", "mistakes", "unread", "error"
 
 
 class Graded(NamedTuple):
-    """How a sheet ends: right, in part, with mistakes, rejected or by an error of ours; the verdicts, or the reason."""
+    """How a sheet ends, and its verdicts; of one of which nothing is read the reason."""
 
     outcome: str
     verdicts: tuple[Verdict, ...] = ()
@@ -101,22 +100,9 @@ class _Found(NamedTuple):
     figures: Mapping[str, Sequence[DrawnFigure]]
     tables: Drawn
 
-    @property
-    def unread(self) -> tuple[str, ...]:
-        """The vectors that are not found by their letters where nothing else tells them."""
-        own = (one for plan in self.plans if plan.lettered for one in plan.lacking if not plan.is_small(one))
-        return tuple(dict.fromkeys(one.name for one in own))
-
-    @property
-    def twice(self) -> tuple[Message | str, ...]:
-        """The cells and curves that stand there twice and differ."""
-        own = [one for figures in self.figures.values() for one in figures if one.doubled]
-        cells = (name for table in self.tables for name in table.doubled)
-        return (*dict.fromkeys(cells), *(plan_named(one.asked.plan) for one in own))
-
 
 def grade(source: bytes, task: SheetTask, by: Allowances) -> Graded:
-    """Grade one sheet; what cannot be read is rejected with the reason."""
+    """Grade one sheet; one that cannot be read has the reason."""
     return _graded(source, task, by)._replace(digest=sha256(source).hexdigest())
 
 
@@ -124,23 +110,14 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     try:
         seen, onlooker = _seen(source)
     except SheetRefused as refused:
-        return Graded(REJECTED, reason=message("grade.refused", reason=refused.reason))
+        return Graded(UNREAD, reason=message("grade.refused", reason=refused.reason))
     tables = tables_drawn(seen, task.tables)
-    if _is_bare(seen, tables, task):
-        return Graded(REJECTED, reason=message("grade.bare"))
     found = _Found(plans_drawn(seen, onlooker, task.plans), figures_drawn(seen, task.curves), tables)
-    others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
-    if not found.plans and not found.figures and not answered(tables, others):
-        return Graded(REJECTED, reason=message("grade.formless" if task.curves and not task.plans else "grade.nothing"))
-    if twice := found.twice:
-        return Graded(REJECTED, reason=message("grade.twice", names=twice))
-    if doubled := [letters for plan in found.plans for letters in plan.doubled]:
-        return Graded(REJECTED, reason=message("grade.doubled", names=tuple(dict.fromkeys(doubled))))
-    if found.unread:
-        return Graded(REJECTED, reason=message("grade.unread", names=", ".join(found.unread)))
+    if _is_bare(seen, found, task):
+        return Graded(UNREAD, reason=message("grade.bare"))
     said = tuple(_verdicts(seen, found, task, by))
     if not all(math.isfinite(one.off or 0.0) for one in said):
-        return Graded(REJECTED, reason=message("grade.unfinite"))
+        return Graded(UNREAD, reason=message("grade.unfinite"))
     paper = seen.leaf.width, seen.leaf.height
     scene = str(seen.leaf.metadata.get("scene", ""))
     graded = Graded(
@@ -148,7 +125,7 @@ def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     )
     if graded.wrong:
         return graded._replace(outcome=FAIL)
-    return graded._replace(outcome=PART) if graded.unseen else graded
+    return graded._replace(outcome=UNREAD) if graded.unseen else graded
 
 
 def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
@@ -161,16 +138,21 @@ def _seen(source: bytes) -> tuple[SeenSheet, Onlooker]:
     return seen._replace(leaf=legible(seen.leaf)), onlooker
 
 
-def _is_bare(seen: SeenSheet, tables: Drawn, task: SheetTask) -> bool:
-    """Tell whether a sheet is no form of ours and bears no data: nothing tells where on it the plans due are."""
-    if seen.measured.marks or form_places(seen.leaf) or every_axes(seen):
-        return False
-    return not seen.measured.metadata or any(plan.sheet in alone(tables, seen) for plan in task.plans)
+def _is_bare(seen: SeenSheet, found: _Found, task: SheetTask) -> bool:
+    """Tell whether a sheet bears neither our marks nor a figure in a place of our form, nor tables to be graded."""
+    if not (seen.measured.marks or form_places(seen.leaf) or every_axes(seen)):
+        lost = any(plan.sheet in alone(found.tables, seen) for plan in task.plans)
+        if lost or not seen.measured.metadata:
+            return True
+    others = {plan.sheet for plan in task.plans} | {curve.sheet for curve in task.curves}
+    return not found.plans and not found.figures and not answered(found.tables, others)
 
 
 def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -> Iterator[Verdict]:
     """Judge all that is found on a sheet; what its sheet of the task asks for beside is missing."""
-    yield from once(tuple(_judged(seen, found.plans, by)))
+    yield from (said for plan in found.plans if (said := plan.unread) is not None)
+    read = [plan for plan in found.plans if plan.unread is None]
+    yield from once(tuple(_judged(seen, read, by)))
     sheets = {plan.asked.sheet for plan in found.plans} | found.figures.keys() | alone(found.tables, seen)
     there = {plan.asked.place for plan in found.plans}
     told = any(not plan.asked.lettered for plan in found.plans) or bool(found.figures)  # what is found by marks alone
@@ -179,10 +161,10 @@ def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -
             yield from _missing(plan)
     marked = {plan.asked.sheet for plan in found.plans if not plan.lettered}
     allowed = partial(allowed_of, by=by, coarse=seen.measured.quantum)
-    vectors, empty = dict(_vectors(found.plans)), empty_axes(seen) if task.curves else frozenset()
+    vectors, empty = dict(_vectors(read)), empty_axes(seen) if task.curves else frozenset()
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
     own = [one for figures in found.figures.values() for one in figures]
-    shown = Shown(found.plans, own, sheets)
+    shown = Shown(read, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, by, seen)
 
 

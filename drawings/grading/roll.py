@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from drawings.files.file_error import of_system
 from drawings.grading.asked import Allowances
-from drawings.grading.graded import OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.original.originals import Originals
 from drawings.paper.limits import SHEET_BYTES
@@ -26,7 +26,7 @@ from plans.words.words import message
 def grade_own(originals: Originals, task: SheetTask, by: Allowances) -> Graded:
     """Grade the scene's own sheets; the first that is not right is told."""
     every = [grade(originals.drawn(one), task, by) for one in originals.sheets if one.name in task.sheets]
-    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else REJECTED))
+    return next((one for one in every if one.outcome != PASS), Graded(PASS if every else UNREAD))
 
 
 # Seconds of work on one sheet: our own take under two, one of ten megabytes takes eight.
@@ -93,7 +93,7 @@ def _gather(running: dict[Connection, _Work], done: dict[Path, Answer | Graded])
         if end in ready:
             done[work.path] = _answer(end, work)
         elif work.alone:
-            done[work.path] = Graded(REJECTED, reason=message("grade.late"))
+            done[work.path] = Graded(UNREAD, reason=message("grade.late"))
         else:
             yield work.path
         work.process.kill()
@@ -107,7 +107,7 @@ def _answer(end: Connection, work: _Work) -> Any:
     except (EOFError, OSError):
         work.process.join(1.0)
         if work.process.exitcode == -SPENT:
-            return Graded(REJECTED, reason=message("grade.late"))
+            return Graded(UNREAD, reason=message("grade.late"))
         return Graded(OURS, reason=message("grade.died", code=str(work.process.exitcode)))
 
 
@@ -123,9 +123,9 @@ def answered(path: Path, grading: Callable[[bytes], Answer]) -> Answer | Graded:
     try:
         return grading(regular_bytes(path, SHEET_BYTES + 1))
     except OSError as error:
-        return Graded(REJECTED, reason=message("file.read", reason=of_system(error)))
+        return Graded(UNREAD, reason=message("file.read", reason=of_system(error)))
     except MemoryError:
-        return Graded(REJECTED, reason=message("grade.memory"))
+        return Graded(UNREAD, reason=message("grade.memory"))
     except Exception:
         return Graded(OURS, reason=message("grade.bug", error=traceback.format_exc(limit=-3)))
 

@@ -10,7 +10,7 @@ from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.frames import frames
 from drawings.grading.curves.figure_records import FigureAsked
 from drawings.grading.free_plan import COUPLE
-from drawings.grading.graded import MARKED, Graded, plan_named
+from drawings.grading.graded import UNREAD, Graded, plan_named
 from drawings.grading.marking import TABLE, Marking, points_of
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, Verdict
 from geometry.board import Mark
@@ -113,7 +113,9 @@ def plain_name(path: Path) -> str:
 
 def _heading(graded: Graded, marking: Marking) -> Message:
     if graded.reason is not None:
-        return message(f"grade.outcome.{graded.outcome}", reason=graded.reason)
+        return message(
+            "grade.refusal" if graded.outcome == UNREAD else f"grade.outcome.{graded.outcome}", reason=graded.reason
+        )
     won, most = points_of(graded.verdicts, marking)
     return message(f"grade.outcome.{graded.outcome}", won=f"{won:g}", most=f"{most:g}")
 
@@ -173,7 +175,7 @@ def _plain(one: Verdict) -> dict[str, object]:
 def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str]:
     """Give one sheet as a row of the class's table; nothing in it is a formula to a spreadsheet."""
     won, most = points_of(graded.verdicts, marking)
-    points = [f"{won:g}", f"{most:g}"] if graded.outcome in MARKED else ["", ""]
+    points = [f"{won:g}", f"{most:g}"] if graded.reason is None else ["", ""]
     counts = [str(sum(one.kind == kind for one in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
     lost = [one for one in gathered(graded.verdicts) if one in graded.wrong or not one.name]
     what = graded.reason.worded(language) if graded.reason is not None else _summary(lost, language)

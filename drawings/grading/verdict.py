@@ -30,6 +30,8 @@ UNCLOSED = "unclosed"  # of a polygon
 # Of a cell of a table, or of all of it.
 SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE = "sign", "decade", "degrees", "turns", "twice", "row", "place"
 ILLEGIBLE, UNTABLED = "illegible", "untabled"
+# Of what stands there twice and differs, and of a plan whose arrows are not all found by their letters.
+DOUBLED, UNNAMED = "doubled", "unnamed"
 
 GOOD: Final = (RIGHT, FOLLOWS)
 OF_CURVES: Final = (
@@ -49,8 +51,8 @@ OF_CURVES: Final = (
 )
 OF_PLANS: Final = (SCALE, MIRRORED, OPPOSITE, ASKEW, *OF_CURVES)
 OF_DRAWING: Final = (UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, APART)
-UNGRADED: Final = (DEAD, UNREAD, UNGROUPED, SMALL, ILLEGIBLE, UNTABLED)
-UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED)  # of the ungraded what somebody has to look at himself
+UNSEEN: Final = (UNREAD, UNGROUPED, ILLEGIBLE, UNTABLED, DOUBLED, UNNAMED)  # what somebody has to look at himself
+UNGRADED: Final = (DEAD, SMALL, *UNSEEN)
 OF_CELLS: Final = (SIGN, DECADE, DEGREES, TURNS, TWICE, ROW, PLACE)
 KINDS: Final = (
     RIGHT, FOLLOWS, MISSING, REVERSED, WRONG, NORMAL, CORIOLIS, LONG, TURNED, SIMILAR, BRANCH, DEAD, SMALL,
@@ -58,7 +60,7 @@ KINDS: Final = (
     HEAVY, PRODUCT, BEYOND, ORDER,
     SCALE, MIRRORED, OPPOSITE, ASKEW, UNSCALED, OPEN, UNCLOSED, UNLETTERED, SWAPPED, OUTSIDE, ASIDE, UNREAD, APART,
     UNGROUPED,
-    *OF_CURVES, *OF_CELLS, ILLEGIBLE, UNTABLED,
+    *OF_CURVES, *OF_CELLS, ILLEGIBLE, UNTABLED, DOUBLED, UNNAMED,
 )  # fmt: skip
 # By which a quantity is wrong that may keep a share of its points.
 OF_QUANTITIES: Final = tuple(kind for kind in KINDS if kind not in (*GOOD, *OF_PLANS, *OF_DRAWING, *UNGRADED))

@@ -21,7 +21,7 @@ from drawings.grading.curves.figure_records import Values, figures_asked
 from drawings.grading.curves.form.form_figure import axes
 from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.graded import PASS, REJECTED, grade
+from drawings.grading.graded import PASS, UNREAD, grade
 from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import lines
@@ -245,7 +245,7 @@ def test_curves_without_marks_and_axes_are_not_read() -> None:
     text = own.originals.drawn(own.originals.sheets[0]).decode()
     bare = re.sub(r"<metadata.*?</metadata>", "", re.sub(r' data-(?!text)[a-z]+="[^"]*"', "", text), flags=re.DOTALL)
     graded = grade(bare.encode(), SheetTask(curves=own.figures), HAND)
-    assert graded.outcome == REJECTED
+    assert graded.outcome == UNREAD
     assert graded.reason is not None and "plandraft form" in str(graded.reason)
 
 

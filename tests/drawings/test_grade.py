@@ -22,7 +22,7 @@ from drawings.grading import roll
 from drawings.grading.asked import Allowances, ungraded
 from drawings.grading.curves.figure_records import FIGURES
 from drawings.grading.feedback import feedback, idle_keys
-from drawings.grading.graded import FAIL, OURS, PASS, REJECTED, Graded, grade
+from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.marking import RECORDS, Marking, MarkingError, points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import gathered, row
@@ -53,7 +53,7 @@ def test_a_class_is_graded_to_the_last_file(folder: Path, capsys: Capture) -> No
     code = cli.main(["grade", str(GALLERY / "shaper.toml"), *sheets, "--json", "-o", str(folder / "back")])
     said = capsys.readouterr()
     told = json.loads(said.out)["sheets"]
-    assert [one["outcome"] for one in told] == [PASS, FAIL, REJECTED, FAIL, REJECTED]
+    assert [one["outcome"] for one in told] == [PASS, FAIL, UNREAD, FAIL, UNREAD]
     assert (code, told[0]["points"]) == (5, told[0]["of"])
     assert told[1]["of"] - told[1]["points"] == 1
     assert "bob.svg" in said.err and "dan.svg" in said.err  # one file twice
@@ -84,7 +84,7 @@ def broken(source: bytes) -> Graded:
     return Graded(PASS)
 
 
-HALTED = {"bug": (OURS, "grade.bug"), "memory": (REJECTED, "grade.memory"), "time": (REJECTED, "grade.late")}
+HALTED = {"bug": (OURS, "grade.bug"), "memory": (UNREAD, "grade.memory"), "time": (UNREAD, "grade.late")}
 
 
 @pytest.mark.parametrize("names", first([("bug", "memory"), ("time",)]), ids=" ".join)  # a second of work goes by
@@ -116,7 +116,7 @@ def test_a_sheet_that_had_to_wait_is_tried_once_more_alone(tmp_path: Path, monke
     for path, before in zip(paths, ("one.busy", "two.never", "three.busy"), strict=True):
         path.write_bytes(str(tmp_path / before).encode())
     graded = [one for _, one in roll.grade_all(paths, waits, workers=3)]
-    assert [one.outcome for one in graded] == [PASS, REJECTED, PASS]
+    assert [one.outcome for one in graded] == [PASS, UNREAD, PASS]
     assert graded[1].reason is not None and graded[1].reason.key == "grade.late"
 
 

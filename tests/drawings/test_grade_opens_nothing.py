@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from drawings.grading.asked import Allowances
-from drawings.grading.graded import PASS, REJECTED, Graded, grade
+from drawings.grading.graded import PASS, UNREAD, Graded, grade
 from drawings.grading.roll import answered, grade_all
 from drawings.grading.sheet_task import SheetTask
 from tests.drawings.students import Task, drawn, task, true_places
@@ -88,7 +88,7 @@ def test_only_the_sheet_is_opened(own: Task, source: str, tmp_path: Path, what: 
         hostile = re.sub("(<title>)", r"\1&x;", hostile, count=1)
     path.write_text(hostile, encoding="utf-8")
     outcome, opened, left = watched(path, partial(grade, task=SheetTask(own.plans), by=Allowances()))
-    assert outcome in (PASS, REJECTED)
+    assert outcome in (PASS, UNREAD)
     assert (opened, left) == ({str(path)}, set())
 
 

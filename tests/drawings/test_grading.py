@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from drawings.grading.asked import EXACT, Allowance, Allowances, PlanAsked
-from drawings.grading.graded import FAIL, PASS, REJECTED, grade
+from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Line, Stroke, Text
@@ -144,7 +144,7 @@ def test_a_fair_hand_is_accepted_and_a_poor_one_refused(slip: float, share: floa
 )
 def test_what_is_no_sheet_is_rejected(source: bytes) -> None:
     graded = grade(source, SheetTask(task("slider-crank").plans), HAND)
-    assert graded.outcome == REJECTED
+    assert graded.outcome == UNREAD
     assert graded.reason is not None
 
 
@@ -168,7 +168,7 @@ def bare(source: bytes) -> bytes:
 def test_a_sheet_without_any_marks_is_rejected_with_what_to_do(language: str) -> None:
     own = task("shaper")
     graded = grade(bare(own.originals.drawn(own.originals.sheets[0])), SheetTask(own.plans), HAND)
-    assert graded.outcome == REJECTED
+    assert graded.outcome == UNREAD
     assert graded.reason is not None and graded.reason.key == "grade.bare"
     assert "plandraft form" in graded.reason.worded(language)
 
@@ -198,6 +198,4 @@ def test_a_sheet_that_was_moved_as_a_whole_is_laid_back(how: str) -> None:
 @pytest.mark.parametrize("how", first(["scale(0.9 0.8)", "translate(600 0) scale(-1 1)"]))
 def test_a_stretched_or_mirrored_sheet_is_rejected(how: str) -> None:
     own = task("shaper")
-    assert (
-        grade(laid(own.originals.drawn(own.originals.sheets[0]), how), SheetTask(own.plans), HAND).outcome == REJECTED
-    )
+    assert grade(laid(own.originals.drawn(own.originals.sheets[0]), how), SheetTask(own.plans), HAND).outcome == UNREAD

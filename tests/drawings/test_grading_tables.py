@@ -14,7 +14,7 @@ from drawings.form.form import form_of
 from drawings.grading.asked import EXACT, Allowances
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
-from drawings.grading.graded import FAIL, PART, PASS, REJECTED, grade
+from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.marking import points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
@@ -103,7 +103,7 @@ def test_of_a_blank_form_all_cells_are_missing() -> None:
         SheetTask(task("shaper").plans, tables=own.tables),
         HAND,
     )
-    assert alone.outcome == REJECTED  # with its plans lost it is not marked down
+    assert alone.outcome == UNREAD  # with its plans lost it is not marked down
 
 
 def test_the_tables_of_a_form_are_filled_in_cell_by_cell() -> None:
@@ -196,4 +196,4 @@ def test_what_an_editor_draws_in_a_cell_is_not_marked_down() -> None:
     source = written(leaf, table, {key: ""}).replace(b"</svg>", path.encode() + b"</svg>")
     graded = grade(source, SheetTask(tables=own.tables), HAND)
     assert [(one.name, one.kind) for one in graded.verdicts if not one.good] == [("v_B (by plan)", "illegible")]
-    assert graded.outcome == PART
+    assert graded.outcome == UNREAD

@@ -134,6 +134,7 @@ class CellJudge:
     by: Allowances
     rough: float  # mm, how finely the sheet is written
     readings: Readings
+    doubled: Set[Key] = frozenset()
 
     def verdicts(self) -> Iterator[Verdict]:
         """Judge each cell; a unit that is mistaken throughout is told where it is first met."""
@@ -152,6 +153,8 @@ class CellJudge:
         cell, seen = self.asked.cells[key], self.seen[key]
         if not cell.told:
             return self._said(key, verdict.DEAD)
+        if key in self.doubled:
+            return self._said(key, verdict.DOUBLED)
         if not seen.texts or not is_read(seen.texts):
             return self._said(key, verdict.ILLEGIBLE if seen.inked or seen.texts else verdict.MISSING)
         written = number(seen.texts, cell.unit)
@@ -224,12 +227,12 @@ def _factors(unit: str) -> Iterator[tuple[str, float, str]]:
 
 
 class TableDrawn(NamedTuple):
-    """A table that is found on a sheet: its cells, in so many parts, and the names of cells that differ in two."""
+    """A table that is found on a sheet: its cells, in so many parts, and which of them differ in two."""
 
     asked: TableAsked
     cells: Mapping[Key, SeenCell]
     parts: int = 1
-    doubled: tuple[str, ...] = ()
+    doubled: Set[Key] = frozenset()
 
 
 Drawn = Sequence[TableDrawn]
@@ -247,24 +250,24 @@ def tables_drawn(seen: SeenSheet, asked: Sequence[TableAsked]) -> Drawn:
     """Find the tables that are asked for on a sheet; all parts of one are put together."""
     corners = {one.corner for one in asked}
     found: dict[int, dict[Key, SeenCell]] = {}
-    doubled: dict[int, list[str]] = {}
+    doubled: dict[int, set[Key]] = {}
     parts = Counter[int]()
     for table in tables_seen(ruling(seen.leaf, seen.measured.moved), corners) if asked else ():
         fits = max(range(len(asked)), key=lambda k: _fit(table, asked[k], seen))
         if _fit(table, asked[fits], seen)[0] > 0:
             own = found.setdefault(fits, {})
             parts[fits] += 1
-            doubled.setdefault(fits, []).extend(_doubled(asked[fits], own, table.cells))
+            doubled.setdefault(fits, set()).update(_doubled(asked[fits], own, table.cells))
             own |= {key: cell for key, cell in table.cells.items() if key not in own or not own[key].texts}
-    return [TableDrawn(asked[k], cells, parts[k], tuple(doubled[k])) for k, cells in sorted(found.items())]
+    return [TableDrawn(asked[k], cells, parts[k], doubled[k]) for k, cells in sorted(found.items())]
 
 
-def _doubled(asked: TableAsked, own: Mapping[Key, SeenCell], other: Mapping[Key, SeenCell]) -> Iterator[str]:
-    """Name the cells in which two copies of a table have numbers that differ."""
+def _doubled(asked: TableAsked, own: Mapping[Key, SeenCell], other: Mapping[Key, SeenCell]) -> Iterator[Key]:
+    """Give the cells in which two copies of a table have numbers that differ."""
     for key in (key for key in asked.cells if key in own and key in other):
         ours, theirs = (" ".join(text.plain for text in cells[key].texts) for cells in (own, other))
         if ours and theirs and ours != theirs:
-            yield asked.cells[key].name
+            yield key
 
 
 def answered(found: Drawn, others: Collection[str]) -> bool:
@@ -301,9 +304,9 @@ def table_verdicts(
     found: Drawn, asked: Sequence[TableAsked], shown: Shown, by: Allowances, seen: SeenSheet
 ) -> Iterator[Verdict]:
     """Judge the tables of a sheet; what is due of them and not there is missing, or told where that is not sure."""
-    for one, cells, *_ in found:
+    for one, cells, _, doubled in found:
         readings = Readings(shown.plans, shown.figures, one.language)
-        yield from CellJudge(one, cells, seen.measured.moved, by, seen.measured.quantum, readings).verdicts()
+        yield from CellJudge(one, cells, seen.measured.moved, by, seen.measured.quantum, readings, doubled).verdicts()
         yield from _missing(one, cells, shown.sheets, seen)
     there = {one.asked.sought for one in found}
     for one in asked:

@@ -163,7 +163,9 @@ def figure_verdicts(
         due, found = [one for one in asked if one.sheet == sheet], drawn.get(sheet, ())
         judge, there = FigureJudge(due, vectors), {one.asked.key: one for one in found}
         for one in due if found or sheet in sheets else ():
-            if one.key in there:
+            if one.key in there and there[one.key].doubled:
+                yield Verdict(one.plan, None, "", verdict.DOUBLED, unit=one.unit)
+            elif one.key in there:
                 yield from judge.verdicts(there[one.key], allowed(one))
             elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or (
                 sheet in marked or one.plan in empty
