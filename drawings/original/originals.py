@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from drawings import VERSION
 from drawings.checks import verify
-from drawings.checks.expected import subject
+from drawings.checks.expected import Expected, subject
 from drawings.checks.hold import stated_keys
 from drawings.checks.seen.plain import plain
 from drawings.checks.verify import agree
@@ -21,6 +21,7 @@ from drawings.lettering.lettering import lettered
 from drawings.measure.seal import digest
 from drawings.original.sheet_paths import placed_sheets, stem_of
 from drawings.paper.limits import QUANTUM
+from drawings.paper.statement import Key
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
@@ -63,6 +64,7 @@ class Originals:
         self.study = Study(read_scene(scene))
         self._drawn: dict[str, bytes] = {}
         self._seen: dict[str, SeenSheet] = {}
+        self._due: dict[tuple[str, str], Mapping[Key, Expected]] = {}
 
     @property
     def language(self) -> str:
@@ -96,15 +98,21 @@ class Originals:
             self._seen[sheet.name] = see(self.drawn(sheet))
         return self._seen[sheet.name]
 
+    def due(self, sheet: Original) -> Mapping[Key, Expected]:
+        """Give what must stand on a sheet and those of its kind that are of the same subject, by the analysis."""
+        of = sheet.kind, subject(sheet.leaf)
+        if of not in self._due:
+            own = [one.leaf for one in self.sheets if (one.kind, subject(one.leaf)) == of]
+            self._due[of] = {row.key: row for row in named(SHEETS[sheet.kind].due)(self.study, own)}
+        return self._due[of]
+
     def wrongs(self, sheet: Original, seen: SeenSheet) -> list[Wrong]:
         """List what the self-check of a sheet finds wrong with what is seen of a written one.
 
         What is there as it must be is taken with all its digits, as it was laid out before it was rounded.
         """
-        own = [one.leaf for one in self.sheets if one.kind == sheet.kind and subject(one.leaf) == subject(sheet.leaf)]
-        due = {row.key: row for row in named(SHEETS[sheet.kind].due)(self.study, own)}
         only = stated_keys(sheet.leaf)
-        return [*verify.measured_wrongs(seen.measured, self._left(sheet, seen), due, only)]
+        return [*verify.measured_wrongs(seen.measured, self._left(sheet, seen), self.due(sheet), only)]
 
     def _left(self, sheet: Original, seen: SeenSheet) -> Leaf:
         """Give what is left of a sheet as it was laid out on a written one: the strokes that are still there."""

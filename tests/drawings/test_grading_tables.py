@@ -75,7 +75,7 @@ def test_a_cell_that_we_print_wrongly_is_not_the_truth(
     originals.__dict__ |= {"sheets": (sheet._replace(leaf=leaf),), "_drawn": {}, "_seen": {}}
     tables = tables_asked(originals)
     asked = next(one for one in tables if one.sought == table.sought).cells[key]
-    assert asked.true == pytest.approx((true,), abs=5e-4)
+    assert asked.true == pytest.approx(true, abs=5e-4)
     wrong = grade(svg(leaf), SheetTask(tables=tables), HAND).wrong
     assert [one.name for one in wrong] == [called]
 

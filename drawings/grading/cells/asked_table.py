@@ -201,7 +201,7 @@ ROUGH = 40.0  # mm: what no figure tells the scale of is read off a graph that i
 
 
 class CellAsked(NamedTuple):
-    """One cell: what it tells of and how that is called, in which position or row, the values that it may have.
+    """One cell: what it tells of and how that is called, in which position or row, its value.
 
     `hand` is what 95 of 100 drawings are within, `coarse` how much of the quantity a mm of paper shows, `largest` its
     largest value. A cell that is not `told` lies so near a dead centre that slips tell nothing of it.
@@ -210,7 +210,7 @@ class CellAsked(NamedTuple):
     name: str
     quantity: str
     place: str
-    true: tuple[float, ...]
+    true: float
     printed: float  # half of the last digit
     unit: str
     largest: float

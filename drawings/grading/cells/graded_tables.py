@@ -75,7 +75,7 @@ class Readings:
                 continue
             for one in asked.items:
                 true, value = ((values[one.place] / asked.way).real for values in (asked.true, figure.values))
-                if one.position == cell.position and abs(true - cell.true[0]) <= near and not np.isnan(value):
+                if one.position == cell.position and abs(true - cell.true) <= near and not np.isnan(value):
                     yield float(value), asked.scale
 
     def _rate(self, reading: Reading, position: int | None) -> float | None:
@@ -162,7 +162,7 @@ class CellJudge:
             return self._said(key, verdict.WRONG)
         if not written.understood:
             return self._said(key, verdict.ILLEGIBLE)
-        off = min(_apart(written.value, true, cell.unit) for true in cell.true)
+        off = _apart(written.value, cell.true, cell.unit)
         if off <= self._allowed(cell, written):
             return self._said(key, verdict.RIGHT, off)
         if self.readings.agrees(cell, written, self.by, self.rough):
@@ -176,8 +176,8 @@ class CellJudge:
     def _mistake(self, key: Key, written: Written) -> Guess | None:
         """Give the mistake that a number comes of: of the sign first, then the one that fits best."""
         cell = self.asked.cells[key]
-        if abs(written.value + cell.true[0]) <= self._allowed(cell, written):
-            return Guess(verdict.SIGN, -cell.true[0], 0.0)
+        if abs(written.value + cell.true) <= self._allowed(cell, written):
+            return Guess(verdict.SIGN, -cell.true, 0.0)
         fitting = [
             one for one in self._guesses(key)
             if abs(one.value) > one.allowed and abs(written.value - one.value) <= one.allowed + written.rounding
@@ -188,15 +188,14 @@ class CellJudge:
         """Give the mistakes that may be made in a cell."""
         cell = self.asked.cells[key]
         for kind, times, of in _factors(cell.unit):
-            for true in cell.true[:1]:
-                yield Guess(kind, true * times, cell.allowed(self.by, self.rough) * abs(times), of)
+            yield Guess(kind, cell.true * times, cell.allowed(self.by, self.rough) * abs(times), of)
         for other, own in self.asked.cells.items():
             if other != key and own.unit == cell.unit:
                 allowed = own.allowed(self.by, self.rough)
                 if own.quantity == cell.quantity and own.place != cell.place:
-                    yield Guess(verdict.PLACE, own.true[0], allowed, own.place)
+                    yield Guess(verdict.PLACE, own.true, allowed, own.place)
                 elif own.place == cell.place and own.quantity != cell.quantity:
-                    yield Guess(verdict.ROW, own.true[0], allowed, own.quantity)
+                    yield Guess(verdict.ROW, own.true, allowed, own.quantity)
 
     def _said(self, key: Key, kind: str, off: float | None = None, of: str = "") -> Verdict:
         cell, box = self.asked.cells[key], self.seen[key].box
@@ -297,7 +296,7 @@ def _fit(table: SeenTable, asked: TableAsked, seen: SeenSheet) -> tuple[int, boo
 
 def _says(seen: SeenCell, asked: CellAsked) -> bool:
     written = number(seen.texts, asked.unit)
-    return written is not None and abs(written.value - asked.true[0]) <= asked.printed
+    return written is not None and abs(written.value - asked.true) <= asked.printed
 
 
 def table_verdicts(

@@ -6,79 +6,23 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.diagrams.due import columns, headings
-from drawings.diagrams.report import NAME
+from drawings.checks.expected import Expected
+from drawings.checks.seen.plain import plain
 from drawings.eye.alike import folded
-from drawings.forces.due_acting import named as force_rows
 from drawings.form.laid import BESIDE
 from drawings.form.task import table_of
-from drawings.grading.cells.asked_table import CellAsked, Key, SeenTable, Sought, TableAsked, number, tables_seen
+from drawings.grading.cells.asked_table import SURE, CellAsked, Key, SeenTable, Sought, TableAsked, number, tables_seen
 from drawings.grading.cells.frames import ruling
 from drawings.lettering.words import word
-from drawings.linkage.due import VALUES as TABLE
-from drawings.linkage.due import mass_centres, named
+from drawings.measure.transform import Affine
 from drawings.original.originals import Original, Originals
-from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Text
-from drawings.paper.walk import groups, texts
+from drawings.paper.walk import groups, stated, texts
 from geometry.steps import Reading
-from plans.diagrams.quantities import DiagramsComparison
-from plans.linkage.by_hand import MotionByHand
 from plans.model.motion import ORDERS
 from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import term
-
-
-class Known(NamedTuple):
-    """A value by the analysis, and how far the two roads may be apart in it."""
-
-    value: float
-    apart: float
-
-
-def findings_of(study: Study, kind: str, table: str) -> Mapping[str, Quantity]:
-    """Give the findings that the rows of a table tell, by their letters as they are read; of no other table any."""
-    if (kind, table) == ("kinematics", TABLE):
-        linkage, comparison = study["linkage"], study.comparison("linkage")
-        parts = MotionByHand(linkage, comparison, mass_centres(linkage)).parts
-        return named([*comparison.findings, *parts], linkage.language)
-    if (kind, table) == ("forces", TABLE):
-        rows = force_rows(study["forces"], study.comparison("forces"))
-        return {Text(0j, letters).plain: one for letters, one in rows}
-    return {}
-
-
-def columns_of(study: Study, kind: str, table: str) -> Mapping[tuple[str, str], Known]:
-    """Give what the analysis knows of a table of the output's course, by positions and headings; of no other any."""
-    comparison = study.comparison("diagrams") if (kind, table) == ("kinematics", NAME) else None
-    if not isinstance(comparison, DiagramsComparison):
-        return {}
-    heads = headings(comparison, drafting_of(study.scene))
-    due = columns(comparison, abs(study["linkage"].mechanism.drive.omega))
-    numbers = comparison.analysis.axis.numbers
-    return {
-        (str(number), head): Known(float(values[k]), apart)
-        for head, (values, apart) in zip(heads, due, strict=True)
-        for k, number in reversed(list(enumerate(numbers)))
-        if math.isfinite(values[k]) and math.isfinite(apart)
-    }
-
-
-def known(one: Quantity | None, position: int | None) -> Known | None:
-    """Give what the analysis knows of a row in a position, as a table tells it; None where it knows nothing.
-
-    >>> import numpy as np
-    >>> row = np.array([3 + 4j])
-    >>> known(Quantity("velocities", "v_B", "m/s", row, row, np.zeros(1), np.zeros(1), 5.0), 0)
-    Known(value=5.0, apart=0.0)
-    """
-    if one is None or position is None or not 0 <= position < len(one.analysis):
-        return None
-    found, apart = one.analysis[position], float(one.allowed[position])
-    value = abs(found) if isinstance(found, complex) else float(found)
-    return Known(float(value), apart) if math.isfinite(value) and math.isfinite(apart) else None
-
 
 Rates: TypeAlias = Mapping[tuple[str, int | None], Reading]  # by the letter of a rate as it is seen, and its position
 PLANS = ("kinematics",)  # kinds of sheets that the plans stand on
@@ -109,30 +53,46 @@ ROUNDED = 1e-9  # of a value: what is printed at the middle between two numbers 
 MARKS = {-1: "_", 0: "", 1: "^"}
 
 
+class _Cell(NamedTuple):
+    """A cell of our own: how it is written, what is due in it, the sheet that it stands on."""
+
+    plain: str
+    due: Expected
+    sheet: Original
+
+
 class _Part(NamedTuple):
-    """A table or a part of one, and the sheet that it stands on."""
+    """A table or a part of one: the sheet that it stands on, and those of its cells in which something is due."""
 
     sheet: Original
     table: SeenTable
+    cells: Mapping[Key, _Cell]
 
 
 def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
     """Give the tables of a scene's sheets whose cells a form leaves empty."""
     found: dict[Sought, list[_Part]] = {}
     for sheet in originals.sheets:
-        for name, table in _of_sheet(originals, sheet):
-            found.setdefault((sheet.kind, name, sheet.leaf.metadata.get(CAM)), []).append(_Part(sheet, table))
+        for name, part in _of_sheet(originals, sheet):
+            found.setdefault((sheet.kind, name, sheet.leaf.metadata.get(CAM)), []).append(part)
     return tuple(_Own(originals, sought, parts).asked() for sought, parts in found.items())
 
 
-def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, SeenTable]]:
-    seen = originals.seen(sheet)
-    known = ((table_of(sheet.kind, one.name), one) for one in groups(seen.leaf.groups) if one.name)
-    corners = [(next(texts((one,))), name) for name, one in known if name and any(texts((one,)))]
+def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Part]]:
+    leaf, due = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
+    bands = ((table_of(sheet.kind, one.name), next(texts((one,)), None)) for one in groups(leaf.groups) if one.name)
+    corners = [(text, name) for name, text in bands if name and text is not None]
     if not corners:
         return
-    for table in tables_seen(ruling(seen.leaf, seen.measured.moved), {folded(text.plain) for text, _ in corners}):
-        yield from ((name, table) for text, name in corners if text is table.corner)
+    own = ((one.states.key, one) for one in stated(leaf.groups) if one.states is not None)
+    told = {id(text): due[key] for key, one in own if key in due for text in texts((one,))}
+    for table in tables_seen(ruling(leaf, Affine()), {folded(text.plain) for text, _ in corners}):
+        cells = {
+            key: _Cell(" ".join(text.plain for text in cell.texts), told[id(cell.texts[0])], sheet)
+            for key, cell in table.cells.items()
+            if cell.texts and id(cell.texts[0]) in told
+        }
+        yield from ((name, _Part(sheet, table, cells)) for text, name in corners if text is table.corner)
 
 
 class _Own:
@@ -142,64 +102,57 @@ class _Own:
         self.originals, self.sought, self.parts = originals, sought, parts
         self.labels = {label: text for part in parts for label, text in part.table.labels.items()}
         self.heads = {head: text for part in parts for head, text in part.table.heads.items()}
-        self.cells = {key: (cell, part.sheet) for part in parts for key, cell in part.table.cells.items()}
-        self.plan, self.analysis, *self.beside = (
-            folded(word(originals.language, key)) for key in ("by plan", "by analysis", *BESIDE)
-        )
+        self.cells = {key: cell for part in parts for key, cell in part.cells.items()}
+        self.plan, *self.beside = (folded(word(originals.language, key)) for key in ("by plan", *BESIDE))
         heads = [head for head in self.heads if head not in self.beside]
         self.across = 2 * sum(", " in text.plain for text in map(self.heads.__getitem__, heads)) > len(heads)
-        self.findings = findings_of(originals.study, *sought[:2])
-        self.columns = columns_of(originals.study, *sought[:2])
         self.rates: Rates = rates_of(originals.study, sought[0], {key[1] for key in self.cells})
 
     def asked(self) -> TableAsked:
-        """Give what is asked for."""
+        """Give what is asked for: all cells in which a number is due."""
+        values = {key: value for key in self.cells if (value := self._value(key)) is not None}
+        asked = {key: value for key, value in values.items() if key[2] not in self.beside}
         most: dict[tuple[str, str], float] = {}
-        for key in self.cells:
-            kind = self._told(key)
-            most[kind] = max(abs(self._value(key) or 0.0), most.get(kind, 0.0))
+        for key, value in asked.items() if self.sought[1] in COURSES else ():
+            most[self._told(key)] = max(abs(value), most.get(self._told(key), 0.0))
         scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
-        course = self.sought[1] in COURSES
-        cells = {
-            key: self._cell(key, value, most[self._told(key)] if course else abs(value), scales[sheet.name])._replace(
-                sheet=sheet.name
-            )
-            for key, (_, sheet) in self.cells.items()
-            if (value := self._value(key)) is not None and key[2] not in self.beside
-        }
+        cells = {key: self._cell(key, value, most.get(self._told(key), abs(value))) for key, value in asked.items()}
+        for key, cell in cells.items():
+            cells[key] = cell._replace(coarse=scales[cell.sheet].get(folded(cell.unit), 0.0))
         sheets = tuple(dict.fromkeys(part.sheet.name for part in self.parts))
         corner = folded(self.parts[0].table.corner.plain)
         titles = frozenset(part.sheet.leaf.title for part in self.parts)
         return TableAsked(self.sought, sheets, titles, corner, cells, self.originals.language)
 
-    def _cell(self, key: Key, value: float, largest: float, scales: Mapping[str, float]) -> CellAsked:
+    def _cell(self, key: Key, value: float, largest: float) -> CellAsked:
         label, position, head = key
         quantity, unit = self._told(key)
-        by_plan = head == self.plan
-        analysis = self._value((label, position, self.analysis)) if by_plan else None
-        names = _bare(self.labels[label].plain).split(" = ")
-        letters = tuple(map(folded, names))
-        read = letters if by_plan else ()
+        read = tuple(map(folded, _bare(self.labels[label].plain).split(" = "))) if head == self.plan else ()
         hand = self._value((label, position, self.beside[0]))
         name, place = self._called(key, quantity)
-        sure = known(next((self.findings[one] for one in names if one in self.findings), None), position)
-        sure = sure or self.columns.get((self.labels[label].plain, self.heads[head].plain))
-        half = _half(self._plain(key))
         return CellAsked(
             name,
             quantity,
             place,
-            (sure.value,) if sure is not None else (value,) if analysis is None else (value, analysis),
-            half if sure is None else half + sure.apart + ROUNDED * abs(sure.value),
+            value,
+            self._printed(key, value),
             unit,
             largest,
             hand,
-            scales.get(folded(unit), 0.0),
-            hand is not None or self._is_told(key),
-            int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
-            read,
-            next((self.rates[one, position] for one in read if (one, position) in self.rates), None),
+            told=hand is not None or self._is_told(key),
+            position=int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
+            read=read,
+            reading=next((self.rates[one, position] for one in read if (one, position) in self.rates), None),
+            sheet=self.cells[key].sheet.name,
         )
+
+    def _printed(self, key: Key, value: float) -> float:
+        """Give how far what is printed may be from the value: by its last digit, and by what both roads differ by."""
+        plain, due, _ = self.cells[key]
+        written = number((Text(0j, plain),))
+        off = abs(written.value - value) if written is not None and value else 0.0
+        rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
+        return max(_half(plain), off if rough else 0.0) + due.allowed + ROUNDED * abs(value)
 
     def _called(self, key: Key, quantity: str) -> tuple[str, str]:
         """Give what a cell is called beside its position, and its place among those of its quantity."""
@@ -217,13 +170,12 @@ class _Own:
         unit = next((own for one in (head, label) if (own := _unit(one.plain))), "")
         return _marked(named), unit
 
-    def _plain(self, key: Key) -> str:
-        return " ".join(text.plain for text in self.cells[key][0].texts)
-
     def _value(self, key: Key) -> float | None:
-        """Read a cell; what is no number asks for none."""
-        found = number(self.cells[key][0].texts) if key in self.cells else None
-        return None if found is None or not found.understood else found.value
+        """Give the number that is due in a cell; of a text, and of what rounding decides, none."""
+        due = self.cells[key].due if key in self.cells else None
+        if due is None or not isinstance(due.value, int | float | complex) or not math.isfinite(due.allowed):
+            return None
+        return abs(due.value) if isinstance(due.value, complex) else float(due.value)
 
     def _is_told(self, key: Key) -> bool:
         """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""
