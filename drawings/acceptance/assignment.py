@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
 from drawings.eye.sheet import see
-from drawings.grading.asked import Allowance, Allowances, Asked, Place, PlanAsked, ends_of
+from drawings.grading.asked import Allowance, Allowances, Asked, PlanAsked, ends_of
 from drawings.grading.drawn_plan import from_marks
 from drawings.grading.feedback import allowance
 from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
+from drawings.grading.marking import Place
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import Hints, hints

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
-from drawings.grading.marking import RECORDS, Found, Record
+from drawings.checks.expected import Expected
+from drawings.checks.hold import MARKS
+from drawings.grading.marking import RECORDS, Found, Place, Record
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.original.originals import Original, Originals
 from drawings.paper.limits import QUANTUM
+from drawings.paper.statement import Key, Kind
 from drawings.paper.walk import groups
-from geometry.board import Mark
+from geometry.board import Board, Mark
 from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
 from geometry.steps import Span
 from plans.by_hand import SLIP
 from plans.techniques import named, technique_of
 
-Place: TypeAlias = tuple[str, int | None]  # a plan and its position
+Due: TypeAlias = Mapping[Key, Expected]
 # By what the scale of a plan is lettered, where not by the quantity of its marks.
 SYMBOLS: Final = MappingProxyType({"r": "l", "h": "l"})
 
@@ -106,40 +109,51 @@ def _of_sheet(originals: Originals, sheet: Original, kinds: Mapping[str, str]) -
     row = kinds.get(technique_of(sheet.kind))
     if row is None:
         return
-    marks = originals.seen(sheet).measured
-    places: dict[Place, list[Asked]] = {}
-    measures: dict[Place, tuple[str, str, float]] = {}
-    titles = _titles(sheet)
-    for mark in marks.marks:
-        place = mark.plan, mark.position
-        if place not in places:
-            symbol = SYMBOLS.get(mark.quantity, mark.quantity)
-            places[place], measures[place] = [], (mark.unit, symbol, mark.scale)
-        start, end = ends_of(mark)
-        title = titles.get((*place, mark.name), mark.name)
-        letter = title if is_free(mark) else ""
-        places[place].append(Asked(mark.name, start, end, mark.stated, None, letter, title))
-    record: Record = named(row)(originals.study, sheet.leaf)
-    for place, own in places.items():
-        if place[1] in record.plans.get(place[0], ()):
-            vectors = tuple(_known(one, record, place) for one in own)
-            unit, symbol, scale = measures[place]
-            board = record.boards.get(place[0], place[0])
-            behind = {name: own[place[1]] for name, own in record.plans.items() if place[1] in own}
-            yield PlanAsked(*place, sheet.name, unit, vectors, behind | {place[0]: scale}, board, symbol)._replace(
-                senses=record.senses.get(place[0], {}), turns=record.turns.get(place[0], {})
-            )
+    marks, titles = dict[Place, list[MeasuredVector | MeasuredPoint]](), _titles(sheet)
+    for mark in originals.seen(sheet).measured.marks:
+        marks.setdefault((mark.plan, mark.position), []).append(mark)
+    record, due = named(row)(originals.study, sheet.leaf), originals.due(sheet)
+    for place, own in marks.items():
+        plan, position = place
+        if position in record.plans.get(plan, ()):
+            vectors = tuple(_asked(one, record, due, titles) for one in own)
+            subject, symbol = record.subjects.get(plan, plan), SYMBOLS.get(own[0].quantity, own[0].quantity)
+            scales = {name: own[position] for name, own in record.plans.items() if position in own}
+            senses, turns = (_ways(names.get(plan, ()), place, due) for names in (record.arrows, record.arcs))
+            arcs = {name: int(way.real) for name, way in turns.items()}
+            scales |= {plan: own[0].scale}
+            yield PlanAsked(*place, sheet.name, own[0].unit, vectors, scales, subject, symbol, senses, arcs)
 
 
-def _titles(sheet: Original) -> dict[tuple[str, int | None, str], str]:
-    """Give what is written beside the vectors and points of a sheet, by their plans, positions and names."""
-    found = {}
-    for group in groups(sheet.leaf.groups):
-        data = group.data
-        if data.get("kind") in ("vector", "point") and group.title:
-            position = int(data["position"]) if "position" in data else None
-            found[data["plan"], position, data["name"]] = group.title
-    return found
+def _asked(mark: MeasuredVector | MeasuredPoint, record: Record, due: Due, titles: Mapping[Key, str]) -> Asked:
+    """Ask for what a mark of our own sheet shows: its true value is due, its construction is the record's."""
+    place, (start, end) = (mark.plan, mark.position), ends_of(mark)
+    kind = Kind.VECTOR if isinstance(mark, MeasuredVector) else Kind.POINT
+    key = kind, mark.plan, mark.name, mark.position
+    found, board = record.found.get((*place, start, end)), record.boards.get(place, ())
+    if found is None and isinstance(board, Board) and start in board and end in board:
+        found = Found(mark.name, Span(board[start], board[end]))
+    value, title = due[key].value, titles.get(key, mark.name)
+    assert isinstance(value, complex | float | int)
+    name = mark.name if found is None else found.name
+    return Asked(name, start, end, complex(value), found, title if is_free(mark) else "", title)
+
+
+def _ways(names: Collection[str], place: Place, due: Due) -> dict[str, complex]:
+    """Give the ways that arrows have, or 1 and -1 by how arcs turn, of those that rounding does not decide."""
+    rows = {name: due.get((Kind.DIRECTION, place[0], name, place[1])) for name in names}
+    known = {name: row.value for name, row in rows.items() if row is not None and math.isfinite(row.allowed)}
+    return {name: complex(way) for name, way in known.items() if isinstance(way, complex | float | int)}
+
+
+def _titles(sheet: Original) -> dict[Key, str]:
+    """Give what is written beside the vectors and points of a sheet."""
+    return {
+        (MARKS[one.data["kind"]], one.data["plan"], one.data["name"], position): one.title
+        for one in groups(sheet.leaf.groups)
+        if one.data.get("kind") in MARKS and one.title
+        for position in (int(one.data["position"]) if "position" in one.data else None,)
+    }
 
 
 def is_free(mark: MeasuredVector | MeasuredPoint) -> bool:
@@ -153,22 +167,6 @@ def ends_of(mark: MeasuredVector | MeasuredPoint) -> tuple[str, str]:
         return "", mark.name
     start, _, end = mark.name.rpartition(" ")
     return start, end
-
-
-def _known(one: Asked, record: Record, place: Place) -> Asked:
-    """Give a vector with what the record tells of it; of one that has no name there, which marks it lies between."""
-    found = record.found.get((*place, *one.letters))
-    if found is None:
-        marks = _marks(record, place)
-        if one.start not in marks or one.end not in marks:
-            return one
-        found = Found(one.name, one.true, Span(marks[one.start], marks[one.end]))
-    return one._replace(name=found.name, true=found.true, found=found)
-
-
-def _marks(record: Record, place: Place) -> dict[str, Mark]:
-    own = {(start, end): found.span for (*there, start, end), found in record.found.items() if tuple(there) == place}
-    return {letter: mark for letters, span in own.items() for letter, mark in zip(letters, span, strict=True)}
 
 
 # Of ten thousand vectors that a fair hand draws one may be refused: a sheet has some forty.

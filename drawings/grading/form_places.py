@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.checks.letters import off
-from drawings.grading.asked import Place
 from drawings.grading.drawing_faults import JOINED
 from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.marking import Place
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups

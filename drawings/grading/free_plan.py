@@ -97,11 +97,6 @@ def once(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
         yield one._replace(kind=verdict.FOLLOWS) if again and not one.plan.startswith("scheme ") else one
 
 
-def senses_of(leaf: Leaf, plan: str, position: int | None, known: Mapping[str, complex]) -> dict[str, complex]:
-    """Give the directions of the known forces that a figure shows by arrows, by their names."""
-    return {name: known[name] for name in arrows_on(leaf, plan, position) if name in known}
-
-
 COUPLE = "M^Φ"  # how the letters of a moment of inertia forces begin
 SHARES = np.linspace(0.0, 1.0, 9)  # of an arc
 
@@ -135,11 +130,6 @@ def sense_of(points: Values) -> int:
     """
     run = np.diff(points)
     return int(math.copysign(1.0, float((run[:-1].conj() * run[1:]).imag.sum())))
-
-
-def turns_of(leaf: Leaf, plan: str, position: int | None, known: Mapping[str, float]) -> dict[str, int]:
-    """Give the senses of the known moments that a scheme shows by arcs, by their names."""
-    return {name: int(math.copysign(1, known[name])) for name in arcs_on(leaf, plan, position) if name in known}
 
 
 def arc_verdicts(seen: SeenSheet, plan: DrawnPlan) -> Iterator[Verdict]:

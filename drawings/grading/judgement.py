@@ -182,7 +182,8 @@ class Judge:
 
     def _kind(self, one: Asked, value: complex) -> str:
         if self._near(one, -value):
-            return PARTS.get(one.name.partition("_")[0], verdict.REVERSED)
+            back = "" if one.found is None else one.found.back
+            return back or PARTS.get(one.name.partition("_")[0], verdict.REVERSED)
         if self._carried_mirrored(one, value):
             return verdict.SIMILAR
         if self._turned_over(one, value):

@@ -10,10 +10,11 @@ from itertools import combinations, permutations
 from typing import NamedTuple
 
 from drawings.checks.letters import off
-from drawings.grading.asked import Place, PlanAsked
+from drawings.grading.asked import PlanAsked
 from drawings.grading.drawing_faults import JOINED, Segment, scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.form_places import FormPlace, place_of
+from drawings.grading.marking import Place
 from drawings.grading.seeing.onlooker import spelled
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Text

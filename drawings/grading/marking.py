@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -13,11 +13,13 @@ from typing import Any, Final, NamedTuple, TypeAlias
 from drawings.grading import verdict
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import TEXT_LENGTH
+from geometry.board import Board
 from geometry.errors import DraftError
 from geometry.regular_file import regular_bytes
 from geometry.steps import Span
 from plans.words.words import message
 
+Place: TypeAlias = tuple[str, int | None]  # a plan and its position
 Letters: TypeAlias = tuple[str, int | None, str, str]  # plan, position, and the letters of both ends
 
 
@@ -30,32 +32,34 @@ class Slip(NamedTuple):
 
 
 class Found(NamedTuple):
-    """How a vector is found: its name, its true value by analysis, and the marks of the record that it lies between.
+    """How a vector is found: its name, and the marks of the record that it lies between.
 
     The side of a polygon has the corners of the polygon that it is laid between, and so has a diagonal; `slips` are
-    mistakes known of it.
+    mistakes known of it, and `back` what it is to be turned round, if that has a name of its own.
     """
 
     name: str
-    true: complex
     span: Span
     side: Span | None = None
     diagonal: bool = False
     slips: tuple[Slip, ...] = ()
+    back: str = ""
 
 
 class Record(NamedTuple):
-    """What a technique tells of a sheet: its vectors, and which plans the sheet has to what scales, by position.
+    """What a technique knows of how a sheet is drawn: how vectors are found, which plans it has to what scales.
 
-    `boards` are the subjects of the record on which plans are drawn that have names of their own, `senses` the
-    directions of arrows that are not to scale, by plan and name, `turns` the senses of arcs.
+    The marks of a plan's `boards` bear the letters of its ends. `subjects` are those of the record under which plans
+    are drawn that have names of their own, `arrows` and `arcs` the known forces and moments that a plan shows by such
+    as are not to scale.
     """
 
     found: Mapping[Letters, Found]
     plans: Mapping[str, Mapping[int | None, float]]
-    boards: Mapping[str, str] = MappingProxyType({})
-    senses: Mapping[str, Mapping[str, complex]] = MappingProxyType({})
-    turns: Mapping[str, Mapping[str, int]] = MappingProxyType({})
+    boards: Mapping[Place, Board] = MappingProxyType({})
+    subjects: Mapping[str, str] = MappingProxyType({})
+    arrows: Mapping[str, Collection[str]] = MappingProxyType({})
+    arcs: Mapping[str, Collection[str]] = MappingProxyType({})
 
 
 # By technique: of a study and a leaf to the record of that sheet.

@@ -36,62 +36,40 @@ SHOWN = (COUPLES, UNBALANCES, ALONG)
 
 def record_of_rotor(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a rotor's sheet."""
-    rotor, balance = study["rotor"], study.comparison("rotor").analysis
-    found: dict[Letters, Found] = {(COUPLES, None, "", one.name): one for one in _couples(rotor, balance)}
-    found |= {(UNBALANCES, None, "", one.name): one for one in _unbalances(rotor, balance)}
-    found |= {(ALONG, None, "", one.name): one for one in _masses(rotor, balance)}
+    own: RotorStudy = study["rotor"]
+    arms = {f"h_{one.name}": own.rotor.arm(one.place) for one in own.rotor.masses}
+    radii = {f"r_{one.name}": one.radius for one in own.rotor.masses if one.radius is not None}
+    couples = {moment_letters(one.name): tuple(_of_arm(one, arms)) for one in own.rotor.masses}
+    unbalances = {unbalance_letters(one.name): tuple(_of_radius(one, radii)) for one in own.rotor.masses}
+    found: dict[Letters, Found] = {(COUPLES, None, "", one.name): one for one in _polygon(own.drawing.moments, couples)}
+    found |= {(UNBALANCES, None, "", one.name): one for one in _polygon(own.drawing.forces, unbalances)}
+    found |= {(ALONG, None, "", one.name): one for one in _masses(own, study.comparison("rotor").analysis)}
     return Record(found, {name: {None: mu} for name, mu in leaf.metadata["scales"].items() if name in SHOWN})
 
 
-def _couples(study: RotorStudy, balance: Balance) -> Iterator[Found]:
-    """Give the moments of the masses about the last plane, and what closes them."""
-    rotor, polygon = study.rotor, study.drawing.moments
-    arms = {f"h_{one.name}": rotor.arm(one.place) for one in rotor.masses}
-    true = {moment_letters(one.name): _moment(one) * rotor.arm(one.place) for one in rotor.masses}
-    slips = {moment_letters(one.name): tuple(_of_arm(one, arms)) for one in rotor.masses}
-    if rotor.dynamic:
-        plane = rotor.planes[0]
-        true[moment_letters(plane.name)] = balance.moments[0] * rotor.arm(plane.place)
-    yield from _polygon(polygon, true, slips)
-
-
-def _unbalances(study: RotorStudy, balance: Balance) -> Iterator[Found]:
-    """Give the static moments of the masses, that of the first counterweight, and what closes them."""
-    rotor = study.rotor
-    radii = {f"r_{one.name}": one.radius for one in rotor.masses if one.radius is not None}
-    true = {unbalance_letters(one.name): _moment(one) for one in rotor.masses}
-    corrections = zip(rotor.planes, balance.moments, strict=True)
-    true |= {unbalance_letters(plane.name): moment for plane, moment in corrections}
-    slips = {unbalance_letters(one.name): tuple(_of_radius(one, radii)) for one in rotor.masses}
-    yield from _polygon(study.drawing.forces, true, slips)
-
-
-def _polygon(polygon: Polygon, true: Mapping[str, complex], slips: Mapping[str, tuple[Slip, ...]]) -> Iterator[Found]:
-    """Give the sides of a polygon; what closes it is against all others."""
+def _polygon(polygon: Polygon, slips: Mapping[str, tuple[Slip, ...]]) -> Iterator[Found]:
+    """Give the sides of a polygon, with what is known of those of masses; what closes it is against all others."""
     zero, closing = polygon.board["0"], polygon.closing
     for vector, start, end in polygon.sides:
-        own = slips.get(vector.name) or (Slip(verdict.HEAVY, -true[vector.name]),)
-        yield Found(vector.name, true[vector.name], Span(zero, vector), Span(start, end), slips=own)
-    if closing.name in true:
-        last = polygon.sides[-1].end if polygon.sides else zero
-        heavy = Slip(verdict.HEAVY, -true[closing.name])
-        yield Found(closing.name, true[closing.name], Span(zero, closing), Span(last, zero), slips=(heavy,))
+        back = "" if slips.get(vector.name) else verdict.HEAVY
+        yield Found(vector.name, Span(zero, vector), Span(start, end), slips=slips.get(vector.name, ()), back=back)
+    last = polygon.sides[-1].end if polygon.sides else zero
+    yield Found(closing.name, Span(zero, closing), Span(last, zero), back=verdict.HEAVY)
 
 
 def _masses(study: RotorStudy, balance: Balance) -> Iterator[Found]:
     """Give where the masses and the counterweights lie, looking along the shaft."""
-    rotor, board = study.rotor, Board(ALONG)
+    board = Board(ALONG)
     centre = board.given("O", 0j)
-    for one in rotor.masses:
+    for one in study.rotor.masses:
         if one.radius is not None:
-            place = one.radius * heading(one.angle)
-            yield Found(f"m_{one.name}", place, Span(centre, board.given(f"m_{one.name}", place)))
+            name = f"m_{one.name}"
+            yield Found(name, Span(centre, board.given(name, one.radius * heading(one.angle))))
     for correction, drawn in zip(balance.corrections, study.drawing.corrections, strict=True):
         size, radius = correction.moment.size, correction.radius
         if size and radius is not None:
-            place, name = correction.moment.value * radius / size, f"m_{correction.plane.name}"
-            mark = board.turn(name, drawn.mark, radius / size)
-            yield Found(name, place, Span(centre, mark), slips=(Slip(verdict.HEAVY, -place),))
+            name = f"m_{correction.plane.name}"
+            yield Found(name, Span(centre, board.turn(name, drawn.mark, radius / size)), back=verdict.HEAVY)
 
 
 def _of_radius(one: Unbalance, radii: Mapping[str, float]) -> Iterator[Slip]:
@@ -140,12 +118,12 @@ def _order_polygon(expected: Bank, polygon: OrderPolygon, plan: str, forces: dic
     board = Board(plan)
     pole = end = board.given("0", 0j)
     members = {letters(polygon.kind, polygon.signed, one.name): one for one in expected.members}
-    for name, value in fanned(list(polygon.sides.items())):
+    for name, _ in fanned(list(polygon.sides.items())):
         vector = _vector(board, polygon, members[name], forces)
         start, end = end, board.lay_off(f"{plan}:{name}", end, vector)
         slips = tuple(_slips(expected, polygon, members[name]))
-        yield Found(name, value, Span(pole, vector), Span(start, end), slips=slips)
-    yield Found(polygon.name, polygon.whole, Span(pole, end), Span(pole, end), diagonal=True)
+        yield Found(name, Span(pole, vector), Span(start, end), slips=slips)
+    yield Found(polygon.name, Span(pole, end), Span(pole, end), diagonal=True)
 
 
 def _vector(board: Board, polygon: OrderPolygon, member: Member, forces: dict[str, Mark]) -> Mark:
@@ -209,10 +187,10 @@ def _moments(expected: Balanced) -> Iterator[Found]:
     sides, corners = _laid(MOMENTS, laid)
     for one, side, found in zip(laid, sides, corners, strict=True):
         wrong = (Slip(verdict.PRODUCT, one.value * times, of) for of, times in slips[one.name])
-        yield Found(one.name, one.value, side, found, slips=tuple(wrong))
+        yield Found(one.name, side, found, slips=tuple(wrong))
     if corners:
         whole = Span(corners[0].start, corners[-1].end)
-        yield Found(RESULT, laid[-1].start + laid[-1].value, whole, whole, diagonal=True)
+        yield Found(RESULT, whole, whole, diagonal=True)
 
 
 def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
@@ -222,15 +200,15 @@ def _scheme(expected: Balanced, state: str) -> Iterator[Found]:
     board = Board(SCHEME + state)
     datum = board.given("O", 0j)
     for one, side, found in zip(laid, sides, corners, strict=True):
-        yield Found(one.name, one.value, side, found, slips=tuple(_lacking(expected, state, one)))
+        yield Found(one.name, side, found, slips=tuple(_lacking(expected, state, one)))
     if corners:
-        yield Found(CENTRE, expected.centre(state), Span(corners[0].start, corners[-1].end))
+        yield Found(CENTRE, Span(corners[0].start, corners[-1].end))
     for name, place in expected.points.items():
-        yield Found(name, place, Span(datum, board.given(name, place)))
+        yield Found(name, Span(datum, board.given(name, place)))
     for weight in expected.weights(state):
         place, begin = (expected.at(weight.link, spot) for spot in (weight.centre, weight.origin))
         name, other = f"m_cw{weight.link}", Slip(verdict.HEAVY, 2 * begin - place)
-        yield Found(name, place, Span(datum, board.given(name, place)), slips=(other,))
+        yield Found(name, Span(datum, board.given(name, place)), slips=(other,))
 
 
 def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
@@ -267,4 +245,4 @@ def _shaking(expected: Balanced) -> Iterator[Found]:
     pole = board.given("0", 0j)
     for state, one in expected.states.items():
         name, value = NAMES[state], complex(one.centre.force[expected.shown])
-        yield Found(name, value, Span(pole, board.given(name, value)), slips=(Slip(verdict.INERTIA, -value),))
+        yield Found(name, Span(pole, board.given(name, value)), back=verdict.INERTIA)
