@@ -54,6 +54,7 @@ def _of(plan: DrawnPlan, mark: Mark, letter: str) -> dict[Mark, complex]:
 
 
 KIND = "place"  # of the data of a group that is the place of a figure
+BESIDE = 25.0  # mm: arrows that lie farther from a place are not of it
 CORNERS = 8  # lines, two to a corner, with which such a group begins
 
 
@@ -89,17 +90,14 @@ def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
 
 
 def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace | None:
-    """Give the place in which arrows were drawn: at whose pole one of their ends lies, else within whose corners."""
+    """Give the place in which arrows were drawn: at whose pole one ends, else within whose corners, or hard by them."""
     begun = [(min(abs(one - place.pole) for one in spots), place) for place in places if place.pole is not None]
     away, nearest = min(begun, key=lambda one: one[0], default=(JOINED + 1.0, None))
     if away <= JOINED:
         return nearest
-    return next((place for place in places if place.holds(spots)), None)
-
-
-def nearest(spot: complex, places: Sequence[FormPlace]) -> FormPlace | None:
-    """Give the place that a spot lies in, or else that which is nearest to it."""
-    return min(places, key=lambda one: one.off(spot), default=None)
+    middle = sum(spots) / len(spots)
+    beside = min(places, key=lambda one: (not one.holds(spots), one.off(middle)), default=None)
+    return beside if beside is not None and (beside.holds(spots) or beside.off(middle) <= BESIDE) else None
 
 
 def _places(leaf: Leaf) -> Iterator[FormPlace]:

@@ -19,9 +19,9 @@ from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, 
 from drawings.grading.drawing_faults import drawing_faults, figures, segments, written_scale
 from drawings.grading.drawn_plan import DrawnPlan, from_marks
 from drawings.grading.form_places import form_places, left_out, own_places, scales_of
-from drawings.grading.free_plan import arc_verdicts, arrow_verdicts, free_plans, once
 from drawings.grading.judgement import Judge
-from drawings.grading.lettered_plan import figure_of, lettered_plans, redrawn
+from drawings.grading.plans_on_form import plans_on_form, redrawn
+from drawings.grading.scheme_arrows import arc_verdicts, arrow_verdicts, once
 from drawings.grading.seeing.onlooker import Onlooker, legible, spelled_labels
 from drawings.grading.seeing.units import in_millimetres
 from drawings.grading.verdict import Verdict
@@ -195,10 +195,8 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
         return whole
     here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
-    own, words = figures(lines), list(texts(seen.leaf.groups))
-    labels = [one for beside in spelled_labels(seen.leaf.groups).values() for one in beside]
-    polygons = free_plans(left, own, words, labels, places)
-    return (*whole, *polygons, *lettered_plans(left, [figure_of(one) for one in own], words, places))
+    labels, words = spelled_labels(seen.leaf.groups), list(texts(seen.leaf.groups))
+    return (*whole, *plans_on_form(left, figures(lines), words, labels, places))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:

@@ -9,9 +9,9 @@ from typing import Final, NamedTuple
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.frames import frames
 from drawings.grading.curves.figure_records import FigureAsked
-from drawings.grading.free_plan import COUPLE
 from drawings.grading.graded import UNREAD, Graded, plan_named
 from drawings.grading.marking import TABLE, Marking, points_of
+from drawings.grading.scheme_arrows import COUPLE
 from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, Verdict
 from geometry.board import Mark
 from plans.words.words import Message, because, message, word

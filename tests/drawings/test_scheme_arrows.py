@@ -11,7 +11,7 @@ from drawings.eye.sheet import see
 from drawings.grading.asked import Allowance, Allowances, PlanAsked
 from drawings.grading.drawing_faults import segments
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.free_plan import arrow_verdicts
+from drawings.grading.scheme_arrows import arrow_verdicts
 from drawings.paper.strokes import Group, Leaf, Line
 from drawings.pens.svg import svg
 

@@ -9,8 +9,8 @@ from drawings.forces.lever_layout import PLAN as LEVER
 from drawings.forces.lever_layout import leverages
 from drawings.forces.lever_plan import balance, hanging
 from drawings.grading import verdict
-from drawings.grading.free_plan import arcs_on, arrows_on
 from drawings.grading.marking import Found, Letters, Place, Record, Slip
+from drawings.grading.scheme_arrows import arcs_on, arrows_on
 from drawings.linkage.due import mass_centres
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf

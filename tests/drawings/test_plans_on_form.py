@@ -6,7 +6,8 @@ from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawing_faults import Segment
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.form_places import FormPlace
-from drawings.grading.lettered_plan import figure_of, lettered_plans
+from drawings.grading.plans_on_form import plans_on_form
+from drawings.grading.seeing.onlooker import spelled_labels
 from drawings.paper.strokes import Text
 
 SPOTS = {"π": 0j, "a": 60 + 0j, "n_BA": 60 + 0.6j, "b": 30 + 40j}  # mm from the pole: n_BA is hardly off a
@@ -29,7 +30,8 @@ def read(*own: tuple[list[Segment], list[Text]]) -> list[DrawnPlan]:
     """Read figures on a form that has the places of two plans, one over the other."""
     places = [FormPlace(("accelerations", k), None, low, low + 120 + 90j) for k, low in ((2, 60 + 90j), (8, 60 - 60j))]
     words = [text for _, texts in own for text in texts]
-    return list(lettered_plans([plan(2), plan(8, -1j)], [figure_of(lines) for lines, _ in own], words, places))
+    labels = spelled_labels(tuple(words))
+    return list(plans_on_form([plan(2), plan(8, -1j)], [lines for lines, _ in own], words, labels, places))
 
 
 def test_a_part_too_short_for_a_place_of_its_own_shares_that_of_another() -> None:

@@ -1,0 +1,217 @@
+"""Plans on a form: the arrows in the place of one are of it, each told by its letters (планы на бланке)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+from drawings.checks.letters import Label, along, distance, off
+from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.drawing_faults import JOINED, Segment, scales_written
+from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
+from drawings.grading.form_places import FormPlace, place_of
+from drawings.grading.seeing.onlooker import spelled
+from drawings.lettering.extent import bounds
+from drawings.paper.strokes import Box, Text
+
+FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
+HEADING = 80.0  # mm: and a scale from its plan
+LEAST = 2  # arrows of a polygon that is taken for one, and half of them
+UNSURE, SHARE = 8.0, 0.2  # mm within which a letter is as near to another arrow; how far out one is drawn otherwise
+BACKWARD = 4.0  # mm that an arrow is farther from the letters of its ends if it is drawn back to front
+NONE: Final = 2 * FAR + UNSURE + BACKWARD  # mm: what an arrow costs that is not there
+
+
+def redrawn(plan: DrawnPlan, lines: Sequence[Segment]) -> DrawnPlan:
+    """Give a plan with arrows that were drawn anew between places of its letters, and so bear no data."""
+    again = dict(plan.arrows)
+    for one in plan.asked.vectors:
+        start, end = plan.places.get(one.start), plan.places.get(one.end)
+        if one.letters not in again and start is not None and end is not None:
+            both = (line for line in lines if _joins(line, start, end) or _joins(line, end, start))
+            again |= ((one.letters, Arrow(line.start, line.end)) for line in both if line.headed)
+    return replace(plan, arrows=again)
+
+
+def _joins(line: Segment | Arrow, start: complex, end: complex) -> bool:
+    return abs(line.start - start) <= JOINED and abs(line.end - end) <= JOINED
+
+
+def plans_on_form(
+    asked: Sequence[PlanAsked],
+    figures: Sequence[Sequence[Segment]],
+    texts: Sequence[Text],
+    labels: Mapping[str, Sequence[Label]],
+    places: Sequence[FormPlace],
+) -> Iterator[DrawnPlan]:
+    """Find plans by their places: all arrows that are drawn there are of the plan."""
+    due = {plan.place: plan for plan in asked if plan.lettered}
+    own: dict[FormPlace, list[Segment]] = {}
+    for joined in figures:
+        here = place_of([spot for one in joined for spot in (one.start, one.end)], places)
+        if here is not None and here.plan in due:
+            own.setdefault(here, []).extend(joined)
+    for here, arrows in own.items():
+        plan = due[here.plan]
+        drawn = _drawn(plan, arrows, texts, labels, here)
+        free = all(one.letter for one in plan.vectors)
+        if len(drawn.arrows) >= (max(LEAST, len(plan.vectors) / 2) if free else 1):
+            yield drawn
+
+
+def _drawn(
+    plan: PlanAsked,
+    arrows: Sequence[Segment],
+    texts: Sequence[Text],
+    labels: Mapping[str, Sequence[Label]],
+    place: FormPlace,
+) -> DrawnPlan:
+    """Give the plan that arrows are, laid as its letters are upright."""
+    scale, names = scale_at(place, texts, plan), {spelled(name) for name in (*plan.letters, *_letters(plan))}
+    own = [text for text in texts if spelled(text.plain) in names]
+    turn = turn_of(own, lambda text: min(_distance(bounds(text), one) for one in arrows))
+    found = _told(plan, arrows, labels, (scale or 0.0) * turn)
+    drawn = {letters: Arrow(one.arrow.start, one.arrow.end) for letters, one in found.items()}
+    hung = {letters: one.laid for letters, one in found.items() if letters[0]}
+    bare = DrawnPlan(plan, drawn, 1.0, {}, False)
+    both = tuple(_both_ways([one.arrow for one in found.values()], drawn, arrows))
+    mu, spots = scale or bare.fitted, places_of(hung)
+    return DrawnPlan(plan, drawn, mu, spots, scale is not None, turn, lettered=True, doubled=both)
+
+
+def _letters(plan: PlanAsked) -> Iterator[str]:
+    """Give the letters of the vectors of a plan that stand beside them."""
+    return (one.letter for one in plan.vectors if one.corners)
+
+
+def _both_ways(
+    told: Sequence[Segment], drawn: Mapping[tuple[str, str], Arrow], arrows: Sequence[Segment]
+) -> Iterator[str]:
+    """Name the vectors beside whose arrows others go back, one of which cannot be meant."""
+    left = [one for one in arrows if not any(one is other for other in told)]
+    for letters, one in drawn.items():
+        if abs(one.vector) > JOINED and any(_joins(other, one.end, one.start) for other in left):
+            yield " ".join(filter(None, letters))
+
+
+class _Match(NamedTuple):
+    """An arrow that may be a vector's: how far its letters are from it, mm, and whether it is drawn back to front."""
+
+    arrow: Segment
+    away: float
+    back: bool
+
+    @property
+    def laid(self) -> Arrow:
+        """The arrow from its first letter to its second."""
+        start, end, _ = self.arrow
+        return Arrow(end, start) if self.back else Arrow(start, end)
+
+
+def _told(
+    plan: PlanAsked, arrows: Sequence[Segment], labels: Mapping[str, Sequence[Label]], scale: complex
+) -> dict[tuple[str, str], _Match]:
+    """Give the arrows by their letters: all letters together as close to their arrows as they can be.
+
+    Where letters are as near to one arrow as to another, the one that is drawn rightly has it: nobody is marked down
+    for a letter that can be read in two ways.
+    """
+    named = [one for one in plan.vectors if one.corners or not one.letter]
+    rows = [[_match(one, arrow, labels, scale) for arrow in arrows] for one in named]
+    columns = paired([[match.away for match in row] + [NONE] * len(named) for row in rows])
+    pairs = zip(named, rows, columns, strict=True)
+    return {one.letters: row[k] for one, row, k in pairs if k < len(arrows) and row[k].away < NONE}
+
+
+def _match(asked: Asked, arrow: Segment, labels: Mapping[str, Sequence[Label]], scale: complex) -> _Match:
+    """Tell how far the letters of a vector are from an arrow, and farther where it is drawn otherwise."""
+    unsure = UNSURE if scale and abs((arrow.end - arrow.start) * scale - asked.true) > SHARE * abs(asked.true) else 0.0
+    if asked.letter:
+        own = (_distance(one.place, arrow) for one in labels.get(spelled(asked.letter), ()))
+        away = min(own, default=math.inf)
+        return _Match(arrow, away + unsure if away <= FAR else NONE, False)
+    first, last = (labels.get(spelled(letter), ()) for letter in asked.letters)
+    ahead = distance(first, [arrow.start]), distance(last, [arrow.end])
+    behind = distance(first, [arrow.end]), distance(last, [arrow.start])
+    back = sum(behind) + BACKWARD < sum(ahead)
+    far = behind if back else ahead
+    return _Match(arrow, sum(far) + back * BACKWARD + unsure if max(far) <= FAR else NONE, back)
+
+
+def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float | None:
+    """Give the scale that is written nearest to the place of a plan, true units a mm; None where none is near."""
+    near = min(((place.away(text), mu) for text, mu in scales_written(texts, plan)), default=(math.inf, 0.0))
+    return near[1] if near[0] <= HEADING else None
+
+
+def turn_of(own: Sequence[Text], away: Callable[[Text], float]) -> complex:
+    """Give what lays a figure upright whose page is turned: as the nearest of its letters stands."""
+    turn = min(own, key=away).rotation if own else 0.0
+    return cmath.rect(1.0, -math.radians(turn))
+
+
+def _distance(box: Box, arrow: Segment) -> float:
+    """Give how far a box is from an arrow, mm."""
+    left, low, right, high = box
+    corners = (complex(x, y) for x in (left, right) for y in (low, high))
+    ends = min(off(spot, box) for spot in along(arrow.start, arrow.end))
+    return min(ends, *(_from(corner, arrow) for corner in corners), _from(complex(left + right, low + high) / 2, arrow))
+
+
+def _from(spot: complex, arrow: Segment) -> float:
+    """Give how far a place is from an arrow, mm."""
+    vector = arrow.end - arrow.start
+    share = ((spot - arrow.start) * vector.conjugate()).real / abs(vector) ** 2 if vector else 0.0
+    return abs(spot - arrow.start - vector * min(max(share, 0.0), 1.0)) if math.isfinite(share) else math.inf
+
+
+def paired(costs: Sequence[Sequence[float]]) -> list[int]:
+    """Give each row the column of its own that makes the sum of costs least; there are no fewer columns than rows.
+
+    Rows are added one by one, each by the shortest path of exchanges with those before it (the Hungarian method).
+
+    >>> paired([[1.0, 2.0, 9.0], [1.0, 5.0, 9.0]])
+    [1, 0]
+    """
+    count = len(costs[0]) if costs else 0
+    rows, columns = [0.0] * (len(costs) + 1), [0.0] * (count + 1)
+    owner = [0] * (count + 1)  # by columns, from 1 on: the row that has it
+    for row in range(1, len(costs) + 1):
+        _exchange(costs, row, (rows, columns), owner)
+    found = [0] * len(costs)
+    for column, row in enumerate(owner[1:]):
+        if row:
+            found[row - 1] = column
+    return found
+
+
+def _exchange(
+    costs: Sequence[Sequence[float]], row: int, prices: tuple[list[float], list[float]], owner: list[int]
+) -> None:
+    """Give a row its column, and those whose columns it takes others."""
+    rows, columns = prices
+    least, before = [math.inf] * len(columns), [0] * len(columns)
+    used, here = set[int](), 0
+    owner[0] = row
+    while owner[here]:
+        used.add(here)
+        one = owner[here]
+        free = [k for k in range(1, len(columns)) if k not in used]
+        for k in free:
+            cost = costs[one - 1][k - 1] - rows[one] - columns[k]
+            if cost < least[k]:
+                least[k], before[k] = cost, here
+        there = min(free, key=lambda k: least[k])
+        step = least[there]
+        for k in used:
+            rows[owner[k]] += step
+            columns[k] -= step
+        for k in free:
+            least[k] -= step
+        here = there
+    while here:
+        owner[here] = owner[before[here]]
+        here = before[here]
