@@ -46,6 +46,12 @@ class Expected(NamedTuple):
         """What is stated of whom."""
         return self.kind, self.figure, self.name, self.position
 
+    @property
+    def vector(self) -> complex:
+        """The value of a vector, a point, a length or a direction."""
+        assert isinstance(self.value, complex | float | int)
+        return complex(self.value)
+
 
 def subject(leaf: Leaf) -> str:
     """Tell what a sheet is of among those of its kind; what must stand on sheets is asked of each subject apart."""

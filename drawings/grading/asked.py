@@ -133,17 +133,14 @@ def _asked(mark: MeasuredVector | MeasuredPoint, record: Record, due: Due, title
     found, board = record.found.get((*place, start, end)), record.boards.get(place, ())
     if found is None and isinstance(board, Board) and start in board and end in board:
         found = Found(mark.name, Span(board[start], board[end]))
-    value, title = due[key].value, titles.get(key, mark.name)
-    assert isinstance(value, complex | float | int)
-    name = mark.name if found is None else found.name
-    return Asked(name, start, end, complex(value), found, title if is_free(mark) else "", title)
+    name, title = mark.name if found is None else found.name, titles.get(key, mark.name)
+    return Asked(name, start, end, due[key].vector, found, title if is_free(mark) else "", title)
 
 
 def _ways(names: Collection[str], place: Place, due: Due) -> dict[str, complex]:
     """Give the ways that arrows have, or 1 and -1 by how arcs turn, of those that rounding does not decide."""
     rows = {name: due.get((Kind.DIRECTION, place[0], name, place[1])) for name in names}
-    known = {name: row.value for name, row in rows.items() if row is not None and math.isfinite(row.allowed)}
-    return {name: complex(way) for name, way in known.items() if isinstance(way, complex | float | int)}
+    return {name: row.vector for name, row in rows.items() if row is not None and math.isfinite(row.allowed)}
 
 
 def _titles(sheet: Original) -> dict[Key, str]:

@@ -100,10 +100,10 @@ class _Layout:
         true = np.array([body.way * self._long(body, drawn, scaled) for body in shown])
         names = tuple(letters(FORCE, body.turns) for body in shown)
         yield FigureAsked(
-            key=self.plan + part, plan=self.plan, sheet=self.own.name, unit="m" if scaled else "mm",
-            scales={"l": scales["l"]}, items=tuple(Item(body.name, None, k, body.name) for k, body in enumerate(shown)),
-            true=true, slack=np.zeros(len(true)), error=np.full(len(true), PRICKED), why=because("compensator_arm"),
-            kind=POINTS if scaled else BEARINGS, on_paper=not scaled, arms=tuple(written(body.name) for body in shown),
+            self.plan + part, self.plan, self.own.name, "m" if scaled else "mm", {"l": scales["l"]},
+            tuple(Item(body.name, None, k, body.name) for k, body in enumerate(shown)), true, np.zeros(len(true)),
+            np.full(len(true), PRICKED), POINTS if scaled else BEARINGS, why=because("compensator_arm"),
+            on_paper=not scaled, arms=tuple(written(body.name) for body in shown),
             mistakes=(Mistake(verdict.HEAVY, -true), Mistake(verdict.EXCHANGED, true[::-1])),
             behind=() if part else names, course=None if part else self._course(names, true),
         )  # fmt: skip

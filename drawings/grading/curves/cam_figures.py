@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from drawings.cam.due_notes import PLAN as RADII
-from drawings.cam.due_notes import told_profile
 from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.cam.pressure_graph import NAME as ANGLES
 from drawings.cam.profile_view import NAME as PROFILE
@@ -25,16 +23,12 @@ from drawings.grading.curves.figure_records import (
     ORDINATES,
     PRICKED,
     FigureAsked,
-    Item,
     Mistake,
     OwnSheet,
     Sizes,
-    Values,
-    items,
+    by_number,
 )
-from drawings.grading.curves.figure_records import POINTS as PLACES
 from drawings.grading.curves.load_figures import bars, rings
-from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from plans.cyclogram.rows import EVERY
 from plans.study import Study
 from plans.words.words import because
@@ -48,7 +42,7 @@ def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     name = own.leaf.metadata.get("cam")
     if name == EVERY:
         turning = [one.cam for one in cams.values() if not one.cam.translates]
-        yield from bars(own, cam_rows(turning), 0.0)
+        yield from bars(own)
         yield from rings(own, cam_rows(turning), turning[0].sense)
     if name in cams:
         sheet = _Sheet(own, CamCourses(CamValues(cams[name], study["cam"].drawings[name])))
@@ -87,15 +81,13 @@ class _Sheet:
             plan = law_named(self.expected.cam, key)
             marks = self.own.vectors(plan)
             if marks:
-                mu = next(iter(marks.values())).scale
                 chorded = key in ABOVE
-                yield FigureAsked(
-                    key=key, plan=plan, sheet=self.own.name, unit=next(iter(marks.values())).unit,
-                    scales={self.own.letter(plan, mu): mu}, items=items(marks), true=np.asarray(1j * row.after),
-                    slack=np.abs(row.after - exact[key]), error=self._error(key), kind=ORDINATES,
+                yield from self.own.figure(
+                    key, plan, by_number(marks), np.asarray(1j * row.after), kind=ORDINATES, stepped=chorded,
+                    slack=np.abs(row.after - exact[key]), error=self._error(key), linear=chorded,
                     paper=self.own.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
-                    course=courses.get(key), linear=chorded, stepped=chorded,
-                    why=because("integral_chord") if chorded else None, mistakes=tuple(self._phases(key)),
+                    course=courses.get(key), why=because("integral_chord") if chorded else None,
+                    mistakes=tuple(self._phases(key)),
                 )  # fmt: skip
 
     def _phases(self, key: str) -> Iterator[Mistake]:
@@ -120,36 +112,6 @@ class _Sheet:
         row = self.cam.rows[key]
         return np.asarray((row.after[:-1] + row.before[1:]) / 2)
 
-    def _figure(
-        self,
-        key: str,
-        plan: str,
-        names: Mapping[tuple[str, int | None], int],
-        true: Values,
-        kind: str = PLACES,
-        **how: Any,
-    ) -> Iterator[FigureAsked]:
-        """Give the points or vectors of a plan that the sheet marks, by their names and places."""
-        marks = {(one.name, one.position): one for one in self.own.marks(plan)}
-        own = [Item(*name, place, _called(marks[name])) for name, place in names.items() if name in marks]
-        if own:
-            first = marks[own[0].name, own[0].position]
-            letter = self.own.letter(plan, first.scale)
-            scales = {letter: first.scale}
-            asked = FigureAsked(
-                key,
-                plan,
-                self.own.name,
-                first.unit,
-                scales,
-                tuple(own),
-                true,
-                np.zeros(len(true)),
-                np.full(len(true), PRICKED),
-                kind,
-            )
-            yield replace(asked, **how)
-
     @cached_property
     def _ends(self) -> dict[tuple[str, int | None], int]:
         count = len(self.cam.turned)
@@ -164,7 +126,7 @@ class _Sheet:
         """Give the diagram of the main sizes."""
         behind = (VELOCITY, TRAVEL) if not self.expected.cam.flat else (ACCELERATION, TRAVEL)
         laid = bool(self.own.vectors(law_named(self.expected.cam, TRAVEL)))
-        yield from self._figure(
+        yield from self.own.figure(
             DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
             course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
             slack=self._sized(), why=because("cam_laid"), mistakes=tuple(self._wrong_sizes()),
@@ -176,11 +138,14 @@ class _Sheet:
 
         To the profile the sizes are carried over too.
         """
-        mu, carried = self.own.marks(plan)[0].scale if self.own.marks(plan) else 1.0, self.own.marks(SIZES)
+        mu, carried = self._scale(plan), self.own.marks(SIZES)
         length = (self.expected.cam.follower.length or 1.0) if self.expected.cam.rocks else 1.0
         slips = [1.0, *(length * slip / mu for key in laws for slip in self._read_by_hand(key))]
-        slips += [np.sqrt(2) * carried[0].scale / mu] if plan != SIZES and carried else []
+        slips += [np.sqrt(2) * self._scale(SIZES) / mu] if plan != SIZES and carried else []
         return np.full(len(self.cam.ends), PRICKED * float(np.sqrt(np.square(slips).sum())))
+
+    def _scale(self, plan: str) -> float:
+        return next((one.scale for one in self.own.marks(plan).values()), 1.0)
 
     def _read_by_hand(self, key: str) -> Iterator[float]:
         """Give how far a value is out that is read off a diagram of the law, true units a mm of slip in pricking.
@@ -222,8 +187,8 @@ class _Sheet:
             stations = np.concatenate((self.cam.turned, [one.turned for one in found.values()]))
             paper = self.own.paper(ANGLES, stations)
         sized = bool(self.own.marks(SIZES)) and self._drawn
-        yield from self._figure(
-            PRESSURE, ANGLES, names, np.asarray(1j * self.cam.angles), ORDINATES, paper=paper,
+        yield from self.own.figure(
+            PRESSURE, ANGLES, names, np.asarray(1j * self.cam.angles), kind=ORDINATES, paper=paper,
             behind=(DIAGRAM,) if sized else (), course=self.cam.pressure if sized else None,
             error=self._angles_by_hand(),
         )  # fmt: skip
@@ -234,7 +199,7 @@ class _Sheet:
         angles = self.own.vectors(ANGLES)
         if not seen or not angles:
             return np.full(len(self.cam.angles), PRICKED)
-        rays = np.abs(self.cam.ends[:count] - self.cam.ends[count]) / seen[0].scale
+        rays = np.abs(self.cam.ends[:count] - self.cam.ends[count]) / self._scale(SIZES)
         moved = np.degrees(2 * PRICKED / np.maximum(rays, 1.0)) / next(iter(angles.values())).scale
         turned = [one.turned for one in self.expected.found.pressure.values()]
         at = [int(np.abs(self.cam.turned - one).argmin()) for one in turned]
@@ -242,10 +207,10 @@ class _Sheet:
 
     def profile(self) -> Iterator[FigureAsked]:
         """Give the profile by inversion: its points, sizes, the follower's places, the roller's normals."""
-        found, count = self.expected.found, len(self.cam.turned)
+        count = len(self.cam.turned)
         own, sized = self.expected.points(), bool(self.own.marks(SIZES)) and self._drawn
         curve = "P" if "P" in own else "Q"
-        yield from self._figure(
+        yield from self.own.figure(
             POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
             behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
             error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
@@ -253,24 +218,18 @@ class _Sheet:
         )  # fmt: skip
         turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
         for name, mistakes in (("K", ()), ("O_1", (turned,))):
-            places: dict[tuple[str, int | None], int] = {(name, k): k for k in range(count)}
-            yield from self._figure(f"profile {name}", PROFILE, places, own[name], mistakes=mistakes)
-        yield from self._figure(
-            "profile normals", PROFILE, {("Q", k): k for k in range(count)} if curve == "P" else {},
-            self.expected.normals().get("Q", own[curve]), error=np.full(count, 2 * PRICKED),
-        )  # fmt: skip
-        sizes, sharpest = found.sizes, found.sharpest
-        lengths = np.array([sizes.base, abs(sharpest.value) if sharpest else 0.0], dtype=np.complex128)
-        yield from self._figure("profile lengths", PROFILE, {("R_0", None): 0, ("ρ_min", None): 1}, lengths, LENGTHS)
-        vectors = np.array([found.cam.sense * sizes.offset, sizes.pivot], dtype=np.complex128)
-        yield from self._figure("profile vectors", PROFILE, {("e", None): 0, ("L", None): 1}, vectors)
+            places = {(name, k): k for k in range(count)}
+            yield from self.own.figure(f"profile {name}", PROFILE, places, own[name], mistakes=mistakes)
+        if curve == "P":
+            normals = {("Q", k): k for k in range(count)}
+            yield from self.own.figure("profile normals", PROFILE, normals, error=np.full(count, 2 * PRICKED))
+        lengths, vectors = ({(name, None): k for k, name in enumerate(own)} for own in (("R_0", "ρ_min"), ("e", "L")))
+        yield from self.own.figure("profile lengths", PROFILE, lengths, kind=LENGTHS)
+        yield from self.own.figure("profile vectors", PROFILE, vectors)
 
     def radii(self) -> Iterator[FigureAsked]:
         """Give the radii of the finished profile, of a cam that translates its ordinates."""
-        exact = told_profile(self.expected.found)
-        told = np.array([complex(exact.spots[k]) for k, _ in exact.rays()])
-        true = np.asarray(1j * told.imag if exact.cam.translates else told)
-        yield from self._figure(RADII, RADII, {("r", k): k for k in range(len(told))}, true)
+        yield from self.own.figure(RADII, RADII)
 
     def _inverted(self) -> Iterator[Mistake]:
         """Give the profile inverted the wrong way, mirrored, of another side, other phases or another least radius."""
@@ -285,10 +244,3 @@ class _Sheet:
         if not self.expected.cam.rocks:
             ways = self.expected.ways(1j, self.cam.turned)
             yield Mistake(verdict.BASE, true, np.broadcast_to(ways, true.shape))
-
-
-def _called(mark: MeasuredVector | MeasuredPoint) -> str:
-    """Give what a mark is called: a number by the letter of its quantity."""
-    if mark.position is None:
-        return mark.name
-    return f"{mark.quantity}_{mark.name}" if mark.name.isdigit() else f"{mark.name}_{mark.position}"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -19,12 +19,11 @@ from drawings.grading.curves.figure_records import (
     PRICKED,
     Course,
     FigureAsked,
-    Item,
     Mistake,
     OwnSheet,
     Sizes,
     Values,
-    items,
+    by_number,
 )
 from drawings.grading.curves.load_figures import load_diagrams
 from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
@@ -58,7 +57,7 @@ WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_c
 def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of dynamics (row of the table of records)."""
     comparison, task = study.comparison("dynamics"), study["dynamics"].task
-    yield from load_diagrams(own, study["dynamics"].statics, comparison.motion.road.extremes)
+    yield from load_diagrams(own, study["dynamics"].statics)
     if comparison.analysis.cycle is None:
         return
     sheet = _Sheet(own, Turn(task, comparison.analysis), Turn(task, comparison.exact))
@@ -96,27 +95,13 @@ class _Sheet:
         if not marks:
             return
         values, way = self.expected.graphs[name], 1 + 0j if name == INERTIA else 1j
-        mu = self.scale(name)
-        yield FigureAsked(
-            key=name,
-            plan=name,
-            sheet=self.own.name,
-            unit=next(iter(marks.values())).unit,
-            scales={self.own.letter(name, mu): mu},
-            items=items(marks),
-            true=np.asarray(way * values),
-            slack=np.abs(values - self.exact.graphs.get(name, values)),
-            error=np.full(len(values), PRICKED) if error is None else error,
-            kind=ORDINATES,
-            way=way,
-            paper=self.own.paper(name, self.expected.cycle.turned),
-            behind=behind,
-            course=course,
-            linear=course is not None and name != SPEEDS,
-            mistakes=mistakes,
-            stepped=name == WORKS,
-            why=WHY.get(name),
-        )
+        slack = np.abs(values - self.exact.graphs.get(name, values))
+        yield from self.own.figure(
+            name, name, by_number(marks), np.asarray(way * values), kind=ORDINATES, way=way, slack=slack,
+            error=np.full(len(values), PRICKED) if error is None else error, why=WHY.get(name), behind=behind,
+            paper=self.own.paper(name, self.expected.cycle.turned), course=course, mistakes=mistakes,
+            linear=course is not None and name != SPEEDS, stepped=name == WORKS,
+        )  # fmt: skip
 
     def scale(self, name: str) -> float:
         """Give the scale of a graph's ordinates, true units a mm."""
@@ -168,27 +153,15 @@ class _Sheet:
             yield from self._graph(SPEEDS, (SURPLUS, INERTIA, CUT), turn.speeds, error)
 
     def _points(self, turn: Turned) -> Iterator[FigureAsked]:
-        marks = {one.position: one for one in self.own.measured.points if one.plan == LOOP and one.position is not None}
-        if not marks:
-            return
         true = turn.loop(turn.true)
-        yield FigureAsked(
-            key=LOOP,
-            plan=LOOP,
-            sheet=self.own.name,
-            unit="mm",
-            scales={"J": turn.scales[0], "T": turn.scales[1]},
-            items=items(marks),
-            true=true,
+        places = {(name, k): k for name, k in self.own.marks(LOOP) if k is not None}
+        yield from self.own.figure(
+            LOOP, LOOP, places, true, unit="mm", scales={"J": turn.scales[0], "T": turn.scales[1]}, on_paper=True,
             slack=np.abs(true - turn.loop(Turned(self.exact, turn.scales).true)),
             error=np.full(len(true), 2 * PRICKED),  # in x and in y, each measured off a graph
-            on_paper=True,
-            why=because("loop_point"),
-            behind=(SURPLUS, INERTIA),
-            course=turn.loop,
-            curved=tuple(range(len(true))),
+            why=because("loop_point"), behind=(SURPLUS, INERTIA), course=turn.loop, curved=tuple(range(len(true))),
             mistakes=(Mistake(verdict.AXES, 1j * true.conj()), Mistake(verdict.MIRRORED, -true.conj())),
-        )
+        )  # fmt: skip
 
     def _tangents(self, turn: Turned) -> Iterator[FigureAsked]:
         wheel, ratio = turn.wheel, turn.scales[0] / turn.scales[1]
@@ -199,36 +172,21 @@ class _Sheet:
         )
         true = np.abs(bearings) * slopes / np.abs(slopes)
         swapped = np.abs(bearings) * slopes[::-1] / np.abs(slopes[::-1])
-        yield self._aside(BEARING, "mm", 1.0, TANGENTS, true, PRICKED, mistakes=(Mistake(verdict.EXCHANGED, swapped),))
+        yield from self._aside(
+            BEARING, TANGENTS, true, unit="mm", scales={"": 1.0}, kind=BEARINGS, why=because("tangent_angle"),
+            mistakes=(Mistake(verdict.EXCHANGED, swapped),),
+        )  # fmt: skip
         cuts = np.array([1j * cut for cut in wheel.cuts])
         off = np.array([1j * cut for cut in self.exact.wheel.cuts]) if self.exact.wheel else cuts
         # A ruler is laid to a point, and leans as its angle is drawn: on the axis it is out by as much as it is far.
         touches = np.array([touch.varying for touch in wheel.touches]) / turn.scales[0]
         leaning = touches * np.abs(slopes) ** 2 / np.abs(bearings)
         ruled = PRICKED * np.sqrt(1.0 + np.abs(slopes) ** 2 + leaning**2)
-        yield self._aside(CUT, "J", turn.scales[1], SEGMENTS, cuts, ruled, off, (LOOP, BEARING), turn.cuts)
-
-    def _aside(
-        self,
-        key: str,
-        unit: str,
-        mu: float,
-        names: tuple[str, ...],
-        true: Values,
-        error: Sizes | float,
-        exact: Values | None = None,
-        behind: tuple[str, ...] = (),
-        course: Course | None = None,
-        mistakes: tuple[Mistake, ...] = (),
-    ) -> FigureAsked:
-        """Give what stands beside the loop."""
-        seen = {one.name for one in self.own.measured.vectors if one.plan == LOOP}
-        own = tuple(Item(name, None, k, name) for k, name in enumerate(names) if name in seen)
-        slack = np.zeros(len(true)) if exact is None else np.abs(true - exact)
-        kind = BEARINGS if key == BEARING else ORDINATES
-        scales = {} if key == BEARING else {"T": mu}
-        return FigureAsked(
-            key, LOOP, self.own.name, unit, scales or {"": mu}, own, true, slack,
-            np.broadcast_to(np.asarray(error, dtype=np.float64), (len(true),)), kind,
-            behind=behind, course=course, mistakes=mistakes, why=because("ruler" if key == CUT else "tangent_angle"),
+        yield from self._aside(
+            CUT, SEGMENTS, cuts, unit="J", scales={"T": turn.scales[1]}, kind=ORDINATES, why=because("ruler"),
+            error=ruled, slack=np.abs(cuts - off), behind=(LOOP, BEARING), course=turn.cuts,
         )  # fmt: skip
+
+    def _aside(self, key: str, names: Sequence[str], true: Values, **how: Any) -> Iterator[FigureAsked]:
+        """Give what stands beside the loop."""
+        yield from self.own.figure(key, LOOP, {(name, None): k for k, name in enumerate(names)}, true, **how)

@@ -6,18 +6,21 @@ is a point seen from the pole. The arrays of a figure have a value for each of i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Final, NamedTuple, TypeAlias
+from typing import Any, Final, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
+from drawings.checks.expected import Expected
 from drawings.checks.written import written_scales
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.original.originals import Originals
+from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, group_named
 from geometry.hand_error import EVEN
@@ -33,7 +36,12 @@ Course: TypeAlias = Callable[[Mapping[str, Values]], Values]
 # Of a slip of a mm: how far an ordinate is out, both of whose ends are pricked (standard deviation, mm).
 PRICKED = float(EVEN * np.sqrt(2))
 ORDINATES, POINTS, BEARINGS, LENGTHS = "ordinates", "points", "bearings", "lengths"
+SIZED = (BEARINGS, LENGTHS)  # of which a part alone is held
 CHAIN = "chain"  # vectors each of which begins where the one before it in its row ends
+
+
+Place: TypeAlias = tuple[str, int | None]  # the name and the position of a mark
+MARKS: Final[Mapping[type, Kind]] = MappingProxyType({MeasuredVector: Kind.VECTOR, MeasuredPoint: Kind.POINT})
 
 
 class Item(NamedTuple):
@@ -156,15 +164,40 @@ FLUSH = 0.05  # mm: a foot that is nearer to an axis stands on it; a sheet is wr
 
 
 class OwnSheet(NamedTuple):
-    """A sheet of the scene as it is seen: its name, its strokes, its marks."""
+    """A sheet of the scene as it is seen: its name, its strokes, its marks; and what is due on it."""
 
     name: str
     leaf: Leaf
     measured: Measured
+    due: Mapping[Key, Expected]
 
-    def marks(self, plan: str) -> tuple[MeasuredVector | MeasuredPoint, ...]:
-        """Give the marks of a plan."""
-        return tuple(one for one in self.measured.marks if one.plan == plan)
+    def marks(self, plan: str) -> dict[Place, MeasuredVector | MeasuredPoint]:
+        """Give the marks of a plan by their names and positions."""
+        return {(one.name, one.position): one for one in self.measured.marks if one.plan == plan}
+
+    def figure(
+        self, key: str, plan: str, places: Mapping[Any, int] | None = None, true: Values | None = None, **how: Any
+    ) -> Iterator[FigureAsked]:
+        """Ask for those marks of a plan that have places in a figure, or for all: they must be what is due.
+
+        `true` are the values at all places, where more of them are known than are marked; `called` names a mark.
+        """
+        marks = self.marks(plan)
+        places = {own: k for k, own in enumerate(marks)} if places is None else places
+        own, called = {one: marks[one] for one in places if one in marks}, how.pop("called", named_by_quantity)
+        if not own:
+            return
+        values = np.zeros(len(places), dtype=np.complex128) if true is None else true.copy()
+        for one, mark in own.items():
+            row = self.due.get((MARKS[type(mark)], plan, *one))
+            if row is not None and (true is None or how.get("kind") not in SIZED) and math.isfinite(row.allowed):
+                values[places[one]] = row.vector
+        first = next(iter(own.values()))
+        scales = {self.letter(plan, first.scale): first.scale}
+        plain: dict[str, Any] = {"unit": first.unit, "scales": scales, "error": np.full(len(values), PRICKED)}
+        plain |= {"slack": np.zeros(len(values)), **how}
+        items = tuple(Item(one[0], one[1], places[one], called(mark)) for one, mark in own.items())
+        yield FigureAsked(key=key, plan=plan, sheet=self.name, items=items, true=values, **plain)
 
     def vectors(self, plan: str) -> dict[int, MeasuredVector]:
         """Give the ordinates of a graph by their positions."""
@@ -221,9 +254,16 @@ def _through(line: Line, feet: Values) -> bool:
     return bool((np.abs(((feet - line.start) / along).imag) <= FLUSH).all())
 
 
-def items(marks: Mapping[int, MeasuredVector | MeasuredPoint]) -> tuple[Item, ...]:
-    """Name the values of a graph by the letter of its quantity and the numbers of their places."""
-    return tuple(Item(one.name, k, k, f"{one.quantity}_{one.name}") for k, one in sorted(marks.items()))
+def named_by_quantity(mark: MeasuredVector | MeasuredPoint) -> str:
+    """Give what a mark is called: a number by the letter of its quantity, else with its position."""
+    if mark.position is None:
+        return mark.name
+    return f"{mark.quantity}_{mark.name}" if mark.name.rstrip("'").isdigit() else f"{mark.name}_{mark.position}"
+
+
+def by_number(marks: Mapping[int, MeasuredVector], places: Mapping[int, int] | None = None) -> dict[Place, int]:
+    """Give the places of the ordinates of a graph: their positions, or what `places` says of these."""
+    return {(one.name, k): k if places is None else places[k] for k, one in sorted(marks.items())}
 
 
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
@@ -250,4 +290,5 @@ def _of_sheet(originals: Originals, name: str, kinds: Mapping[str, str]) -> Sequ
     if row is None:
         return ()
     seen = originals.seen(sheet)
-    return tuple(named(row)(originals.study, OwnSheet(sheet.name, seen.leaf, seen.measured)))
+    own = OwnSheet(sheet.name, seen.leaf, seen.measured, originals.due(sheet))
+    return tuple(named(row)(originals.study, own))

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.cyclogram.due_rows import BARS, machine_rows, true_bars
+from drawings.cyclogram.due_rows import BARS, machine_rows
 from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
 from drawings.forces.due_loads import branches
 from drawings.forces.load_diagram import NAME as LOAD
@@ -27,18 +27,16 @@ from drawings.grading.curves.figure_records import (
     OwnSheet,
     Sizes,
     Values,
+    by_number,
 )
 from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Circle
 from drawings.paper.walk import flat, group_named
 from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
-from plans.forces.stroke import Stroke
 from plans.model.cyclogram import Row
 from plans.model.diagrams import TURN
 from plans.model.machine import Force, Moment
-from plans.model.mechanism import Output
-from plans.model.motion import Extremes
 from plans.study import Study
 from plans.words.words import because
 
@@ -49,23 +47,20 @@ WHOLE = ("H", SWING)  # the stroke of what slides, of what swings
 
 def figures_of_loads(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the load diagrams of a sheet of forces (row of the table of records)."""
-    statics: Statics = study["forces"]
-    yield from load_diagrams(own, statics, study.comparison("forces").motion.road.extremes)
+    yield from load_diagrams(own, study["forces"])
 
 
-def load_diagrams(
-    own: OwnSheet, statics: Statics, extremes: Callable[[Output], Extremes | None]
-) -> Iterator[FigureAsked]:
-    """Give the load diagrams of a sheet, over the strokes of the analysis."""
-    every: Sequence[Force | Moment] = (*statics.machine.forces, *statics.machine.moments)
-    for load in every:
+def load_diagrams(own: OwnSheet, statics: Statics) -> Iterator[FigureAsked]:
+    """Give the load diagrams of a sheet: the stroke and its overruns, and the ordinates at the corners."""
+    for load in statics.machine.loads:
         plan = f"{LOAD}-{load.name}"
-        marks = {one.name: one for one in own.measured.vectors if one.plan == plan}
+        marks = {name: one for (name, _), one in own.marks(plan).items()}
         whole = next((marks[name] for name in WHOLE if name in marks), None)
-        if whole is not None:
-            diagram = _Diagram(own, plan, load, marks, whole)
-            yield from diagram.sizes(statics.over(extremes)[load.stroke])
-            yield from diagram.corners()
+        if isinstance(whole, MeasuredVector):
+            sizes = {(name, None): k for k, name in enumerate([whole.name, *(one for one in OVERRUNS if one in marks)])}
+            yield from own.figure(f"{plan} sizes", plan, sizes, kind=LENGTHS, why=because("tool_stroke"))
+            corners = [one for name, one in marks.items() if (name, None) not in sizes]
+            yield from _corners(own, load, whole, [one for one in corners if isinstance(one, MeasuredVector)])
 
 
 class Corner(NamedTuple):
@@ -76,62 +71,29 @@ class Corner(NamedTuple):
     mirrored: float
 
 
-@dataclass(frozen=True)
-class _Diagram:
-    """A load diagram of our own sheet with its load."""
+def _corners(
+    own: OwnSheet, load: Force | Moment, whole: MeasuredVector, drawn: Sequence[MeasuredVector]
+) -> Iterator[FigureAsked]:
+    if not drawn:
+        return
+    law, first, step = list(_law(load)), drawn[0], whole.value.real / whole.scale
 
-    own: OwnSheet
-    plan: str
-    load: Force | Moment
-    marks: Mapping[str, MeasuredVector]
-    whole: MeasuredVector
-
-    def sizes(self, stroke: Stroke) -> Iterator[FigureAsked]:
-        """Give the stroke and its overruns, which are drawn to scale."""
-        length = abs(stroke.reach[1] - stroke.reach[0])
-        length = length if stroke.sliding else math.degrees(length)
-        due = {self.whole.name: length} | {
-            name: share * length for name, share in zip(OVERRUNS, self.load.overrun, strict=True) if name in self.marks
-        }
-        yield FigureAsked(
-            key=f"{self.plan} sizes", plan=self.plan, sheet=self.own.name, unit=self.whole.unit,
-            scales={self.whole.quantity: self.whole.scale},
-            items=tuple(Item(name, None, k, name) for k, name in enumerate(due)),
-            true=np.array(list(due.values()), dtype=np.complex128), slack=np.zeros(len(due)),
-            error=np.full(len(due), PRICKED), kind=LENGTHS, why=because("tool_stroke"),
-        )  # fmt: skip
-
-    def corners(self) -> Iterator[FigureAsked]:
-        """Give the ordinates at the corners of the load."""
-        drawn = {name: one for name, one in self.marks.items() if name not in (*WHOLE, *OVERRUNS)}
-        law = list(_law(self.load))
-        if not drawn:
-            return
-        first, step = next(iter(drawn.values())), self.whole.value.real / self.whole.scale
-        due = [self._corner(one, law, step) for one in drawn.values()]
-        shares = np.array([one.share for one in due])
-        feet: Values = np.asarray(complex(self.whole.start.real, first.start.imag) + shares * step)
-        yield FigureAsked(
-            key=self.plan, plan=self.plan, sheet=self.own.name, unit=first.unit,
-            scales={self.whole.quantity: self.whole.scale, first.quantity: first.scale},
-            units={self.whole.quantity: self.whole.unit},
-            items=tuple(Item(name, None, k, f"{first.quantity}({name})") for k, name in enumerate(drawn)),
-            true=1j * np.array([one.size for one in due]), slack=np.zeros(len(due)),
-            error=np.full(len(due), PRICKED), kind=ORDINATES, returns=True,
-            paper=self.own.over(self.plan, feet, shares * self._long), why=because("load"),
-            mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([one.mirrored for one in due])),),
-        )  # fmt: skip
-
-    @property
-    def _long(self) -> float:
-        """The stroke, m or rad."""
-        whole = self.whole.value.real
-        return math.radians(whole) if self.whole.name == SWING else whole
-
-    def _corner(self, mark: MeasuredVector, law: Sequence[Corner], step: float) -> Corner:
-        """Give the corner of the law that a mark of our own sheet is of: on paper the nearest."""
-        at = complex(mark.start.real - self.whole.start.real, mark.value.imag / mark.scale)
+    def of(mark: MeasuredVector) -> Corner:
+        """Give the corner that a mark of our own sheet is of: on paper the nearest."""
+        at = complex(mark.start.real - whole.start.real, mark.value.imag / mark.scale)
         return min(law, key=lambda one: abs(complex(one.share * step, one.size / mark.scale) - at))
+
+    due = [of(one) for one in drawn]
+    shares, long = np.array([one.share for one in due]), whole.value.real
+    feet: Values = np.asarray(complex(whole.start.real, first.start.imag) + shares * step)
+    yield from own.figure(
+        first.plan, first.plan, {(one.name, None): k for k, one in enumerate(drawn)},
+        1j * np.array([one.size for one in due]), kind=ORDINATES, returns=True, why=because("load"),
+        scales={whole.quantity: whole.scale, first.quantity: first.scale}, units={whole.quantity: whole.unit},
+        called=lambda mark: f"{mark.quantity}({mark.name})",
+        paper=own.over(first.plan, feet, shares * (math.radians(long) if whole.name == SWING else long)),
+        mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([one.mirrored for one in due])),),
+    )  # fmt: skip
 
 
 def _law(load: Force | Moment) -> Iterator[Corner]:
@@ -151,10 +113,11 @@ def figures_of_diagrams(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     if isinstance(comparison, DiagramsComparison):
         rows = {row.key: row for row in expected_rows(comparison)}
         speed = abs(study["linkage"].mechanism.drive.omega)
-        yield from (_figure(own, rows, key, speed) for key in shown)
+        for key in shown:
+            yield from _figure(own, rows, key, speed)
 
 
-def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> FigureAsked:
+def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> Iterator[FigureAsked]:
     row, plan = rows[key], named(key)
     marks, places = own.vectors(plan), {number: k for k, number in reversed(list(enumerate(row.axis.numbers)))}
     mu, above = next(iter(marks.values())).scale, _above(key)
@@ -167,11 +130,9 @@ def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: flo
         # Both ends of a chord over two positions are out; what their rise says of the derivative is out by so much.
         time = float(np.median(np.diff(row.axis.turned))) / speed
         error = np.full(len(row.at), float(np.hypot(PRICKED, PRICKED * seen[0].scale / (np.sqrt(2) * time * mu))))
-    return FigureAsked(
-        key=key, plan=plan, sheet=own.name, unit=next(iter(marks.values())).unit, scales={own.letter(plan, mu): mu},
-        items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
-        true=np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES, paper=paper,
-        behind=() if above is None else (above,), course=course, linear=above is not None,
+    yield from own.figure(
+        key, plan, by_number(marks, places), np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES,
+        paper=paper, behind=() if above is None else (above,), course=course, linear=above is not None,
         why=None if above is None else because("derivative_point"),
         loose=frozenset(np.flatnonzero(np.isnan(rows[VELOCITY].at)).tolist()),
     )  # fmt: skip
@@ -246,24 +207,17 @@ def figures_of_cyclogram(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
     """Give the bars of a machine's cyclogram (row of the table of records)."""
     found = study.comparison("cyclogram").analysis
     rows = machine_rows(found, study["cyclogram"].cams)
-    yield from bars(own, rows, found.positions[0].turned)
+    yield from bars(own)
     yield from rings(own, rows, found.sense)
 
 
-def bars(own: OwnSheet, rows: Sequence[Row], begin: float) -> Iterator[FigureAsked]:
-    """Give the bars of some rows, over an abscissa that begins at a turn."""
+def bars(own: OwnSheet) -> Iterator[FigureAsked]:
+    """Give the bars of a cyclogram's rows."""
     marks = {one.name: one for one in own.measured.vectors if one.plan == BARS}
-    true = {name: value for name, value in true_bars(rows, begin) if name in marks}
-    if not true:
-        return
-    first = next(iter(marks.values()))
-    feet = np.array([marks[name].start for name in true])
-    yield FigureAsked(
-        key=BARS, plan=BARS, sheet=own.name, unit=first.unit, scales={own.letter(BARS, first.scale): first.scale},
-        items=tuple(Item(name, None, k, name) for k, name in enumerate(true)), true=np.array(list(true.values())),
-        slack=np.zeros(len(true)), error=np.full(len(true), PRICKED), kind=CHAIN,
-        paper=own.ruled(BARS, feet), mistakes=tuple(_exchanged(true)),
-    )  # fmt: skip
+    true = {row.name: row.vector for row in own.due.values() if row.figure == BARS and row.name in marks}
+    places = {(name, None): k for k, name in enumerate(true)}
+    paper, mistakes = own.ruled(BARS, np.array([marks[name].start for name in true])), tuple(_exchanged(true))
+    yield from own.figure(BARS, BARS, places, kind=CHAIN, paper=paper, mistakes=mistakes, called=lambda mark: mark.name)
 
 
 def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:

@@ -22,6 +22,7 @@ from drawings.grading.curves.figure_records import (
     OwnSheet,
     Sizes,
     Values,
+    by_number,
 )
 from plans.analytic.dynamics.speeds import energy_at
 from plans.model.dynamics import TURN, Flywheel, Speeds, settled
@@ -194,18 +195,16 @@ def bare_speeds(own: OwnSheet, expected: Turn, exact: Turn) -> Iterator[FigureAs
     marks, before = own.vectors(BEFORE), expected.account.before
     if not marks or before is None:
         return
-    first, turned = next(iter(marks.values())), expected.cycle.turned
+    turned = expected.cycle.turned
     divisions, sure = expected.task.divisions, exact.account.before
     places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
     paper = own.paper(BEFORE, turned, dict(enumerate(places)))
     behind = (SURPLUS, INERTIA) if own.vectors(SURPLUS) and own.vectors(INERTIA) else ()
-    yield FigureAsked(
-        key=BEFORE, plan=BEFORE, sheet=own.name, unit=first.unit, scales={"ω": first.scale},
-        items=tuple(Item(one.name, k, places[k], f"{one.quantity}_{one.name}") for k, one in sorted(marks.items())),
-        true=np.asarray(1j * before.omega), slack=np.abs(before.omega - (before if sure is None else sure).omega),
-        error=np.full(len(turned), PRICKED), kind=ORDINATES, mistakes=tuple(_flywheeled(expected)),
-        paper=paper, why=because("speed_by_energy"),
-        behind=behind, course=Bare(before) if behind else None,
+    yield from own.figure(
+        BEFORE, BEFORE, by_number(marks, dict(enumerate(places))), np.asarray(1j * before.omega), kind=ORDINATES,
+        scales={"ω": next(iter(marks.values())).scale}, paper=paper, why=because("speed_by_energy"), behind=behind,
+        slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=tuple(_flywheeled(expected)),
+        course=Bare(before) if behind else None,
     )  # fmt: skip
 
 
