@@ -7,13 +7,14 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from drawings.checks.letters import Label, distance
+from drawings.checks.letters import Label, along, distance
 from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
-from drawings.grading.drawn_plan import DrawnPlan, letters, open_sides
+from drawings.grading.drawn_plan import DrawnPlan, open_sides
 from drawings.grading.seeing.onlooker import BEGIN, END, scales_of, spelled
 from drawings.grading.verdict import Verdict
+from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups, texts
 from plans.by_hand import SLIP
@@ -91,6 +92,7 @@ def _touch(one: Segment, other: Segment) -> bool:
 CLOSED = 2 * math.sqrt(2) * 4 * SLIP
 # mm: a letter that is farther from what it names, is not seen to be its own; a leader reaches so far.
 NEAR = 25.0
+BESIDE = 3.0  # mm by which a letter must be nearer to what is another's: lanes are so far apart
 UPRIGHT = 1e-3  # rad, by which an upright sheet may be turned
 
 
@@ -143,8 +145,7 @@ def drawing_faults(leaf: Leaf, labels: Mapping[str, Sequence[Label]], plan: Draw
     yield from gaps
     opened = {gap.name for gap in gaps}
     if upright:
-        own = (*_letters(labels, plan), *letters(labels, plan, NEAR))
-        yield from (one for one in own if one.name not in opened)
+        yield from (one for one in _letters(labels, plan) if one.name not in opened)
     yield from _outside(leaf, plan)
 
 
@@ -162,26 +163,39 @@ def _open(plan: DrawnPlan) -> Iterator[Verdict]:
             yield _of(plan, verdict.OPEN, letter)
 
 
+class _Bearer(NamedTuple):
+    """What bears a letter: an end of arrows at its place, or a vector that is lettered itself, all along."""
+
+    name: str
+    letter: str
+    spots: Sequence[complex]
+
+    def away(self, labels: Mapping[str, Sequence[Label]], letter: str) -> float:
+        """Give how far a letter is from it, mm."""
+        return distance(labels.get(letter, ()), self.spots)
+
+
 def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters that stand at the place of another, and those that are missing."""
-    places = {letter: spot for letter, spot in plan.places.items() if letter}
     titles = {one.end: one.title for one in plan.asked.vectors if not one.start and one.title}
-    for letter, spot in places.items():
-        near = distance(labels.get(spelled(titles.get(letter, letter)), ()), [spot])
-        if near > CLOSED and any(_takes(labels, places, letter, other) for other in places):
-            yield _of(plan, verdict.SWAPPED, letter)
-        elif near > NEAR:
-            yield _of(plan, verdict.UNLETTERED, letter)
+    places = plan.places.items()
+    ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places if letter]
+    free = [(one, plan.arrows[one.letters]) for one in plan.asked.vectors if one.letter and one.letters in plan.arrows]
+    seen = [(one, arrow) for one, arrow in free if abs(arrow.vector) > 2 * SEEN]
+    for own in (ends, [_Bearer(one.name, spelled(one.letter), along(*arrow)) for one, arrow in seen]):
+        for one in own:
+            away = one.away(labels, one.letter)
+            if away > CLOSED and any(_takes(labels, one, other) for other in own):
+                yield _of(plan, verdict.SWAPPED, one.name, one.spots)
+            elif away > NEAR:
+                yield _of(plan, verdict.UNLETTERED, one.name, one.spots)
 
 
-def _takes(labels: Mapping[str, Sequence[Label]], places: Mapping[str, complex], letter: str, other: str) -> bool:
-    """Tell whether two letters stand each at the other's place, and not at its own."""
-    if letter == other or abs(places[letter] - places[other]) <= CLOSED:
-        return False
-    ours, theirs = labels.get(spelled(letter), ()), labels.get(spelled(other), ())
-    here, there = [places[letter]], [places[other]]
-    crossed = distance(ours, there), distance(theirs, here)
-    return max(crossed) <= NEAR and crossed[0] < distance(ours, here) and crossed[1] < distance(theirs, there)
+def _takes(labels: Mapping[str, Sequence[Label]], one: _Bearer, other: _Bearer) -> bool:
+    """Tell whether two letters stand each close to what bears the other, and farther from its own."""
+    crossed = other.away(labels, one.letter), one.away(labels, other.letter)
+    kept = one.away(labels, one.letter), other.away(labels, other.letter)
+    return max(crossed) <= NEAR and all(there + BESIDE < here for there, here in zip(crossed, kept, strict=True))
 
 
 def _outside(leaf: Leaf, plan: DrawnPlan) -> Iterator[Verdict]:
@@ -198,7 +212,7 @@ def _is_on(leaf: Leaf, spot: complex) -> bool:
     return 0 <= spot.real <= leaf.width and 0 <= spot.imag <= leaf.height
 
 
-def _of(plan: DrawnPlan, kind: str, letter: str = "") -> Verdict:
-    spot = plan.places.get(letter)
-    asked = plan.asked
-    return Verdict(asked.plan, asked.position, letter, kind, at=None if spot is None else (spot, spot))
+def _of(plan: DrawnPlan, kind: str, letter: str = "", spots: Sequence[complex] = ()) -> Verdict:
+    own = spots or [spot for name, spot in plan.places.items() if name == letter]
+    middle = (own[0] + own[-1]) / 2 if own else None
+    return Verdict(*plan.asked.place, letter, kind, at=None if middle is None else (middle, middle))

@@ -7,10 +7,8 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import NamedTuple
 
-from drawings.checks.letters import Label, along, distance
 from drawings.grading import verdict
 from drawings.grading.asked import Asked, PlanAsked, ends_of, is_free
-from drawings.grading.seeing.onlooker import spelled
 from drawings.grading.verdict import Verdict
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
@@ -137,7 +135,6 @@ def _brought(arrow: Arrow, by: Affine) -> Arrow:
 
 
 LANE = 60.0  # mm: a side that is drawn further beside its place is not there
-BESIDE = 3.0  # mm by which a letter must be nearer to another's arrow: lanes are so far apart
 
 
 class _Side(NamedTuple):
@@ -202,36 +199,3 @@ def _chained(sides: Sequence[_Side], near: float) -> bool:
 def _joined(one: _Side, other: _Side, near: float) -> bool:
     gap = other.arrow.start - one.arrow.end
     return any(side.fits([gap], near) for side in (one, other) if side.length) or abs(gap) <= near
-
-
-def letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan, near: float) -> Iterator[Verdict]:
-    """Name the vectors whose letters are missing, or stand at each other's arrows, `near` mm at the most."""
-    shown = [(one, along(*arrow)) for one, arrow in _seen(plan)]
-    for one, spots in shown:
-        if any(_crossed(labels, (one, spots), other) for other in shown):
-            yield _said(plan, one, verdict.SWAPPED)
-        elif not distance(labels.get(spelled(one.letter), ()), spots) <= near:
-            yield _said(plan, one, verdict.UNLETTERED)
-
-
-def _seen(plan: DrawnPlan) -> Iterator[tuple[Asked, Arrow]]:
-    for one in plan.asked.vectors:
-        arrow = plan.arrows.get(one.letters) if one.letter else None
-        if arrow is not None and abs(arrow.vector) > 2 * SEEN:
-            yield one, arrow
-
-
-def _crossed(
-    labels: Mapping[str, Sequence[Label]], one: tuple[Asked, list[complex]], other: tuple[Asked, list[complex]]
-) -> bool:
-    """Tell whether the letters of two arrows stand close to each other's, and further from their own."""
-    ours, theirs = labels.get(spelled(one[0].letter), ()), labels.get(spelled(other[0].letter), ())
-    crossed = distance(ours, other[1]), distance(theirs, one[1])
-    kept = distance(ours, one[1]), distance(theirs, other[1])
-    return all(there + BESIDE < here for there, here in zip(crossed, kept, strict=True))
-
-
-def _said(plan: DrawnPlan, one: Asked, kind: str) -> Verdict:
-    asked, arrow = plan.asked, plan.arrows[one.letters]
-    middle = (arrow.start + arrow.end) / 2
-    return Verdict(asked.plan, asked.position, one.name, kind, at=(middle, middle))
