@@ -10,6 +10,7 @@ from drawings.grading.drawing_faults import JOINED
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.marking import Place
 from drawings.lettering.extent import bounds
+from drawings.measure.pathdata import number
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
 from geometry.board import Mark
@@ -59,12 +60,13 @@ CORNERS = 8  # lines, two to a corner, with which such a group begins
 
 
 class FormPlace(NamedTuple):
-    """The place of a plan on a form: its pole, if it has one, and its corners, mm."""
+    """The place of a plan on a form: its pole, if it has one, and its corners, mm; its scale, true units a mm."""
 
     plan: Place
     pole: complex | None
     low: complex
     high: complex
+    scale: float = 1.0
 
     def away(self, text: Text) -> float:
         """Give how far a text is from the middle of its upper edge, over which its heading stands; none within it."""
@@ -78,10 +80,7 @@ class FormPlace(NamedTuple):
 
     def holds(self, spots: Sequence[complex]) -> bool:
         """Tell whether most of some spots lie within its corners."""
-        within = [
-            self.low.real <= one.real <= self.high.real and self.low.imag <= one.imag <= self.high.imag for one in spots
-        ]
-        return 2 * sum(within) > len(spots)
+        return 2 * sum(self.off(one) == 0 for one in spots) > len(spots)
 
 
 def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
@@ -110,7 +109,8 @@ def _places(leaf: Leaf) -> Iterator[FormPlace]:
         own = (poles[0] if poles else group).data
         plan = own.get("plan", ""), _position(own.get("position", ""))
         pole = next((one.centre for one in (poles[0].strokes if poles else ()) if isinstance(one, Circle)), None)
-        yield FormPlace(plan, pole, complex(left, low), complex(right, high))
+        scale = number(group.data.get("scale", "1"))
+        yield FormPlace(plan, pole, complex(left, low), complex(right, high), scale)
 
 
 def _position(text: str) -> int | None:

@@ -103,14 +103,15 @@ class _Found(NamedTuple):
 
 def grade(source: bytes, task: SheetTask, by: Allowances) -> Graded:
     """Grade one sheet; one that cannot be read has the reason."""
-    return _graded(source, task, by)._replace(digest=sha256(source).hexdigest())
+    try:
+        graded = _graded(source, task, by)
+    except SheetRefused as refused:
+        graded = Graded(UNREAD, reason=message("grade.refused", reason=refused.reason))
+    return graded._replace(digest=sha256(source).hexdigest())
 
 
 def _graded(source: bytes, task: SheetTask, by: Allowances) -> Graded:
-    try:
-        seen, onlooker = _seen(source)
-    except SheetRefused as refused:
-        return Graded(UNREAD, reason=message("grade.refused", reason=refused.reason))
+    seen, onlooker = _seen(source)
     tables = tables_drawn(seen, task.tables)
     found = _Found(plans_drawn(seen, onlooker, task.plans), figures_drawn(seen, task.curves), tables)
     if _is_bare(seen, found, task):

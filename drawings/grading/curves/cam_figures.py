@@ -222,7 +222,7 @@ class _Sheet:
             yield from self.own.figure(f"profile {name}", PROFILE, places, own[name], mistakes=mistakes)
         if curve == "P":
             normals = {("Q", k): k for k in range(count)}
-            yield from self.own.figure("profile normals", PROFILE, normals, error=np.full(count, 2 * PRICKED))
+            yield from self.own.figure("profile normals", PROFILE, normals, error=2 * PRICKED)
         lengths, vectors = ({(name, None): k for k, name in enumerate(own)} for own in (("R_0", "ρ_min"), ("e", "L")))
         yield from self.own.figure("profile lengths", PROFILE, lengths, kind=LENGTHS)
         yield from self.own.figure("profile vectors", PROFILE, vectors)

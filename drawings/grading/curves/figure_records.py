@@ -182,22 +182,22 @@ class OwnSheet(NamedTuple):
 
         `true` are the values at all places, where more of them are known than are marked; `called` names a mark.
         """
-        marks = self.marks(plan)
-        places = {own: k for k, own in enumerate(marks)} if places is None else places
-        own, called = {one: marks[one] for one in places if one in marks}, how.pop("called", named_by_quantity)
+        marks, called = self.marks(plan), how.pop("called", named_by_quantity)
+        own = {one: marks[one] for one in (marks if places is None else places) if one in marks}
         if not own:
             return
-        values = np.zeros(len(places), dtype=np.complex128) if true is None else true.copy()
+        if places is None or true is None:
+            places = {one: k for k, one in enumerate(own)}
+        values = np.zeros(len(own), dtype=np.complex128) if true is None else true.copy()
         for one, mark in own.items():
             row = self.due.get((MARKS[type(mark)], plan, *one))
             if row is not None and (true is None or how.get("kind") not in SIZED) and math.isfinite(row.allowed):
                 values[places[one]] = row.vector
         first = next(iter(own.values()))
-        scales = {self.letter(plan, first.scale): first.scale}
-        plain: dict[str, Any] = {"unit": first.unit, "scales": scales, "error": np.full(len(values), PRICKED)}
-        plain |= {"slack": np.zeros(len(values)), **how}
+        plain = {"unit": first.unit, "scales": {self.letter(plan, first.scale): first.scale}, "slack": 0.0, **how}
+        sizes = {name: np.broadcast_to(plain.get(name, PRICKED), len(values)) for name in ("slack", "error")}
         items = tuple(Item(one[0], one[1], places[one], called(mark)) for one, mark in own.items())
-        yield FigureAsked(key=key, plan=plan, sheet=self.name, items=items, true=values, **plain)
+        yield FigureAsked(key=key, plan=plan, sheet=self.name, items=items, true=values, **plain | sizes)
 
     def vectors(self, plan: str) -> dict[int, MeasuredVector]:
         """Give the ordinates of a graph by their positions."""

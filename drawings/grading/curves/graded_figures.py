@@ -17,9 +17,12 @@ from drawings.grading.curves.figure_judge import FigureJudge
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.curves.form.form_figure import from_form, line_on_form
 from drawings.grading.drawn_plan import Arrow
+from drawings.grading.plans_on_form import paired
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Circle, Line
 from drawings.paper.walk import flat
+
+OPPOSITE = 2.0  # how far ways are apart that lead to opposite sides: no ray is farther from any
 
 
 class Rings(NamedTuple):
@@ -83,38 +86,18 @@ def _radial(near: complex, far: complex) -> bool:
 
 
 def _paired(rays: Values, dues: Sequence[Values]) -> Values:
-    """Give each bearing that is due the ray that is its, in their order round: as they are nearest; NaN for none.
+    """Give each bearing that is due the ray that is its: all together as near as they can be; NaN for none.
 
     >>> _paired(np.array([1j, 1 + 0j]), [np.array([2 + 0.1j, 2j])]).tolist()
     [(1+0j), 1j]
     """
-    best, found = np.inf, np.full(len(dues[0]), complex(np.nan, np.nan))
+    found = []
     for due in dues:
-        ways = due / np.abs(due)
-        own = _round(rays, ways) if len(rays) == len(ways) else _nearest(rays, ways)
-        off = float(np.nan_to_num(np.abs(own - ways), nan=2.0).sum())
-        if off < best:
-            best, found = off, own
-    return found
-
-
-def _round(rays: Values, ways: Values) -> Values:
-    """Pair as many rays as ways one with another round the circle."""
-    order, due = np.argsort(np.angle(rays)), np.argsort(np.angle(ways))
-    found = np.empty(len(ways), dtype=np.complex128)
-    turns = [np.abs(np.roll(rays[order], k) - ways[due]).sum() for k in range(len(ways))]
-    found[due] = np.roll(rays[order], int(np.argmin(turns)))
-    return found
-
-
-def _nearest(rays: Values, ways: Values) -> Values:
-    """Pair each way with the ray nearest to it that is nearer to no other way."""
-    found = np.full(len(ways), complex(np.nan, np.nan))
-    for ray in rays.tolist():
-        k = int(np.abs(ways - ray).argmin())
-        if np.isnan(found[k]) or abs(ray - ways[k]) < abs(found[k] - ways[k]):
-            found[k] = ray
-    return found
+        ways, none = due / np.abs(due), np.full(len(due), complex(np.nan, np.nan))
+        costs = np.hstack([np.abs(ways[:, None] - rays), np.full((len(ways), len(ways)), OPPOSITE)])
+        columns = paired(costs.tolist())
+        found.append((float(costs[np.arange(len(ways)), columns].sum()), np.append(rays, none)[columns]))
+    return min(found, key=lambda one: one[0])[1]
 
 
 def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tuple[DrawnFigure, ...]]:

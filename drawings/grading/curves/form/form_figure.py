@@ -11,8 +11,9 @@ from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, Frame, away, chains, foot, heights
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.drawn_plan import Arrow
+from drawings.grading.form_places import form_places
 from drawings.grading.seeing.onlooker import stated_scales
-from drawings.paper.strokes import Circle, Group, Line
+from drawings.paper.strokes import Group, Line
 from drawings.paper.walk import flat, groups, texts
 
 FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
@@ -188,25 +189,11 @@ def _on_axes(asked: FigureAsked, seen: SeenSheet) -> Place | None:
 
 def _in_place(asked: FigureAsked, seen: SeenSheet) -> Place | None:
     """Give the place of a figure that has a pole: the curves within the corners of it, by the scale of the form."""
-    own = next((one for one in groups(seen.leaf.groups) if _is(one, "place", asked.plan)), None)
-    pole = next((one for one in groups(seen.leaf.groups) if _is(one, "pole", asked.plan)), None)
-    if own is None or pole is None:
+    own = next((one for one in form_places(seen.leaf) if one.plan[0] == asked.plan), None)
+    if own is None or own.pole is None:
         return None
-    centre = next((one.centre for one in flat((pole,)) if isinstance(one, Circle)), None)
-    corners = np.array([end for one in flat((own,)) if isinstance(one, Line) for end in (one.start, one.end)])
-    if centre is None or not corners.size:
-        return None
-    low, high = complex(corners.real.min(), corners.imag.min()), complex(corners.real.max(), corners.imag.max())
-    inside = (
-        one
-        for one in _drawn(seen)
-        if low.real <= one.real.mean() <= high.real and low.imag <= one.imag.mean() <= high.imag
-    )
-    return Place(centre, {letter: float(own.data["scale"]) for letter in asked.scales}, tuple(inside))
-
-
-def _is(group: Group, kind: str, plan: str) -> bool:
-    return group.data.get("kind") == kind and group.data.get("plan") == plan
+    inside = tuple(one for one in _drawn(seen) if own.off(complex(one.real.mean(), one.imag.mean())) == 0)
+    return Place(own.pole, dict.fromkeys(asked.scales, own.scale), inside)
 
 
 def _drawn(seen: SeenSheet) -> Iterator[Values]:
