@@ -30,7 +30,6 @@ from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
 from tests.drawings.curve_draughtsman import drawings
 from tests.drawings.curve_students import CurveTask, curve_task, made
-from tests.gallery import SCENES
 from tests.mistakes import mistakes
 from tests.rows import over
 
@@ -38,7 +37,6 @@ HAND = Allowances()
 SHARE = Allowances(Allowance(share=0.02))
 CASES = Path(__file__).parents[1] / "cases"
 MISTAKES = mistakes("curve_mistakes")
-DAILY = [next(row for row in MISTAKES if row["scene"] == "slider-crank")]
 
 
 def said(own: CurveTask, source: bytes) -> list[str]:
@@ -57,16 +55,6 @@ def ours_are_right(own: CurveTask, ways: tuple[Allowances, ...] = (HAND, Allowan
             assert len(graded.verdicts) == sum(len(one.items) for one in due)
 
 
-def test_our_own_graphs_are_right() -> None:
-    ours_are_right(curve_task("slider-crank"), (Allowances(EXACT),))
-
-
-@pytest.mark.rest
-@over("scene", [path.stem for path in SCENES])
-def test_our_own_graphs_of_every_scene_are_right(scene: str) -> None:
-    ours_are_right(curve_task(scene))
-
-
 @pytest.mark.rest
 def test_a_curve_may_end_before_a_dead_centre() -> None:
     originals = Originals(CASES / "alarms" / "curve-short-of-a-dead-centre.toml")
@@ -83,17 +71,6 @@ def test_a_share_is_of_the_largest_value_that_is_known() -> None:
 def found(row: dict[str, Any]) -> None:
     own = curve_task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
-
-
-@over("row", DAILY)
-def test_a_mistake_of_a_curve_is_named_and_costs_once(row: dict[str, Any]) -> None:
-    found(row)
-
-
-@pytest.mark.rest
-@over("row", [row for row in MISTAKES if row not in DAILY])
-def test_a_mistake_of_any_curve_is_named_and_costs_once(row: dict[str, Any]) -> None:
-    found(row)
 
 
 @pytest.mark.rest

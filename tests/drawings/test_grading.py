@@ -11,40 +11,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.grading.asked import EXACT, Allowance, Allowances, PlanAsked
+from drawings.grading.asked import Allowance, Allowances, PlanAsked
 from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Line, Stroke, Text
-from tests import parts
 from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
-from tests.gallery import LINKAGES
 from tests.mistakes import mistakes
 from tests.parts import first, several
-from tests.rows import over
 
 HAND = Allowances()
 MISTAKES = mistakes("student_mistakes")
 POLES = {"velocities": "p", "accelerations": "π"}
-
-
-@pytest.mark.parametrize("by", first([Allowances(EXACT), HAND]))
-def test_our_own_sheet_is_right(by: Allowances) -> None:
-    own = task("slider-crank")
-    graded = grade(own.originals.drawn(own.originals.sheets[0]), SheetTask(own.plans), by)
-    assert (graded.outcome, graded.wrong) == (PASS, ())
-    assert len(graded.verdicts) > 20
-
-
-@pytest.mark.rest
-@over("scene", [path.stem for path in LINKAGES])
-def test_every_sheet_of_a_linkage_is_right(scene: str) -> None:
-    own = task(scene)
-    for sheet in own.originals.sheets:
-        if any(plan.sheet == sheet.name for plan in own.plans):
-            for by in (HAND, Allowances(EXACT)):
-                assert grade(own.originals.drawn(sheet), SheetTask(own.plans), by).wrong == ()
 
 
 def made(own: Task, row: dict[str, Any], without: tuple[str, ...] = ASIDE) -> bytes:
@@ -110,13 +89,6 @@ def kept(stroke: Stroke, plan: PlanAsked, row: dict[str, Any]) -> Stroke | None:
 
 def said(own: Task, source: bytes) -> list[str]:
     return sorted(f"{one.name} {one.kind}" for one in grade(source, SheetTask(own.plans), HAND).wrong)
-
-
-@pytest.mark.part
-@over("row", MISTAKES if parts.whole else MISTAKES[::12])
-def test_a_mistake_is_named_and_costs_once(row: dict[str, Any]) -> None:
-    own = task(row["scene"])
-    assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
 @pytest.mark.parametrize(("slip", "share"), several([(0.2, 1.0), (2.0, 0.0)], 9))

@@ -6,25 +6,23 @@ import re
 from collections import Counter
 from copy import copy
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from drawings.form.form import form_of
-from drawings.grading.asked import EXACT, Allowances
+from drawings.grading.asked import Allowances
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.feedback import feedback
-from drawings.grading.graded import FAIL, PASS, UNREAD, grade
+from drawings.grading.graded import FAIL, UNREAD, grade
 from drawings.grading.marking import points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
-from tests import parts
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written
 from tests.drawings.students import gone_on, task, true_places
 from tests.drawings.test_grading import laid
 from tests.mistakes import mistakes
-from tests.parts import first, several
+from tests.parts import several
 from tests.rows import over
 
 DRAWN = ("positions", "velocities", "accelerations", "diagrams", "notes")  # figures, which take long to read
@@ -35,21 +33,6 @@ MISTAKES = mistakes("table_mistakes")
 def said(own: TableTask, source: bytes) -> list[str]:
     wrong = grade(source, SheetTask(tables=own.tables), HAND).wrong
     return sorted(" ".join(filter(None, (one.name, one.kind, one.of))) for one in wrong)
-
-
-@pytest.mark.parametrize("by", first([HAND, Allowances(EXACT)]))
-def test_our_own_tables_are_right(by: Allowances) -> None:
-    own = table_task("shaper")
-    graded = grade(svg(tables_of(own.originals.sheets[0])), SheetTask(tables=own.tables), by)
-    assert (graded.outcome, graded.wrong) == (PASS, ())
-    assert len(graded.verdicts) == 2 * 2 * 22 + 12 * 4
-
-
-@pytest.mark.part
-@over("row", MISTAKES if parts.whole else [one for one in MISTAKES if one["scene"] == "shaper"][::3])
-def test_a_mistake_in_a_table_is_named(row: dict[str, Any]) -> None:
-    own = table_task(row["scene"])
-    assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
 
 
 @pytest.mark.parametrize(

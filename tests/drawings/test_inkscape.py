@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.drawings import test_curve_grading, test_grading, test_grading_vectors
+from tests.drawings import cell_students, test_curve_grading, test_grading
 from tests.drawings.curve_students import curve_task
 from tests.drawings.students import task
+from tests.drawings.test_graded_mistakes import TABLES, Table
 
 INKSCAPE = shutil.which("inkscape")
 pytestmark = [pytest.mark.deep, pytest.mark.skipif(not INKSCAPE, reason="needs Inkscape")]
@@ -74,30 +74,18 @@ def test_our_own_graphs_are_right(tmp_path: Path) -> None:
         assert names == [], way
 
 
-TABLES = (
-    (test_grading.MISTAKES, task, test_grading.made, test_grading.said),
-    (test_grading_vectors.MISTAKES, task, test_grading_vectors.made, test_grading_vectors.said),
-    (test_curve_grading.MISTAKES, curve_task, test_curve_grading.made, test_curve_grading.said),
-)
 # What leaves a sheet on its paper, whatever its format, and its data on its lines.
 KEPT = ("as it is", "in one group", "in no groups", "moved and regrouped")
-ROWS = [(row, *own) for rows, *own in TABLES for row in rows]
+ROWS = [(row, own) for own in TABLES.values() if own.made is not cell_students.made for row in own.rows]
 
 
 @pytest.mark.parametrize(
-    ("number", "row", "set_", "made", "said"), [(k, *row) for k, row in enumerate(ROWS)],
-    ids=[f"{row[0]['scene']}: {row[0]['name']}" for row in ROWS],
+    ("number", "row", "table"), [(k, *row) for k, row in enumerate(ROWS)],
+    ids=[f"{row['scene']}: {row['name']}" for row, _ in ROWS],
 )  # fmt: skip
-def test_a_mistake_is_named_as_before(
-    tmp_path: Path,
-    number: int,
-    row: dict[str, Any],
-    set_: Callable[[str], Any],
-    made: Callable[..., bytes],
-    said: Callable[..., list[str]],
-) -> None:
-    own = set_(row["scene"])
+def test_a_mistake_is_named_as_before(tmp_path: Path, number: int, row: dict[str, Any], table: Table) -> None:
+    own = table.set_(row["scene"])
     way = KEPT[number % len(KEPT)]
-    source = saved(made(own, row), tmp_path, WAYS[way], plain=bool(number % 2))
-    names = said(own, source)
+    source = saved(table.made(own, row), tmp_path, WAYS[way], plain=bool(number % 2))
+    names = table.said(own, source)
     assert names == sorted(row["says"]), way

@@ -1,0 +1,81 @@
+"""Grading over all techniques: a scene's own sheets are right, each mistake of the tables is named and costs once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import pytest
+
+from drawings.grading.asked import EXACT, Allowance, Allowances
+from drawings.grading.graded import PASS, grade
+from drawings.grading.sheet_task import SheetTask, sheet_task
+from drawings.original.originals import Original, Originals
+from tests import parts
+from tests.drawings import cell_students, curve_students, students
+from tests.drawings import test_curve_grading as curves
+from tests.drawings import test_grading as plans
+from tests.drawings import test_grading_tables as tables
+from tests.drawings import test_grading_vectors as polygons
+from tests.gallery import GALLERY, SCENES
+from tests.parts import first
+from tests.rows import over
+
+WAYS = (Allowances(), Allowances(EXACT), Allowances(Allowance(share=0.02)))
+
+
+class Table(NamedTuple):
+    """A table of mistakes: how its scenes are set, a mistake made and told; the scene and share of every day."""
+
+    rows: list[dict[str, Any]]
+    set_: Callable[[str], Any]
+    made: Callable[..., bytes]
+    said: Callable[..., list[str]]
+    scene: str
+    every: int
+
+    @property
+    def daily(self) -> list[dict[str, Any]]:
+        """The rows of every day, or with --whole all."""
+        return self.rows if parts.whole else [row for row in self.rows if row["scene"] == self.scene][:: self.every]
+
+
+TABLES = {
+    "plans": Table(plans.MISTAKES, students.task, plans.made, plans.said, "shaper", 12),
+    "polygons": Table(polygons.MISTAKES, students.task, polygons.made, polygons.said, "fan", 1),
+    "tables": Table(tables.MISTAKES, cell_students.table_task, cell_students.made, tables.said, "shaper", 3),
+    "curves": Table(curves.MISTAKES, curve_students.curve_task, curve_students.made, curves.said, "slider-crank", 9),
+}
+
+
+@pytest.mark.part
+@pytest.mark.parametrize("name", TABLES)
+def test_a_mistake_is_named_and_costs_once(name: str) -> None:
+    own = TABLES[name]
+
+    @over("row", own.daily)
+    def named(row: dict[str, Any]) -> None:
+        given = own.set_(row["scene"])
+        assert own.said(given, own.made(given, row)) == sorted(row["says"])
+
+    named()
+
+
+def due(task: SheetTask, sheet: Original) -> int:
+    """Count what a sheet is asked for."""
+    drawn = [plan for plan in task.plans if plan.sheet == sheet.name]
+    cells = [cell for table in task.tables for cell in table.cells.values() if cell.sheet == sheet.name]
+    shown = sum(len(plan.vectors) + len(plan.senses) + len(plan.turns) for plan in drawn)
+    return shown + len(cells) + sum(len(one.items) for one in task.curves if one.sheet == sheet.name)
+
+
+@pytest.mark.parametrize("scenes", first([["slider-crank"], [path.stem for path in SCENES]], ["one", "all"]))
+def test_our_own_sheets_are_right(scenes: list[str]) -> None:
+    for scene in scenes:
+        originals = Originals(GALLERY / f"{scene}.toml")
+        task = sheet_task(originals)
+        for sheet in (one for one in originals.sheets if one.name in task.sheets):
+            for by in WAYS:
+                graded = grade(originals.drawn(sheet), task, by)
+                assert (graded.outcome, graded.wrong) == (PASS, ()), sheet.name
+                assert len(graded.verdicts) == due(task, sheet) > 0, sheet.name
