@@ -196,8 +196,10 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
         return whole
     here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
     left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
+    by = seen.measured.moved.p
+    upright = abs(by) / by
     labels, words = spelled_labels(seen.leaf.groups), list(texts(seen.leaf.groups))
-    return (*whole, *plans_on_form(left, figures(lines), words, labels, places))
+    return (*whole, *plans_on_form(left, figures(lines), words, labels, places, upright))
 
 
 def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iterator[Verdict]:

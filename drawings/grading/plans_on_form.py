@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import cmath
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple
 
@@ -14,7 +13,6 @@ from drawings.grading.drawing_faults import JOINED, Segment, scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
 from drawings.grading.form_places import FormPlace, place_of
 from drawings.grading.seeing.onlooker import spelled
-from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Box, Text
 
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
@@ -46,8 +44,9 @@ def plans_on_form(
     texts: Sequence[Text],
     labels: Mapping[str, Sequence[Label]],
     places: Sequence[FormPlace],
+    turn: complex = 1 + 0j,
 ) -> Iterator[DrawnPlan]:
-    """Find plans by their places: all arrows that are drawn there are of the plan."""
+    """Find plans by their places: all arrows that are drawn there are of the plan, laid upright by a `turn`."""
     due = {plan.place: plan for plan in asked if plan.lettered}
     own: dict[FormPlace, list[Segment]] = {}
     for joined in figures:
@@ -56,7 +55,7 @@ def plans_on_form(
             own.setdefault(here, []).extend(joined)
     for here, arrows in own.items():
         plan = due[here.plan]
-        drawn = _drawn(plan, arrows, texts, labels, here)
+        drawn = _drawn(plan, arrows, texts, labels, here, turn)
         free = all(one.letter for one in plan.vectors)
         if len(drawn.arrows) >= (max(LEAST, len(plan.vectors) / 2) if free else 1):
             yield drawn
@@ -68,11 +67,10 @@ def _drawn(
     texts: Sequence[Text],
     labels: Mapping[str, Sequence[Label]],
     place: FormPlace,
+    turn: complex,
 ) -> DrawnPlan:
-    """Give the plan that arrows are, laid as its letters are upright."""
-    scale, names = scale_at(place, texts, plan), {spelled(name) for name in (*plan.letters, *_letters(plan))}
-    own = [text for text in texts if spelled(text.plain) in names]
-    turn = turn_of(own, lambda text: min(_distance(bounds(text), one) for one in arrows))
+    """Give the plan that arrows are."""
+    scale = scale_at(place, texts, plan)
     found = _told(plan, arrows, labels, (scale or 0.0) * turn)
     drawn = {letters: Arrow(one.arrow.start, one.arrow.end) for letters, one in found.items()}
     hung = {letters: one.laid for letters, one in found.items() if letters[0]}
@@ -80,11 +78,6 @@ def _drawn(
     both = tuple(_both_ways([one.arrow for one in found.values()], drawn, arrows))
     mu, spots = scale or bare.fitted, places_of(hung)
     return DrawnPlan(plan, drawn, mu, spots, scale is not None, turn, lettered=True, doubled=both)
-
-
-def _letters(plan: PlanAsked) -> Iterator[str]:
-    """Give the letters of the vectors of a plan that stand beside them."""
-    return (one.letter for one in plan.vectors if one.corners)
 
 
 def _both_ways(
@@ -145,12 +138,6 @@ def scale_at(place: FormPlace, texts: Sequence[Text], plan: PlanAsked) -> float 
     """Give the scale that is written nearest to the place of a plan, true units a mm; None where none is near."""
     near = min(((place.away(text), mu) for text, mu in scales_written(texts, plan)), default=(math.inf, 0.0))
     return near[1] if near[0] <= HEADING else None
-
-
-def turn_of(own: Sequence[Text], away: Callable[[Text], float]) -> complex:
-    """Give what lays a figure upright whose page is turned: as the nearest of its letters stands."""
-    turn = min(own, key=away).rotation if own else 0.0
-    return cmath.rect(1.0, -math.radians(turn))
 
 
 def _distance(box: Box, arrow: Segment) -> float:
