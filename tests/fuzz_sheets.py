@@ -26,7 +26,7 @@ from drawings.files.file_error import json_text
 from drawings.grading import told
 from drawings.grading.asked import EXACT, Allowances
 from drawings.grading.feedback import feedback, is_plain
-from drawings.grading.graded import MARKED, grade
+from drawings.grading.graded import grade
 from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import hints
@@ -80,7 +80,7 @@ def handed_in(own: Originals, name: str, source: bytes, _: Path) -> str:
         json_text(told.plain(Path(name), graded, Marking(), language))
         list(told.lines(Path(name), graded, Marking(), steps, language))
         told.row(Path(name), graded, Marking(), language)
-        if graded.outcome in MARKED and is_plain(source):
+        if graded.reason is None and is_plain(source):
             feedback(Path(name), source, graded, steps, language)
     return f"grade: {graded.outcome}"
 
