@@ -28,10 +28,8 @@ from drawings.grading.told import lines
 from drawings.original.originals import Originals
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
-from tests.drawings.curve_draughtsman import drawings
 from tests.drawings.curve_students import CurveTask, curve_task, made
 from tests.mistakes import mistakes
-from tests.rows import over
 
 HAND = Allowances()
 SHARE = Allowances(Allowance(share=0.02))
@@ -71,15 +69,6 @@ def test_a_share_is_of_the_largest_value_that_is_known() -> None:
 def found(row: dict[str, Any]) -> None:
     own = curve_task(row["scene"])
     assert said(own, made(own, row)) == sorted(row["says"]), row["name"]
-
-
-@pytest.mark.rest
-@over("scene", ["planer", "press", "compressor", "feed-cam", "valve-cam", "rocker-cam", "slider-crank", "shaper-feed"])
-def test_a_fair_hand_is_accepted_and_a_poor_one_refused(scene: str) -> None:
-    figures = curve_task(scene).figures
-    for slip, accepted in ((0.2, 20), (2.0, 0)):
-        told = drawings(figures, slip, 20)
-        assert sum(all(one.good for one in verdicts) for verdicts in told) == accepted
 
 
 def on_form(own: CurveTask, heights: dict[str, float], scaled: bool = True) -> bytes:

@@ -8,13 +8,16 @@ from drawings.grading import asked
 from tests.gallery import SCENES
 from tests.hands.trial import of_scene
 from tests.parts import first
+from tests.rows import over
 
 SMALL = "four-masses"
+FEW = [SMALL, "four-bar-balance", "four-cylinder-bank", "press", "shaper-loaded"]
 
 
 @pytest.mark.rest
-def test_a_scene_is_graded_as_the_tolerance_says() -> None:
-    assert [fault for one in of_scene(SMALL) for fault in one.faults] == []
+@over("scene", FEW)
+def test_a_scene_is_graded_as_the_tolerance_says(scene: str) -> None:
+    assert [fault for one in of_scene(scene) for fault in one.faults] == []
 
 
 @pytest.mark.deep
