@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from drawings.commands import cli
 from drawings.grading.asked import Allowances
 from drawings.grading.graded import UNREAD, grade
 from drawings.grading.sheet_task import SheetTask
-from tests.drawings.form_students import form_leaf, on_form
+from tests.drawings.form_students import form_leaf, on_form, polygon_on_form
 from tests.drawings.students import Task, task
 from tests.gallery import GALLERY
 
@@ -35,21 +36,28 @@ def of(own: Task) -> str:
     ],
     ids=["a second arrow back", "heads at both ends"],
 )
-def test_arrows_that_go_both_ways_answer_nothing(own: Task, how: object) -> None:
-    plan = next(plan for plan in own.plans if plan.plan == "velocities")
-    source = on_form(form_leaf("slider-crank"), [plan], plan.scales[plan.plan]).decode()
+@pytest.mark.parametrize(("scene", "name"), [("slider-crank", "velocities"), ("fan", "couples")])
+def test_arrows_that_go_both_ways_answer_nothing(scene: str, name: str, how: Callable[[str], str]) -> None:
+    own, leaf = task(scene), form_leaf(scene)
+    plan = next(plan for plan in own.plans if plan.plan == name)
+    free = bool(plan.vectors[0].letter)
+    source = (polygon_on_form(leaf, plan, 0.8) if free else on_form(leaf, [plan], plan.scales[name])).decode()
     path = re.search(r"<path [^>]*marker-end[^>]*>", source)
-    assert path is not None and callable(how)
-    graded = grade(source.encode(), SheetTask(own.plans), HAND)
-    assert graded.reason is None
-    graded = grade(source.replace(path[0], how(path[0])).encode(), SheetTask(own.plans), HAND)
-    told = [(one.kind, one.of) for one in graded.verdicts if (one.plan, one.position) == plan.place]
-    assert told == [("doubled", " ".join(plan.vectors[0].letters))]  # and nothing of it is right
+    assert path is not None
+    both = (source, source.replace(path[0], how(path[0])))
+    first, again = (grade(text.encode(), SheetTask(own.plans), HAND) for text in both)
+    assert "doubled" not in {one.kind for one in first.verdicts}
+    told = [(one.kind, one.of) for one in again.verdicts if (one.plan, one.position) == plan.place]
+    assert told == [("doubled", " ".join(filter(None, plan.vectors[0].letters)))]  # and nothing of it is right
 
 
 def back(path: str) -> str:
     """Draw an arrow's way back."""
-    return re.sub(r'd="M (\S+) L ([^"]+)"', r'd="M \2 L \1"', path)
+    by = re.search(r'd="m (\S+),(\S+) (\S+),(\S+)"', path)
+    if by is None:
+        return re.sub(r'd="M (\S+) L ([^"]+)"', r'd="M \2 L \1"', path)
+    x, y, wide, high = map(float, by.groups())
+    return path.replace(by[0], f'd="m {x + wide:.4f},{y + high:.4f} {-wide:.4f},{-high:.4f}"')
 
 
 def test_a_right_plan_that_is_hidden_counts_for_nothing(own: Task) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from drawings.grading.asked import Asked, PlanAsked
 from drawings.grading.drawing_faults import Segment
 from drawings.grading.drawn_plan import DrawnPlan
@@ -48,3 +50,19 @@ def test_a_figure_is_the_plan_of_its_place_whatever_it_fits() -> None:
 
 def test_a_figure_outside_all_places_is_no_plan() -> None:
     assert read(drawn(plan(2), 400 + 100j)) == []
+
+
+def test_an_arrow_back_to_front_is_that_of_its_letters() -> None:
+    lines, words = drawn(plan(2), 100 + 100j)
+    back = lines[3]._replace(start=lines[3].end, end=lines[3].start)
+    (found,) = read(([*lines[:3], back], words))
+    assert found.unread is None
+    assert found.arrows["π", "b"].vector == pytest.approx(-SPOTS["b"])
+    assert found.places["b"] == pytest.approx(100 + 100j + SPOTS["b"])
+
+
+def test_a_plan_with_a_letter_too_few_is_not_graded_and_says_what_is_not_found() -> None:
+    lines, words = drawn(plan(2), 100 + 100j)
+    (found,) = read((lines, [one for one in words if one.plain != "b"]))
+    assert found.unread is not None
+    assert (found.unread.kind, found.unread.of) == ("unnamed", "a_b")
