@@ -30,7 +30,7 @@ from plans.bench.trial import NOT_INSTALLED, Bench, Computer, Errors, Goal, Orde
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES
-from tests.drawings.test_commands import GAPPED
+from tests.drawings.mechanisms import TWO_ROCKERS
 from tests.gallery import GALLERY, SCENES
 from tests.parts import first
 
@@ -269,7 +269,7 @@ def test_the_command_prints_and_keeps_a_bench(run: Run, tmp_path: Path, monkeypa
 
 def test_a_scene_with_gaps_is_measured_where_it_exists_and_says_so(run: Run, tmp_path: Path) -> None:
     file = tmp_path / "gapped.toml"
-    file.write_text(GAPPED, "utf-8")
+    file.write_text(TWO_ROCKERS, "utf-8")
     code, out, _ = run(file, *SHORT)
     assert code == 4
     (row,) = (line for line in out.splitlines() if line.startswith(PLANS))
@@ -278,7 +278,7 @@ def test_a_scene_with_gaps_is_measured_where_it_exists_and_says_so(run: Run, tmp
 
 def test_a_scene_that_cannot_be_assembled_is_not_measured(run: Run, tmp_path: Path) -> None:
     file = tmp_path / "apart.toml"
-    file.write_text(GAPPED.replace("C = [0.3, 0]", "C = [0.9, 0]"), "utf-8")
+    file.write_text(TWO_ROCKERS.replace("C = [0.3, 0]", "C = [0.9, 0]"), "utf-8")
     code, out, err = run(file, *SHORT)
     assert (code, out) == (4, "") and "nothing to measure" in err
 

@@ -1,8 +1,7 @@
-"""The figure of a law's diagrams: poles and scales in line, shocks drawn as what they are."""
+"""The figure of a law's diagrams: poles and scales in line, smoothing told, a law that is level."""
 
 from __future__ import annotations
 
-"""The figure of a law's diagrams: poles and scales in line, smoothing told, a law that is level."""
 import math
 from functools import cache
 

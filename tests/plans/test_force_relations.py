@@ -12,7 +12,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.board import at
-from plans.quantity import EQUILIBRIUM
 from plans.forces.friction import rate
 from plans.forces.quantities import compare_forces
 from plans.linkage.assembly_limits import at_angles
@@ -22,6 +21,7 @@ from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import FORCE, MOMENT
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
+from plans.quantity import EQUILIBRIUM
 from tests.plans import machine_alterations as altered
 from tests.plans.chains import numbers
 from tests.plans.derivatives import REACH, derivative

@@ -20,7 +20,6 @@ from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
 from geometry.steps import Reading
 from plans.model.motion import ORDERS
-from plans.quantity import Quantity
 from plans.study import Study
 from plans.words.words import term
 
