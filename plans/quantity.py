@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, Self, TypeAlias
 
 import numpy as np
@@ -121,6 +121,7 @@ class Comparison:
     construction: Any
     analysis: Any
     findings: tuple[Quantity, ...]
+    motion: Comparison | None = field(default=None, kw_only=True)  # that it rests on
 
     def of(self, plan: str) -> tuple[Quantity, ...]:
         """Give the findings of one plan."""
@@ -157,8 +158,8 @@ class Comparison:
 
     @property
     def agrees(self) -> bool:
-        """Whether every difference is within its allowed one, and both roads name the same gaps."""
-        return self.worst <= 1.0 and not self.alone
+        """Whether every difference is within its allowed one, and both roads name the same gaps, over one motion."""
+        return self.worst <= 1.0 and not self.alone and (self.motion is None or self.motion.agrees)
 
 
 def _alone(road: Road, other: Road) -> Iterator[Lone]:

@@ -75,22 +75,18 @@ class Weights:
         largest = max((abs(mass) for mass in ours.left.values()), default=0.0)
         for point in dict.fromkeys((*ours.left, *theirs.left)):
             pair = ours.left.get(point, 0j), theirs.left.get(point, 0j)
-            yield _weights_finding(f"m_{point}", "kg", pair, self.loose(point), largest)
+            yield Quantity.of((COUNTERWEIGHTS, f"m_{point}", "kg"), pair, self.loose(point), largest)
 
     def _of(self, one: Counterweight, other: Counterweight) -> Iterator[Quantity]:
         slack, link = self.slack(one.link), one.link
-        yield _weights_finding(f"U_{link}", "kg*m", (one.moment, other.moment), slack, max(abs(one.moment), slack))
+        named = COUNTERWEIGHTS, f"U_{link}", "kg*m"
+        yield Quantity.of(named, (one.moment, other.moment), slack, max(abs(one.moment), slack))
         off = 2 * EPS * one.mass + uncertain(one, slack)
-        yield _weights_finding(f"m_cw{link}", "kg", (one.mass, other.mass), off, one.mass)
+        yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (one.mass, other.mass), off, one.mass)
         if one.needed and other.needed:
             place = slack / one.mass + one.distance * (4 * EPS + uncertain(one, slack) / one.mass)
-            yield _weights_finding(
-                f"r_cw{link}", "m", (one.centre, other.centre), place, abs(one.centre) + one.distance
-            )
-
-
-def _weights_finding(name: str, unit: str, pair: tuple[Any, Any], allowed: float, largest: float) -> Quantity:
-    return Quantity.of((COUNTERWEIGHTS, name, unit), pair, allowed, largest)
+            named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(one.centre) + one.distance
+            yield Quantity.of(named, (one.centre, other.centre), place, far)
 
 
 class Stretch(NamedTuple):
@@ -193,19 +189,19 @@ class Centre:
 
     def findings(self, plan: str, ours: MassCentre, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare place, main vector and main moment."""
-        yield _finding(plan, f"r_S{self.mark}", "m", (ours.r, theirs.r), self.placed, self.sizes[0] / self.mass)
-        yield _finding(plan, f"Φ{self.mark}", "N", (ours.force, theirs.force), self.shaken, self.sizes[1])
-        yield _finding(plan, f"M_Φ{self.mark}", "N*m", (ours.moment, theirs.moment), self.rocked, self.sizes[2])
+        yield Quantity.of((plan, f"r_S{self.mark}", "m"), (ours.r, theirs.r), self.placed, self.sizes[0] / self.mass)
+        yield Quantity.of((plan, f"Φ{self.mark}", "N"), (ours.force, theirs.force), self.shaken, self.sizes[1])
+        yield Quantity.of((plan, f"M_Φ{self.mark}", "N*m"), (ours.moment, theirs.moment), self.rocked, self.sizes[2])
 
     def polygons(self, theirs: MassCentre) -> Iterator[Quantity]:
         """Compare the polygons of static moments and of inertia forces."""
         place, force = self._row(self.drawing.place, theirs.r), self._row(self.drawing.shaking.end, theirs.force)
         static = self.sizes[0] / self.mass
         allowed = self.stretch.allowed(self.summed + self.given / self.mass, PLACE, static)
-        yield _finding(CENTRE, f"Σmr/m{self.mark}", "m", (place, theirs.r), allowed, static)
+        yield Quantity.of((CENTRE, f"Σmr/m{self.mark}", "m"), (place, theirs.r), allowed, static)
         own = self.forces + self.given * self.stretch.rate
         allowed = self.stretch.allowed(own, ACCELERATION, self.sizes[1])
-        yield _finding(CENTRE, f"ΣΦ{self.mark}", "N", (force, theirs.force), allowed, self.sizes[1])
+        yield Quantity.of((CENTRE, f"ΣΦ{self.mark}", "N"), (force, theirs.force), allowed, self.sizes[1])
 
     def vectors(self) -> Iterator[Quantity]:
         """Compare the vectors of main points with sums over the paths from each mass to the frame."""
@@ -214,7 +210,7 @@ class Centre:
             size = terms[link].size / self.mass
             slack = 2 * ROUNDING * EPS * size + (self.weights.whole / self.mass if self.after else 0.0)
             pair = np.array([ours]), np.array([theirs[link]])
-            yield _finding(CENTRE, f"h_{link}{self.mark}", "m", pair, np.array([slack]), size)
+            yield Quantity.of((CENTRE, f"h_{link}{self.mark}", "m"), pair, np.array([slack]), size)
 
     def moments(self, like: MassCentre) -> Complexes:
         """Give the polygon's sum of all static moments, kg*m, in which nothing is left out that is near to nothing."""
@@ -223,10 +219,6 @@ class Centre:
     def _row(self, mark: Any, like: Complexes) -> Complexes:
         """Give a mark over the positions; where there is no place there is none of it."""
         return np.where(np.isnan(like), np.nan, np.broadcast_to(mark.point, len(like)))
-
-
-def _finding(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Floats, largest: float) -> Quantity:
-    return Quantity.of((plan, name, unit), pair, allowed, largest)
 
 
 class Centres:
@@ -304,4 +296,4 @@ def _judged(plan: str, name: str, unit: str, pair: tuple[Any, Any], allowed: Flo
     """Put two beside each other where both have an answer."""
     ours, theirs = pair
     theirs = np.where(np.isnan(theirs), ours, theirs)
-    return _finding(plan, name, unit, (np.where(np.isnan(ours), theirs, ours), theirs), allowed, largest)
+    return Quantity.of((plan, name, unit), (np.where(np.isnan(ours), theirs, ours), theirs), allowed, largest)

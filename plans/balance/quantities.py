@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -157,12 +157,7 @@ class BalanceComparison(Comparison):
     construction: Balance
     analysis: Balance
     findings: tuple[Quantity, ...]
-    motion: MotionComparison
-
-    @property
-    def agrees(self) -> bool:
-        """Whether both roads find the same over the same motion."""
-        return super().agrees and self.motion.agrees
+    motion: MotionComparison = field(kw_only=True)
 
 
 def comparison_of(study: Study) -> BalanceComparison:
@@ -187,7 +182,7 @@ def compare_balance(study: BalanceStudy, motion: MotionComparison) -> BalanceCom
     found += weights.findings(ours, theirs)
     costs = Costs(study, course, turn, (ours, theirs), weights)
     found += [*costs.findings(), *share_findings(costs)]
-    return BalanceComparison(ours, theirs, tuple(found), motion)
+    return BalanceComparison(ours, theirs, tuple(found), motion=motion)
 
 
 def course_of(study: BalanceStudy, road: Analysis, motion: Motion, turn: Motion) -> Course:

@@ -17,7 +17,7 @@ from plans.analytic.cam.sizes import sizes
 from plans.cam.results import results
 from plans.cam.sizing import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
-from plans.cam.verdicts import TERM, Pair, Slack, Verdicts
+from plans.cam.verdicts import TERM, Slack, Verdicts
 from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Flaw, Points, Pressing
 from plans.model.motion import Floats, Gap
@@ -168,7 +168,7 @@ class Compared:
         """Compare what is asked for."""
         if LAWS in plans:
             yield from self.laws()
-            yield from map(self._pair, self.verdicts.shocks())
+            yield from map(self._of, self.verdicts.shocks())
             yield from self.diagrams()
         if SIZES in plans:
             yield from self.sizes()
@@ -185,10 +185,10 @@ class Compared:
     def said(self) -> Iterator[Quantity]:
         """Compare contact forces, flaws, and what would mend those."""
         verdicts = self.verdicts
-        yield from map(self._pair, (*verdicts.forces(), *verdicts.flaws(), *verdicts.remedies()))
+        yield from map(self._of, (*verdicts.forces(), *verdicts.flaws(), *verdicts.remedies()))
 
-    def _pair(self, one: Pair) -> Quantity:
-        return self._row(*one)
+    def _of(self, one: Quantity) -> Quantity:
+        return one if self.lone else one._replace(name=f"{one.name} {self.ours.cam.name}")
 
     def laws(self) -> Iterator[Quantity]:
         """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
@@ -283,8 +283,7 @@ class Compared:
     def _row(
         self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
     ) -> Quantity:
-        name = name if self.lone else f"{name} {self.ours.cam.name}"
-        return Quantity.of((plan, name, unit), (own, other), allowed, _most(own))
+        return self._of(Quantity.of((plan, name, unit), (own, other), allowed, _most(own)))
 
 
 def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from plans.cam.study import LAWS, PROFILE, CamDrawing
 from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, Law, Load, interval_of
 from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes
 from plans.model.motion import Floats
+from plans.quantity import Quantity
 
 EPS = 2.0**-52
 # What a term of a law goes through on either road: the share of the phase, its power or sine, its coefficient, which is
@@ -119,19 +119,8 @@ UNKNOWN = math.nan  # what one road does not say
 MENDED = ("pressure", "concave", "sharp")  # flaws that another R0 mends
 
 
-class Pair(NamedTuple):
-    """Numbers of one kind by both roads, (N,): plan, name and unit, and by how much rounding may part them."""
-
-    plan: str
-    name: str
-    unit: str
-    own: Floats
-    other: Floats
-    allowed: float
-
-
-def _pair(plan: str, name: str, unit: str, own: float, other: float, allowed: float) -> Pair:
-    return Pair(plan, name, unit, np.array([own]), np.array([other]), allowed)
+def _pair(plan: str, name: str, unit: str, own: float | Floats, other: float | Floats, allowed: float) -> Quantity:
+    return Quantity.of((plan, name, unit), (own, other), allowed, float(np.max(np.abs(own), initial=0.0)))
 
 
 @dataclass(frozen=True)
@@ -148,31 +137,31 @@ class Verdicts:
         """The cam by construction."""
         return self.drawing.found
 
-    def shocks(self) -> Iterator[Pair]:
+    def shocks(self) -> Iterator[Quantity]:
         """Compare the shocks: where they are, and how large, the hard ones and the soft ones."""
         own, other = self.ours.shocks, self.theirs.shocks
         if [one.order for one in own] != [one.order for one in other]:
-            yield Pair(LAWS, "φ shocks", self._across, np.array([len(own)]), np.array([UNKNOWN]), 0.0)
+            yield _pair(LAWS, "φ shocks", self._across, np.array([len(own)]), np.array([UNKNOWN]), 0.0)
             return
         if own:
             one, its = (np.array([shock.turned for shock in road]) for road in (own, other))
-            yield Pair(LAWS, "φ shocks", self._across, one, its, TERM * self.ours.cam.turn)
+            yield _pair(LAWS, "φ shocks", self._across, one, its, TERM * self.ours.cam.turn)
         for order, name in enumerate(("ΔS'", "ΔS''"), 1):
             one, its = (np.array([shock.jump for shock in road if shock.order == order]) for road in (own, other))
             if one.size:
-                yield Pair(LAWS, name, dimensions(self.ours.cam)[order], one, its, 2 * self.slack.travel(order))
+                yield _pair(LAWS, name, dimensions(self.ours.cam)[order], one, its, 2 * self.slack.travel(order))
 
     @property
     def _across(self) -> str:
         return "m" if self.ours.cam.translates else "rad"
 
-    def flaws(self) -> Iterator[Pair]:
+    def flaws(self) -> Iterator[Quantity]:
         """See that both roads find the same kinds of flaws, in the same order."""
         kinds, others = ([one.kind for one in road.flaws] for road in (self.ours, self.theirs))
         if kinds or others:
             yield _pair(PROFILE, "flaws", "1", len(kinds), len(others) if kinds == others else UNKNOWN, 0.0)
 
-    def forces(self) -> Iterator[Pair]:
+    def forces(self) -> Iterator[Quantity]:
         """Compare the extremes of the force at the contact, of the wear, and the preload that holds the follower."""
         own, other, load = self.ours.pressing, self.theirs.pressing, self.ours.cam.load
         if own is None or other is None or load is None:
@@ -225,7 +214,7 @@ class Verdicts:
         terms = load.mass * speed**2 * np.abs(travel.bend).max() + load.stiffness * np.abs(travel.s).max()
         return float(moved + TERM * (terms + abs(load.preload) + abs(load.force)))
 
-    def remedies(self) -> Iterator[Pair]:
+    def remedies(self) -> Iterator[Quantity]:
         """Compare R0 that mends, and the sizes that the limits alone would give."""
         own, other = self.ours, self.theirs
         if any(one.kind in MENDED for one in own.flaws) and (own.mending, other.mending) != (None, None):
@@ -243,7 +232,7 @@ class Verdicts:
         steepest = min(math.tan(min(abs(one.low), abs(one.high))) for one in intervals)
         return self.slack.way(0) + (self.slack.way(1) + self.slack.centre) / steepest
 
-    def _advised(self, own: Sizes | None, other: Sizes | None) -> Iterator[Pair]:
+    def _advised(self, own: Sizes | None, other: Sizes | None) -> Iterator[Quantity]:
         """Compare the sizes that the limits alone would give: R_0, and the offset or the distance of centres."""
         if own is None or other is None:
             base, its = (one.base if one else UNKNOWN for one in (own, other))

@@ -7,7 +7,7 @@ rounding parts them; what the chords themselves leave out is told beside, agains
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -75,10 +75,10 @@ class Reductions(NamedTuple):
             ("J_red", "kg*m2", "inertia", lever.moved, 1),
             ("dJ/dφ", "kg*m2", "slope", lever.hindering, CHORDS_ORDER),
         )
-        for name, unit, field, marks, order in pairs:
-            values = getattr(ours, field), getattr(self.theirs.reduced, field)
+        for name, unit, part, marks, order in pairs:
+            values = getattr(ours, part), getattr(self.theirs.reduced, part)
             largest = _gross(marks)
-            off = lever.off(marks) * (2 if field == "slope" else 1)
+            off = lever.off(marks) * (2 if part == "slope" else 1)
             allowed = off + ANALYSIS * EPS * self.motion.kappa ** (order + 1) * largest
             yield Quantity.of((REDUCTION, name, unit), values, allowed, largest)
 
@@ -107,15 +107,15 @@ class Chords:
         """Compare all that is drawn over the turn."""
         ours, theirs = self.ours, self.theirs
         yield self._breaks()
-        yield _finding(WORKS, "M_red", "N*m", (ours.means, theirs.means), self.mean)
+        yield Quantity.of((WORKS, "M_red", "N*m"), (ours.means, theirs.means), self.mean)
         sides = ours.moments.ravel(), theirs.moments.ravel()
-        yield _finding(WORKS, "M_red±", "N*m", sides, np.repeat(self.mean, 2) + BESIDE * self.size + self.bent)
-        yield _finding(WORKS, "J_red", "kg*m2", (ours.inertia, theirs.inertia), self.mass)
-        yield _finding(WORKS, "A", "J", (ours.work, theirs.work), self.work)
-        yield _finding(WORKS, "ΔT", "J", (ours.surplus, theirs.surplus), self._surplus, _largest(ours.work))
+        yield Quantity.of((WORKS, "M_red±", "N*m"), sides, np.repeat(self.mean, 2) + BESIDE * self.size + self.bent)
+        yield Quantity.of((WORKS, "J_red", "kg*m2"), (ours.inertia, theirs.inertia), self.mass)
+        yield Quantity.of((WORKS, "A", "J"), (ours.work, theirs.work), self.work)
+        yield Quantity.of((WORKS, "ΔT", "J"), (ours.surplus, theirs.surplus), self._surplus, _largest(ours.work))
         yield self._settled()
-        for field, names in (("speeds", ("ω", "ε")), ("before", ("ω_0", "ε_0"))):
-            yield from self._speeds(names, getattr(self.study, field), getattr(self.account, field))
+        for when, names in (("speeds", ("ω", "ε")), ("before", ("ω_0", "ε_0"))):
+            yield from self._speeds(names, getattr(self.study, when), getattr(self.account, when))
         if self.wheels[0] is not None and self.wheels[1] is not None:
             yield from self._flywheel(self.wheels[0], self.wheels[1])
             yield from self._methods(self.wheels[0])
@@ -130,7 +130,7 @@ class Chords:
         ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
         pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
         both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
-        return _finding(WORKS, "φ", "rad", (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
+        return Quantity.of((WORKS, "φ", "rad"), (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
 
     def _settled(self) -> Quantity:
         """See that the exact turn is exact."""
@@ -143,11 +143,11 @@ class Chords:
         largest = max(map(abs, (*ours.cuts, *theirs.cuts, _largest(self.ours.work))))
         names = ("o1l", "o1k")
         for name, one, other in zip(names, ours.cuts, theirs.cuts, strict=True):
-            yield _single(FLYWHEEL, name, "J", one, other, cut + 4 * EPS * largest, largest)
+            yield Quantity.of((FLYWHEEL, name, "J"), (one, other), cut + 4 * EPS * largest, largest)
         whole = self._whole(ours)
-        yield _single(FLYWHEEL, "J_0", "kg*m2", ours.whole, theirs.whole, whole, abs(ours.whole))
+        yield Quantity.of((FLYWHEEL, "J_0", "kg*m2"), (ours.whole, theirs.whole), whole, abs(ours.whole))
         energy = steep * whole + cut
-        yield _single(FLYWHEEL, "T_0", "J", ours.energy, theirs.energy, energy, abs(ours.energy))
+        yield Quantity.of((FLYWHEEL, "T_0", "J"), (ours.energy, theirs.energy), energy, abs(ours.energy))
 
     def _methods(self, ours: Flywheel) -> Iterator[Quantity]:
         """Compare J0 by the other methods, from the points of the same loop."""
@@ -165,7 +165,7 @@ class Chords:
             "gutyar": (told.gutyar, (gutyar[1] - gutyar[0]) / even),
         }
         for name, (one, other) in pairs.items():
-            yield _single(FLYWHEEL, f"J_0 {name}", "kg*m2", one, other, allowed, largest)
+            yield Quantity.of((FLYWHEEL, f"J_0 {name}", "kg*m2"), (one, other), allowed, largest)
 
     def _rim(self, theirs: Flywheel) -> Iterator[Quantity]:
         """Compare mass and section of the rim."""
@@ -175,7 +175,7 @@ class Chords:
         share = self._whole(self.wheels[0]) / theirs.inertia + 16 * EPS
         for name, unit in (("inertia", "kg*m2"), ("mass", "kg"), ("thickness", "m"), ("breadth", "m")):
             size = abs(getattr(other, name))
-            yield _single(FLYWHEEL, name, unit, getattr(one, name), getattr(other, name), share * size, size)
+            yield Quantity.of((FLYWHEEL, name, unit), (getattr(one, name), getattr(other, name)), share * size, size)
 
     def _whole(self, ours: Flywheel) -> float:
         """Give how far rounding can have moved J0: both segments over the difference of the slopes."""
@@ -193,11 +193,11 @@ class Chords:
         with np.errstate(divide="ignore", invalid="ignore"):
             off = self._energy(told) / (masses * told.omega)
         pair = [np.full_like(told.omega, np.nan) if one is None else one.omega for one in (ours, theirs)]
-        yield _finding(SPEEDS, names[0], "rad/s", (pair[0], pair[1]), np.asarray(off))
+        yield Quantity.of((SPEEDS, names[0], "rad/s"), (pair[0], pair[1]), np.asarray(off))
         if ours is not None and theirs is not None:
             grown = self._growth(told, off, masses)
             values = ours.epsilon.ravel(), theirs.epsilon.ravel()
-            yield _finding(SPEEDS, names[1], "rad/s2", values, np.repeat(grown, 2)[1:-1])
+            yield Quantity.of((SPEEDS, names[1], "rad/s2"), values, np.repeat(grown, 2)[1:-1])
 
     def _energy(self, told: Speeds) -> Floats:
         """Give how far rounding can have moved the energy of the machine at each edge, J."""
@@ -229,16 +229,6 @@ def _largest(values: Floats) -> float:
     return float(np.abs(values).max(initial=0.0))
 
 
-def _finding(
-    plan: str, name: str, unit: str, pair: tuple[Floats, Floats], allowed: Floats, largest: float | None = None
-) -> Quantity:
-    return Quantity.of((plan, name, unit), pair, allowed, _largest(pair[1]) if largest is None else largest)
-
-
-def _single(plan: str, name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Quantity:
-    return Quantity.of((plan, name, unit), (one, other), allowed, largest)
-
-
 ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
 
 
@@ -249,17 +239,12 @@ class DynamicsComparison(Comparison):
     construction: Account
     analysis: Account
     findings: tuple[Quantity, ...]
-    motion: MotionComparison
+    motion: MotionComparison = field(kw_only=True)
     exact: Account
     turn: Exact | None = None  # the exact turn at any angle; None where the crank cannot turn fully
     after: Swing | Stall | None = None  # the exact motion with the flywheel
     before: Swing | Stall | None = None  # and without one
     methods: Methods | None = None  # J0 by other methods, exact
-
-    @property
-    def agrees(self) -> bool:
-        """Whether both roads find the same over the same motion."""
-        return super().agrees and self.motion.agrees
 
     @property
     def error(self) -> Departure | None:
@@ -280,13 +265,14 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     both = Reductions(study, motion, theirs)
     ours = study.account
     if ours.cycle is None:
-        return DynamicsComparison(ours, theirs, tuple(both.findings()), motion, theirs)
+        return DynamicsComparison(ours, theirs, tuple(both.findings()), theirs, motion=motion)
     turn = exact(road, strokes)
     sampled = _sampled(study, theirs, turn, ours.cycle)
     true, after, before = _exact(study, theirs, turn, ours.cycle)
     chords = Chords(study, ours.cycle, sampled, turn)
     found = (*both.findings(), *chords.findings())
-    return DynamicsComparison(ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task))
+    others = methods(turn, study.task)
+    return DynamicsComparison(ours, sampled, found, true, turn, after, before, others, motion=motion)
 
 
 def exact_turn(study: DynamicsStudy, motion: MotionComparison) -> Exact:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,18 +42,13 @@ class ForceComparison(Comparison):
     construction: Kinetostatics
     analysis: Kinetostatics
     findings: tuple[Quantity, ...]
-    motion: MotionComparison
+    motion: MotionComparison = field(kw_only=True)
     friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
 
     @property
     def exact(self) -> tuple[Quantity, ...]:
         """The findings of forces but for the energy's, which is found by differences of positions."""
         return tuple(one for one in self.of(FORCES) if not one.name.endswith(ENERGY))
-
-    @property
-    def agrees(self) -> bool:
-        """Whether both roads find the same forces over the same motion."""
-        return super().agrees and self.motion.agrees
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
@@ -68,7 +63,7 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     both = ForceFindings(statics, motion, ours, theirs)
     told = [*both.reactions(), *both.cylinder(found), *both.balancing(loads)]
     forces = *cap(study, told), both.energy(loads)
-    compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion)
+    compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion=motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
 
