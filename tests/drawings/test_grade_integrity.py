@@ -10,6 +10,7 @@ import pytest
 
 from drawings.commands import cli
 from drawings.grading.asked import Allowances
+from drawings.grading.feedback import feedback
 from drawings.grading.graded import UNREAD, grade
 from drawings.grading.sheet_task import SheetTask
 from tests.drawings.form_students import form_leaf, on_form, polygon_on_form
@@ -49,6 +50,7 @@ def test_arrows_that_go_both_ways_answer_nothing(scene: str, name: str, how: Cal
     assert "doubled" not in {one.kind for one in first.verdicts}
     told = [(one.kind, one.of) for one in again.verdicts if (one.plan, one.position) == plan.place]
     assert told == [("doubled", " ".join(filter(None, plan.vectors[0].letters)))]  # and nothing of it is right
+    assert b"twice" in feedback(Path("ann.svg"), b"", again, {}, "en")
 
 
 def back(path: str) -> str:

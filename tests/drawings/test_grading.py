@@ -5,16 +5,20 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
-from drawings.grading.asked import Allowance, Allowances, PlanAsked
+from drawings.checks.expected import Expected
+from drawings.grading.asked import Allowance, Allowances, PlanAsked, plans_asked
 from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
+from drawings.original.originals import Original, Originals
+from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
@@ -128,6 +132,21 @@ def test_a_tolerance_is_a_share_of_the_largest() -> None:
     source = made(own, row)
     assert grade(source, SheetTask(own.plans), Allowances(Allowance(share=0.02))).outcome == PASS
     assert grade(source, SheetTask(own.plans), Allowances(Allowance(share=0.002))).outcome == FAIL
+
+
+def test_a_vector_is_held_to_what_is_due(monkeypatch: pytest.MonkeyPatch) -> None:
+    own = task("slider-crank")
+    plan = own.plan("velocities", 2)
+    real, key = Originals.due, (Kind.VECTOR, "velocities", "p b", 2)
+
+    def due(originals: Originals, sheet: Original) -> Mapping[Key, Expected]:
+        rows = real(originals, sheet)
+        return {**rows, key: rows[key]._replace(value=2 * rows[key].vector)} if key in rows else rows
+
+    monkeypatch.setattr(Originals, "due", due)
+    asked = next(one for one in plans_asked(own.originals) if one.place == plan.place)
+    told = [(one.name, one.true / two.true) for one, two in zip(asked.vectors, plan.vectors, strict=True)]
+    assert [(name, round(abs(times), 6)) for name, times in told if abs(times - 1) > 1e-6] == [("v_B", 2.0)]
 
 
 def bare(source: bytes) -> bytes:
