@@ -163,7 +163,7 @@ def test_a_mark_knows_its_role_its_number_and_its_step_and_the_first_of_a_name_k
     again = board.given("A", 2j)
     assert board["A"] is a is not again
     assert "A" in board and "X" not in board
-    assert len({a, again, board.given("A1", 0j)}) == 3  # marks on one place stay apart
+    assert len({a, again, board.given("A1", 0j)}) == 3 and a != board["A1"]  # marks on one place stay apart
 
 
 # What a mark rests on

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import cmath
-from math import pi, sqrt
+from dataclasses import replace
+from math import hypot, pi, sqrt
 
 import numpy as np
 import pytest
@@ -11,10 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.kinematics import conditions, solve
-from plans.model.mechanism import Mechanism
+from plans.model.mechanism import Mechanism, StructureError
 from plans.model.motion import Floats
 from tests.parts import examples
 from tests.plans import linkages
+
+CRANK_ROCKER = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
+
 
 EPS = float(np.finfo(float).eps)
 TURN = np.arange(12) * (pi / 6)
@@ -86,3 +90,11 @@ def test_conditions_of_either_road_and_at_gaps():
     kappa = conditions(mechanism, solve(mechanism, TURN, 0))
     assert np.flatnonzero(np.isnan(kappa)).tolist() == [6]
     assert np.nanmin(kappa) >= 1 and np.nanmax(kappa) < 100
+
+
+def test_one_drive_needs_mobility_one():
+    frame = {"O": 0j, "C": 0.35 + 0j, "D": 0.5 + 0j}
+    links = {**CRANK_ROCKER.links, 0: CRANK_ROCKER.links[0]._replace(points=frame)}
+    links[4] = links[3]._replace(number=4, points={"D": 0j, "B": complex(hypot(0.2, 0.3))})
+    with pytest.raises(StructureError):
+        solve(replace(CRANK_ROCKER, links=links), TURN)

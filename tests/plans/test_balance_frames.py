@@ -22,6 +22,7 @@ from plans.model.balance.linkage import (
     REACTION,
     SECTOR,
     SHARE,
+    Choice,
     Counterweight,
     Place,
     Task,
@@ -156,3 +157,20 @@ def test_sizes_of_a_counterweight(shape: str, half_angle: float) -> None:
     one = Counterweight(place, "O", 0j, moment, 5.0)
     assert mass == pytest.approx(5.0, rel=1e-6)
     assert one.inertia == pytest.approx(inertia, rel=1e-4)
+
+
+def test_a_share_costs_the_shaft_what_plans_of_that_machine_say() -> None:
+    """Weight, acceleration and gear among the forces: what is superposed is what is drawn with the counterweight on."""
+    for its in studies("share"):
+        shares = its.shares
+        assert shares is not None
+        for one in (shares.curve[0], shares.curve[15], shares.least_reaction):
+            drawn = study_at(its, one)
+            assert drawn == pytest.approx((one.force, one.reaction), rel=1e-11)
+
+
+def study_at(its: BalanceStudy, one: Choice) -> tuple[float, float]:
+    """Give the largest shaking force and reaction of the shaft of a machine balanced with a share that is given."""
+    after = BalanceStudy(its.linkage, its.statics, its.task._replace(share=one.share)).after
+    assert after is not None
+    return after.shaking, after.reactions["0-1"]

@@ -12,6 +12,7 @@ from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.linkage import FORCE, FULL, NONE, REACTION, SECTOR, SHARE, Place, Task
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import parse_scene
+from tests.gallery import GALLERY
 from tests.plans.banks import ENGINE, FOUR_BAR, counterweight
 
 ONE = counterweight("on = 1", "mass = 9")
@@ -142,3 +143,14 @@ def test_what_may_be_a_slip_is_noted(text: str, notes: list[tuple[str, str]]) ->
 
 def test_partial_balancing_beside_a_guide_is_no_slip() -> None:
     assert noted(f'aim = "partial"\n{ONE}', ENGINE) == []
+
+
+def test_a_stone_has_no_line_to_tell_a_place_on() -> None:
+    shaper = (GALLERY / "shaper-loaded.toml").read_text("utf-8")
+    text = f'[balance]\naim = "full"\n{counterweight("on = 2", "at = 0.1")}'
+    assert said(text, shaper) == [("balance.counterweights.0.at", "carrier_line")]
+
+
+def test_no_point_has_the_letter_of_the_common_mass_centre() -> None:
+    lettered = re.sub(r"\bB\b|B(?=C)|(?<=A)B", "S", FOUR_BAR)
+    assert said(f"[balance]\n{ALL}{ONE}", lettered) == [("mechanism.links.2", "common_centre")]

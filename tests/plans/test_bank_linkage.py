@@ -13,7 +13,7 @@ from plans.analytic.balance.mass_centre import bodies
 from plans.analytic.kinematics import Analysis
 from plans.balance.study import BalanceStudy
 from plans.bank.quantities import compare_bank
-from plans.bank.study import BankStudy, Linkage
+from plans.bank.study import BankStudy, Linkage, NoTurn
 from plans.model.balance.bank import Asked, BankTask, Member
 from plans.model.balance.linkage import FULL, PARTIAL, Place
 from plans.scene.scene import parse_scene
@@ -140,3 +140,13 @@ def test_the_couple_is_compensated(road, case) -> None:
     pair = one.couple * asked.shafts * (np.conj(line) * np.exp(1j * (n * phi + one.couple_angle))).imag
     assert np.abs(offset).max() > 0.9 * one.residual / (n * bank.speed) ** 2 > 0
     assert np.allclose(pair, -offset, rtol=0, atol=1e-13 * np.abs(offset).max())
+
+
+def test_a_crank_that_cannot_turn_fully_has_no_harmonics() -> None:
+    text = FOUR_BAR.format(positions=12).replace('"forces"', '"kinematics"')
+    for was, now in (("AB = 0.40", "AB = 0.20"), ("C = [0.35, 0]", "C = [0.42, 0]"), ("[0.39, 0.30]", "[0.25, 0.2]")):
+        text = text.replace(was, now)
+    scene = parse_scene(text + "[bank]\n[[bank.members]]\ncrank = 0\n")
+    with pytest.raises(NoTurn, match=r"no harmonics of a turn: the crank does not turn fully") as told:
+        _ = Study(scene)["bank"]
+    assert "гармоник" in told.value.args[0].worded("ru")

@@ -106,3 +106,11 @@ def _foot(cubic: CubicPiece, spot: complex) -> float:
     feet = [root.real - fall(root.real) / fall.deriv()(root.real) for root in fall.roots() if abs(root.imag) < 1e-6]
     inside = [foot for foot in feet if 0 <= foot <= 1]
     return float(min(abs(run(share)) for share in (0.0, 1.0, *inside)))
+
+
+def test_no_lift_is_a_circle() -> None:
+    cam = cases.cam(phases=cases.phases(cases.USUAL, 0.0))
+    found = path(cam, cases.sizes(cam), -cases.ROLLER_RADIUS)
+    assert all(isinstance(piece, RoundPiece) for piece in found.pieces)
+    assert {round(piece.radius, 15) for piece in found.pieces if isinstance(piece, RoundPiece)} == {0.04}
+    assert found.deviation == 0.0

@@ -373,3 +373,28 @@ def test_a_limit_below_a_degree_is_one_in_radians() -> None:
     assert (fault.kind, '"0.52 rad"' in fault.advice) == ("pressure_limit_tiny", True)
     assert cam_of(FOLLOWER, LIMITS.replace("30", '"0.52 rad"'), PHASES).limits.rise == pytest.approx(0.52)
     assert cam_of(FOLLOWER, LIMITS.replace("30", "1"), PHASES).limits.rise == pytest.approx(math.radians(1))
+
+
+def test_a_roller_is_smaller_than_the_least_radius() -> None:
+    sizes = '[cam.sizes]\nbase = "16 mm"\nroller = "15.9 mm"\n'
+    assert cam_of(FOLLOWER, sizes, PHASES).roller == 0.0159
+    assert kinds(refused(FOLLOWER, sizes.replace("15.9", "16"), PHASES)) == ["roller_beyond"]
+
+
+@pytest.mark.parametrize(
+    ("follower", "roller", "expected"),
+    [
+        (FOLLOWER, "10", ["huge_roller"]),
+        (ROCKER, "10", ["huge_roller"]),
+        (FOLLOWER.replace('"30 mm"', "0.05"), "4.9", []),
+        (FOLLOWER.replace('"30 mm"', '"0.1 mm"'), '"20 mm"', []),
+    ],
+)
+def test_a_roller_in_metres_is_a_slip(follower: str, roller: str, expected: list[str]) -> None:
+    scene = (follower, LIMITS, f"[cam.sizes]\nroller = {roller}\n", PHASES)
+    if not expected:
+        assert cam_of(*scene).roller is not None
+        return
+    (fault,) = refused(*scene)
+    assert [fault.kind] == expected
+    assert '"10 mm"' in fault.advice

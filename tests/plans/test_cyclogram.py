@@ -214,3 +214,10 @@ def test_rows_cover_the_turn_once() -> None:
         assert math.isclose(sum(one.end - one.start for one in row.spans), TURN)
         for one, other in zip(row.spans, (*row.spans[1:], row.spans[0]), strict=True):
             assert math.isclose(math.remainder(one.end - other.start, TURN), 0.0, abs_tol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["walking-leg", "oscillating-cylinder"])
+def test_where_no_notches_lead_back_the_travel_is_tried(name: str) -> None:
+    study = cyclogram_of(name)
+    assert study.stations.plan is None
+    assert {one.notched for one in study.cyclogram.positions if one.role == c.ENTRY} == {False}

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from geometry.errors import DraftError
 from plans.forces import cylinder
-from plans.linkage.primaries import between
+from plans.linkage.primaries import between, ram
+from plans.model.mechanism import Mechanism
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import some
+from tests.plans.test_stroke_drive import by_cylinder
 
 CASES = Path(__file__).parents[1] / "cases"
 # The arms cross in their middles, E and F are 0.5 m from it, so that EF = 2 * 0.5 sin(phi); D is at 1.6 sin(phi).
@@ -119,3 +123,32 @@ def test_a_refusal_tells_the_lengths_between_which_it_can_go() -> None:
     with pytest.raises(SceneError) as refused:
         _ = Study(parse_scene(SCISSOR.replace("750 mm", "1001 mm")))["linkage"].mechanism
     assert "between 8.7" in str(refused.value) and "999.96" in str(refused.value)
+
+
+def test_a_cylinder_that_a_triangle_holds_is_the_same_by_the_plans_of_its_linkage() -> None:
+    mechanism = by_cylinder()["linkage"].mechanism
+    other = as_between(mechanism)
+    ways = np.linspace(0.45, 0.55, 7)
+    phi = ram.positions(mechanism, ways).phi
+    assert ram.positions(other, ways).phi == pytest.approx(phi, abs=4e-15)
+    for own, theirs in zip(ram.pace(other)(phi), ram.pace(mechanism)(phi), strict=True):
+        assert own == pytest.approx(theirs, rel=1e-12)
+    assert ram.ways(other, phi) == pytest.approx(ways, rel=1e-14)
+    motion = by_cylinder()["linkage"].motion(0)
+    assert ram.lever(other, motion) == pytest.approx(ram.lever(mechanism, motion), rel=1e-12)
+
+
+def as_between(mechanism: Mechanism) -> Mechanism:
+    """Take a cylinder that a triangle holds for one between two links."""
+    own = mechanism.drive.ram
+    assert own is not None
+    loose = replace(mechanism, drive=mechanism.drive._replace(ram=own._replace(links=(0, 1))))
+    found = between.passage(loose)
+    assert found is not None and loose.drive.ram is not None
+    return replace(loose, drive=loose.drive._replace(ram=loose.drive.ram._replace(passage=found[0])))
+
+
+def test_a_sketch_that_tells_no_assembly_is_told_as_of_any_linkage() -> None:
+    study = four_bar(("B = [0.75, 0.48]\n", ""), ("D = [0.68, 0.24]\n", ""))
+    with pytest.raises(DraftError, match=r"mechanism\.sketch"):
+        _ = study["linkage"].turn

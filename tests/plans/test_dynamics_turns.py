@@ -173,3 +173,9 @@ def test_work_against_a_constant_force_is_force_times_way() -> None:
         turned <= pi / 2, np.sin(turned), np.where(turned <= 3 * pi / 2, 2 - np.sin(turned), 4 + np.sin(turned))
     )
     assert exact_cycle(found, turned).work == pytest.approx(-500 * 0.1 * way, abs=1e-12 * 200)
+
+
+def test_a_machine_without_any_inertia_has_no_motion() -> None:
+    stall = without_flywheel(worked_with({}, OUTWARD), TASK)
+    assert isinstance(stall, Stall)
+    assert np.isnan(stall.mean)

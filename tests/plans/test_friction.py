@@ -232,3 +232,9 @@ def test_a_contact_may_be_far_from_the_origin_of_its_link() -> None:
     now = found(replace(yoke, slides=(slot, guide)), machine, against(3, "D", 500), 0, [20, 60, 150, 200])
     wanted = [0.3 * 2 * (1 - 0.1 * cos(radians(k))) / 1.5 for k in (20, 60, 150, 200)]
     assert now.locking["0-3"] == pytest.approx(wanted)
+
+
+def test_a_list_of_positions_is_no_cycle() -> None:
+    assert found(shaper(), SHAPER, on(5, "D", 1500), positions=[0, 60, 200]).cycle is None
+    assert found(shaper(), SHAPER, on(5, "D", 1500), 0.1, 360).cycle is not None
+    assert found(shaper(-10), SHAPER, on(5, "D", 1500), 12345.6, 7).cycle is not None

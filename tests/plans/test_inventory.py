@@ -347,3 +347,10 @@ def test_the_middle_is_that_of_the_two_letters_wherever_the_second_has_its_place
     scene = parse_scene(SHAPER + placed)
     found = machine_of(scene, mechanism_of(scene)).bodies[4].centre
     assert found == pytest.approx(0.1, abs=1e-15)  # half of BD = 0.2, on the link's own x axis
+
+
+def test_a_gear_is_a_drive_of_its_own_kind() -> None:
+    gear = "[drive.gear]\nradius = 0.1\nat = 0\n"
+    (fault,) = faults(TWIN + 'balancing = "coupling"\n' + gear)
+    assert "either balancing or gear, not both" in str(fault)
+    assert machine(TWIN + gear).transmission.kind == GEAR

@@ -199,3 +199,12 @@ def test_likely_slips_are_noted(written: str, notes: list[str]) -> None:
     told = list(notes_of(parse_scene('sheets = ["forces"]\n' + ENGINE + PUSHED + written)))
     assert [note.kind for note in told] == notes
     assert all("{" not in note.worded(language) for note in told for language in ("en", "ru"))
+
+
+def test_a_diagram_of_another_stroke_is_told_at_its_place() -> None:
+    scene = (
+        ENGINE + ON_B + "value = 1\ndirection = 0\n" + PUSHED + 'diagram = { travel = [0, "9 m"], force = [0, 1] }\n'
+    )
+    line = 1 + scene.splitlines().index(next(line for line in scene.splitlines() if line.startswith("diagram")))
+    with pytest.raises(StructureError, match=rf":{line}:13: loads\.forces\[1\]\.diagram\.travel: the diagram of"):
+        compared(scene)

@@ -228,3 +228,14 @@ def test_numbers_tell_whether_the_working_stroke_is_the_faster() -> None:
     for working, faster in (("slower", False), ("faster", True)):
         study = Study(parse_scene(SHAPER + f'[output]\nworking = "{working}"\n'))
         assert study.numbers("linkage", "construction").plain()["extremes"]["faster"] is faster
+
+
+def test_a_moment_and_a_force_between_links_know_the_direction_too() -> None:
+    rocked = '[[loads.moments]]\non = 3\nvalue = 12\nduring = "idle direction"\nstroke = "B"\n'
+    told = loaded(ROCKER + rocked)
+    omega = told.motion.links[3].omega
+    assert omega is not None
+    way = -np.sign(np.diff(told.strokes[Track("B")].reach)[0])
+    assert told.loading.moments[0].moment[1:] == pytest.approx(np.where(np.sign(omega[1:]) == way, 12, 0))
+    once = PUMP.replace("direction", 'during = "working direction"\nworking = "together"\ndirection')
+    assert abs(loaded(once).force()) == pytest.approx([3000] * 6 + [0] * 6, abs=1e-9)

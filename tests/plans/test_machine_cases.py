@@ -219,3 +219,12 @@ def test_work_closes_over_the_turn() -> None:
     cycle = study()["dynamics"].cycle
     assert cycle.surplus[-1] == pytest.approx(0, abs=1e-12 * abs(cycle.work[-1]))
     assert cycle.driving == pytest.approx(2000 * 0.9 * 0.2 / (2 * np.pi), rel=5e-3)
+
+
+def test_constant_moment_on_the_crank_takes_nothing_from_the_drive_unevenly() -> None:
+    """Nothing is left of the surplus but rounding, which is told as nothing; the links alone ask for a flywheel."""
+    found = compared('[[loads.moments]]\non = 1\nvalue = 50\nagainst = "motion"\n')
+    assert found.construction.cycle.driving == pytest.approx(50, rel=1e-14)
+    assert found.construction.cycle.surplus.tolist() == [0.0] * 25
+    for ours, theirs in zip(found.construction.flywheel.touches, found.analysis.flywheel.touches, strict=True):
+        assert ours == pytest.approx(theirs, rel=1e-12)

@@ -275,3 +275,10 @@ def test_no_rim_without_a_diameter_or_without_a_flywheel() -> None:
 
 def test_the_speed_of_the_mean_circle() -> None:
     assert sized(1.0, Rim(1.0, 0.8)).at_speed(-10.0) == 4.0
+
+
+def test_no_speed_bears_more_than_the_motor_has_and_a_constant_moment_has_none_of_its_own() -> None:
+    assert [law.speed(61.0) for law in LAWS] == [None] * len(LAWS)
+    assert Kloss(60.0, 0.2, 100.0).speed(60.0) == pytest.approx(80.0)
+    law = Constant(5.0)
+    assert (law.moment(3.0), law.slope(3.0), law.speed(5.0), law.steepness) == (5.0, 0.0, None, 0.0)

@@ -252,3 +252,10 @@ def test_every_part_is_what_its_formula_says(name: str) -> None:
     assert {one.name.partition("_")[0] for one in told} >= {"v", "a", "a^n", "a^t"}
     for one in told:
         assert np.nanmax(one.excess) <= 1, one.name
+
+
+def test_a_slot_along_its_own_guide_is_no_group():
+    mechanism = hung("RPP", FRAME, False)
+    slides = tuple(slide._replace(on_slider=AXIS, on_owner=AXIS) for slide in mechanism.slides)
+    with pytest.raises(StructureError, match="parallel"):
+        decompose(replace(mechanism, slides=slides))

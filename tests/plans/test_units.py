@@ -140,3 +140,11 @@ def test_a_free_length_is_none_or_a_length() -> None:
     assert units.free_length("80 mm") == Decimal("0.08")
     with pytest.raises(Wrong):
         units.free_length(Decimal("1e10"))
+
+
+@pytest.mark.parametrize("written", ["1e100 rad/s", "-1e10", "1e-200 rad/s", "1e11 rpm"])
+def test_a_speed_of_no_machine_is_refused(written: str) -> None:
+    value = written if " " in written else Decimal(written)
+    with pytest.raises(Wrong) as caught:
+        units.rate(value, units.SPEED)
+    assert caught.value.kind == "out_of_range"
