@@ -11,7 +11,6 @@ from drawings.checks.wrong import Wrong
 from drawings.eye.sheet import see
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured
-from drawings.original.originals import leaves_of
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
@@ -19,11 +18,6 @@ from drawings.sheets.documents import bind
 from drawings.sheets.table import SHEETS
 from plans.study import Study
 from plans.techniques import named
-
-
-def faults_of(study: Study) -> list[str]:
-    """Tell what is wrong with the sheets of a study."""
-    return [str(one) for kind, own in leaves_of(study).items() for one in wrongs(study, kind, own)]
 
 
 def faults_on(study: Study, kind: str, leaves: Sequence[Leaf]) -> list[str]:

@@ -168,8 +168,3 @@ def test_the_specimen_shows_the_whole_alphabet_on_a_sheet() -> None:
         (*LETTERS, SIGNS, LARGE.plain, *(run.text for _, *pair in PHRASES for p in pair for run in runs(p)))
     )
     assert set(ALL + DIGITS + ON_SHEETS) - set(shown) <= set("⁰³⁴⁵⁶⁷⁸⁹µ\u00a0\u202f")
-
-
-@over("pair", ["ГА", "АТ", "ТА", "LT", "AV", "VA", "РА", "АУ", "Го", "To"])
-def test_letters_whose_lines_are_not_parallel_stand_nearer(pair: str) -> None:
-    assert gap(*pair) == 1
