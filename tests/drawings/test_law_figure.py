@@ -16,13 +16,11 @@ from drawings.layout.picture import Spot
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Leaf
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of
 from plans.cam.tables import smoothing
 from plans.model.cam import DWELL, POINTED, RETURN, RISE, ROCKING, Follower, Law
 from plans.model.cam_motion import CamFound, Contour, Sizes
-from tests.drawings.exhibits import exhibited
 from tests.plans.law_cams import RULER, SMOOTH, STEADY, law_cam, usual
 
 CAMS = {
@@ -37,11 +35,6 @@ CAMS = {
 @cache
 def found(name: str) -> LawDiagrams:
     return diagrams_of(CAMS[name])
-
-
-@cache
-def leaf(name: str, size: str = "A3", language: str = "en") -> Leaf:
-    return exhibited([(law_diagrams, found(name))], size, language)
 
 
 def framed(name: str, size: str = "A1") -> LawFrame:
