@@ -1,12 +1,14 @@
-"""What tests of drawings share: the command run in this process."""
+"""What tests of drawings share: the command run in this process, a scene with gaps."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from drawings.commands import cli
+from tests.drawings.mechanisms import TWO_ROCKERS
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -25,3 +27,10 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
         return code, out, err
 
     return command
+
+
+@pytest.fixture
+def gapped(tmp_path: Path) -> Path:
+    scene = tmp_path / "rockers.toml"
+    scene.write_text(TWO_ROCKERS, "utf-8")
+    return scene
