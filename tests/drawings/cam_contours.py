@@ -17,7 +17,6 @@ from plans.model.cam import (
     DWELL,
     FORCE,
     GROOVE,
-    POINTED,
     RETURN,
     RISE,
     ROCKING,
@@ -58,21 +57,15 @@ def view(one: Cam, sizes: Sizes, roller: float = 0.0) -> ProfileView:
 
 
 OFFSET = Sizes(0.03266494437, 0.002220357697)
-RADIAL = Sizes(0.04)
 R_OFFSET = 0.01306597775
 ROCKER = Sizes(0.03692159408, 0.0, 0.1363651929, -(0.1211047752 - 0.06268252757j), math.radians(14.86559732))
 
-TO_ROLLER, TO_POINT = (Follower(TRANSLATING, end) for end in (ROLLER, POINTED))
+TO_ROLLER = Follower(TRANSLATING, ROLLER)
 
 
 def groove(sense: int = 1) -> ProfileView:
     """Give the offset roller in a groove of M2.7 and M2.14."""
     return view(cam(TO_ROLLER, closure=GROOVE, sense=sense), OFFSET, R_OFFSET)
-
-
-def radial() -> ProfileView:
-    """Give a radial pointed follower."""
-    return view(cam(TO_POINT, laws=("constant acceleration", "cosine")), RADIAL)
 
 
 def wedge() -> ProfileView:
@@ -95,7 +88,6 @@ EVERY = {
     "clockwise": lambda: groove(-1),
     "rocker": rocker,
     "wedge": wedge,
-    "radial": radial,
     "undercut": undercut,
 }
 

@@ -68,20 +68,6 @@ def test_the_arcs_span_the_angles_of_the_strokes_from_extreme_to_extreme(text: s
     assert [stroke.radius for stroke in strokes if isinstance(stroke, Arc)] == [radius] * 2
 
 
-def test_a_small_crank_has_them_outside_its_numbers() -> None:
-    large, small = (
-        phases(pairs_of(JACK, hand), "en")[0] for hand in (Hand(0.7, 0.35, 0.25), Hand(0.7, 0.35, 0.25, symbol=4))
-    )
-    assert large.arc.radius < large.crank
-    assert small.arc.radius > small.crank + 9
-
-
-@pytest.mark.parametrize("text", [SHAPER, SHAPER + ON_D + "value = [1, 0]\n", SHAPER + CUT + 'stroke = "B"\n'])
-def test_they_are_shown_where_the_strokes_differ_though_nothing_depends_on_them(text: str) -> None:
-    working, idle = phases(pairs_of(text), "en")
-    assert (working.text, idle.text) == ("φ_{work} = 220.10°", "φ_{idle} = 139.90°")  # 180 +- 2 asin(120/350)
-
-
 def test_there_are_none_where_both_strokes_take_half_a_turn_and_none_is_asked_for() -> None:
     pairs = pairs_of((Path(__file__).parents[1] / "cases/kinematics/v-compressor.toml").read_text("utf-8"))
     assert phases(pairs, "en") == ()

@@ -16,42 +16,19 @@ from drawings.measure.measure import check, measure
 from drawings.measure.transform import Affine, about, matrix, transform
 from drawings.paper import limits
 from drawings.paper.limits import SheetRefused
+from tests.drawings.test_measure import DATA, HEAD, LINE, LOOK, bare
 from tests.parts import first
 
-HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">'
-LOOK = 'stroke="#000" fill="none"'
-DATA = (
-    'data-kind="vector" data-plan="v" data-quantity="v" data-name="B" data-value="3 4" data-scale="1" data-unit="m/s"'
-)
-LINE = f'<line {DATA} {LOOK} x1="10" y1="20" x2="13" y2="16"/>'
-
 places = st.builds(complex, st.floats(-500, 500), st.floats(-500, 500))
-
-
-def bare(*parts: str, head: str = HEAD) -> bytes:
-    return f"{head}{''.join(parts)}</svg>".encode()
 
 
 @pytest.mark.parametrize(
     "bad",
     [
-        "nan",
-        "inf",
-        "-inf",
-        "1e999",
-        "1_000",
-        "١٢",
-        "１２",
-        "1,5",
-        "5mm",
-        "calc(1+1)",
-        "--1",
-        "",
-        "0x1",
-        "1 2",
+        "nan", "inf", "-inf", "1e999", "1_000", "١٢", "１２", "1,5", "5mm", "calc(1+1)", "--1", "", "0x1", "1 2",
         "1" * 400,
     ],
-)
+)  # fmt: skip
 def test_numbers_of_no_svg_are_refused(bad: str) -> None:
     with pytest.raises(SheetRefused, match=r"vector v B \(v\)"):
         measure(bare(LINE.replace('x1="10"', f'x1="{bad}"')))
@@ -60,20 +37,10 @@ def test_numbers_of_no_svg_are_refused(bad: str) -> None:
 @pytest.mark.parametrize(
     "bad",
     [
-        "matrix(nan 0 0 1 0 0)",
-        "rotate(1e999)",
-        "translate(1e300)",
-        "skewX(90)",
-        "scale(1,2,3)",
-        "matrix(1 0 0 1 0)",
-        "spin(3)",
-        "rotate(3",
-        "rotate 3",
-        "translate(1,,2)",
-        ")",
-        "rotate(1)" * 65,
+        "matrix(nan 0 0 1 0 0)", "rotate(1e999)", "translate(1e300)", "skewX(90)", "scale(1,2,3)", "matrix(1 0 0 1 0)",
+        "spin(3)", "rotate(3", "rotate 3", "translate(1,,2)", ")", "rotate(1)" * 65,
     ],
-)
+)  # fmt: skip
 def test_transforms_of_no_sense_are_refused(bad: str) -> None:
     with pytest.raises(SheetRefused):
         measure(bare(f'<g transform="{bad}">{LINE}</g>'))
@@ -82,18 +49,10 @@ def test_transforms_of_no_sense_are_refused(bad: str) -> None:
 @pytest.mark.parametrize(
     "path",
     [
-        "",
-        "L 1 2 3 4",
-        "M 1 2",
-        "M 1 2 L 3",
-        "M 1 2 L 3 4 5 6",
-        "M 1 2 C 1 2 3 4 5 6",
-        "M1 2M3 4",
-        "M 1 2 X 3 4",
-        "M1 2A1 1 0 2 0 3 4",
-        "M1 2 3 4 ſ",
+        "", "L 1 2 3 4", "M 1 2", "M 1 2 L 3", "M 1 2 L 3 4 5 6", "M 1 2 C 1 2 3 4 5 6", "M1 2M3 4", "M 1 2 X 3 4",
+        "M1 2A1 1 0 2 0 3 4", "M1 2 3 4 ſ",
     ],
-)
+)  # fmt: skip
 def test_paths_of_no_vector_are_refused(path: str) -> None:
     with pytest.raises(SheetRefused):
         measure(bare(f'<path {DATA} {LOOK} d="{path}"/>'))
@@ -102,16 +61,10 @@ def test_paths_of_no_vector_are_refused(path: str) -> None:
 @pytest.mark.parametrize(
     "size",
     [
-        'viewBox="0 0 0 0"',
-        'viewBox="0 0 -1 1"',
-        'viewBox="0 0 nan 1"',
-        'viewBox="0 0 1"',
-        "",
-        'width="1e9mm" height="1mm"',
-        'width="-1mm" height="1mm"',
-        'width="1furlong" height="1mm"',
+        'viewBox="0 0 0 0"', 'viewBox="0 0 -1 1"', 'viewBox="0 0 nan 1"', 'viewBox="0 0 1"', "",
+        'width="1e9mm" height="1mm"', 'width="-1mm" height="1mm"', 'width="1furlong" height="1mm"',
     ],
-)
+)  # fmt: skip
 def test_pages_of_no_size_are_refused(size: str) -> None:
     with pytest.raises(SheetRefused):
         measure(bare(LINE, head=f'<svg xmlns="http://www.w3.org/2000/svg" {size}>'))
@@ -261,16 +214,10 @@ def test_nothing_is_opened_while_reading() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "1" * 1_000_000,
-        "M" + "1" * 200_000 + "!",
-        " " * 200_000 + "!",
-        "-" * 200_000,
-        "M 1" + " " * 200_000,
-        "a" * 200_000,
-        "rotate" + " " * 200_000,
-        "rotate(" * 30_000,
+        "1" * 1_000_000, "M" + "1" * 200_000 + "!", " " * 200_000 + "!", "-" * 200_000, "M 1" + " " * 200_000,
+        "a" * 200_000, "rotate" + " " * 200_000, "rotate(" * 30_000,
     ],
-)
+)  # fmt: skip
 def test_long_nonsense_is_refused_in_linear_time(text: str) -> None:
     before = time.process_time()
     for read in (pathdata.number, pathdata.numbers, pathdata.trace, transform):
