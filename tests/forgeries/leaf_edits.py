@@ -55,19 +55,14 @@ def bearer(leaf: Leaf, mark: Group) -> Item:
     return next(item for item in items(leaf) if item.stroke is mark.strokes[0])
 
 
-def vector_deleted(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
-    return _deleted(leaf, chance, "vector")
+def _deleted(kind: str) -> Edit:
+    def edit(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
+        if not (own := marked(leaf, kind)):
+            return None
+        mark = chance.choice(own)
+        return swapped(leaf, mark, None), of(bearer(leaf, mark), Figures(leaf), "missing")
 
-
-def point_deleted(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
-    return _deleted(leaf, chance, "point")
-
-
-def _deleted(leaf: Leaf, chance: Random, kind: str) -> tuple[Leaf, Told] | None:
-    if not (own := marked(leaf, kind)):
-        return None
-    mark = chance.choice(own)
-    return swapped(leaf, mark, None), of(bearer(leaf, mark), Figures(leaf), "missing")
+    return edit
 
 
 def all_but_one_deleted(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
@@ -278,32 +273,20 @@ def group_lost(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
     return swapped(leaf, gone, None), Told(("missing",), None, gone.name)
 
 
-def group_moved(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
-    return _group(leaf, chance, Affine(t=3 + 1j))
-
-
-def group_scaled(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
-    return _group(leaf, chance, Affine(1.02 + 0j, 0j, -3 - 3j))
-
-
-def group_turned(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
-    return _group(leaf, chance, Affine(1 + 0.01j, 0j, 1j))
-
-
-def _group(leaf: Leaf, chance: Random, by: Affine) -> tuple[Leaf, Told] | None:
+def _group(by: Affine) -> Edit:
     """Bring a group elsewhere that has no lettering, which our pen turns by quarters alone."""
-    turns = by.p.imag != 0
-    own = [
-        group
-        for group in leaf.groups
-        if group.name
-        and not (turns and any(isinstance(item.stroke, Text) for item in items(leaf) if item.home.figure == group.name))
-    ]
-    own = [group for group in own if group.name not in ("frame", "corners") and group.strokes]
-    if not own:
-        return None
-    group = chance.choice(own)
-    return swapped(leaf, group, brought(group, by)), Told(("moved",), None, group.name)
+
+    def edit(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
+        written = {item.home.figure for item in items(leaf) if isinstance(item.stroke, Text)} if by.p.imag else set()
+        own = [
+            one for one in leaf.groups if one.name and one.name not in ("frame", "corners", *written) and one.strokes
+        ]
+        if not own:
+            return None
+        group = chance.choice(own)
+        return swapped(leaf, group, brought(group, by)), Told(("moved",), None, group.name)
+
+    return edit
 
 
 def paper_larger(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
@@ -311,8 +294,8 @@ def paper_larger(leaf: Leaf, chance: Random) -> tuple[Leaf, Told] | None:
 
 
 LEAF_EDITS: dict[str, Edit] = {
-    "a vector deleted": vector_deleted,
-    "a point deleted": point_deleted,
+    "a vector deleted": _deleted("vector"),
+    "a point deleted": _deleted("point"),
     "all marks but one deleted": all_but_one_deleted,
     "an arrow shifted whole": arrow_shifted,
     "a value forged with its drawing": value_forged,
@@ -342,8 +325,8 @@ LEAF_EDITS: dict[str, Edit] = {
     "a patch over a figure": covered,
     "a cell of the title block changed": title_cell,
     "a figure or table lost": group_lost,
-    "a group moved": group_moved,
-    "a group scaled": group_scaled,
-    "a group turned": group_turned,
+    "a group moved": _group(Affine(t=3 + 1j)),
+    "a group scaled": _group(Affine(1.02 + 0j, 0j, -3 - 3j)),
+    "a group turned": _group(Affine(1 + 0.01j, 0j, 1j)),
     "larger paper": paper_larger,
 }
