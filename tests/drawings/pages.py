@@ -9,6 +9,7 @@ import pytest
 
 from drawings.lettering.lettering import outline
 from drawings.page.page import Page
+from drawings.paper import walk
 from drawings.paper.strokes import Box, Group, Line, Polyline, Stroke, Text
 from tests.parts import some
 
@@ -49,16 +50,12 @@ def bare(page: Page, **entries: str) -> Group:
     return Group((page.frame(), page.corners(), block))
 
 
-def flat(stroke: Stroke) -> Iterator[Stroke]:
-    if isinstance(stroke, Group):
-        for inner in stroke.strokes:
-            yield from flat(inner)
-    else:
-        yield stroke
+def flat(stroke: Stroke) -> list[Stroke]:
+    return [*walk.flat((stroke,))]
 
 
 def texts(stroke: Stroke) -> list[Text]:
-    return [one for one in flat(stroke) if isinstance(one, Text)]
+    return [*walk.texts((stroke,))]
 
 
 def said(stroke: Stroke) -> list[str]:
@@ -66,15 +63,9 @@ def said(stroke: Stroke) -> list[str]:
 
 
 def named(stroke: Stroke, name: str) -> Group:
-    def find(group: Group) -> Iterator[Group]:
-        if group.name == name:
-            yield group
-        for inner in group.strokes:
-            if isinstance(inner, Group):
-                yield from find(inner)
-
-    assert isinstance(stroke, Group)
-    return next(find(stroke))
+    found = walk.group_named((stroke,), name)
+    assert found is not None
+    return found
 
 
 def around(points: Iterable[complex], by: float) -> Box:
