@@ -17,8 +17,10 @@ from plans.study import Study
 from tests.drawings.balance_scenes import scene as balanced
 from tests.drawings.bank_scenes import bank, compensator
 from tests.gallery import GALLERY
+from tests.plans.cyclograms import scene_text
 from tests.plans.dynamics_scenes import PLANING, text
 from tests.plans.test_cam_marks import SIZES, TURNING, one
+from tests.plans.test_cyclogram import CAM
 from tests.plans.test_loading import ENGINE, ROCKER
 
 ENGLISH = '[sheet]\nlanguage = "en"\n'
@@ -139,6 +141,14 @@ ROWS = {
         case("press", IN_ENGLISH),
         ["F_us at G of link 7, wherever it goes as on the working stroke"],
         ["its point reverses"],
+    ),
+    # Cyclograms
+    "the positions of a tool by both roads": Row(
+        scene_text("shaper", "overrun = 0.1\nbreaks = [0.6, 0.75]\n" + CAM),
+        [
+            "position 8, overrun begins, at 0.1 of the stroke: φ = 306.8819915° by plan, 306.8819915° by analysis",
+            "φ_rise = 360° − (φ_2 − φ_1) = 74.57704742°",
+        ],
     ),
     # Motion of a machine
     "heavy enough without a flywheel": Row(
