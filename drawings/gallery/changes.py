@@ -21,6 +21,7 @@ from drawings.files.manifest import SUFFIX, digest_of
 WITHIN = 0.002  # mm: far under what is seen, and over the last digit of a stroke
 ROUNDED = 1e-9  # of the largest: a value that a mark states has 12 digits
 LAST = 2  # places of the last digit, of a number of a report
+LONG = 6  # digits of a whole number that may be rounded in its last one; a shorter one counts, or numbers a position
 NUMBER = re.compile(r"-?(?:\d+(?:[.,]\d+)?|\.\d+)(?:e[+-]\d+)?")
 GEOMETRY = frozenset({"d", "cx", "cy", "r", "stroke-dasharray", "data-deviation"})
 WORDS = frozenset({"data-text", "data-name", "id", "class"})
@@ -69,7 +70,7 @@ def _of_words(fresh: str, kept: str) -> Iterator[str]:
 
 def _near(new: str, old: str) -> bool:
     pairs = zip(NUMBER.findall(new), NUMBER.findall(old), strict=True)
-    return all(_off(one, other) <= LAST for one, other in pairs)
+    return all(one == other if one.isdigit() and len(one) < LONG else _off(one, other) <= LAST for one, other in pairs)
 
 
 def _off(one: str, other: str) -> Decimal:
