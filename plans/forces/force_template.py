@@ -42,11 +42,6 @@ class ForceDrawing:
         """Give the force plan itself, and the lever."""
         return ForcePlans(plan, lever(plan))
 
-    def hung(self, plan: ForcePlan, count: int) -> Floats | None:
-        """Read the balancing moment off the lever."""
-        hung = self.plans_of(plan).lever
-        return None if hung is None else np.asarray(row(hung.moment.point, count).real)
-
     def singular(self, plan: ForcePlan, count: int) -> Any:
         """Tell at which positions a polygon or an equation of moments has no answer with a true digit."""
         found = np.zeros(count, dtype=bool)
@@ -133,12 +128,6 @@ class ForcePattern:
     def hang(self, numbers: list[Any]) -> list[Any]:
         """Work out the numbers of the lever over those of the force plan."""
         return self._hung.follow_on(numbers, {})
-
-    def hung(self, numbers: list[Any], count: int) -> Floats | None:
-        """Read the balancing moment off the lever."""
-        if self.lever is None:
-            return None
-        return np.asarray(row(self.hang(numbers)[self._hung.place(self.lever.moment)], count).real)
 
     def _found(self, support: Support) -> _Places:
         place, along = self.tracing.place, None

@@ -131,11 +131,6 @@ class ForceDrafts:
         found = pattern.read(numbers, turn.phi)
         return found, pattern.singular(numbers, len(turn))
 
-    def hung(self) -> Floats | None:
-        """Work out the balancing moment by the lever; None where nothing moves."""
-        pattern, numbers = self._followed
-        return pattern.hung(numbers, len(self.drafts.turn))
-
 
 class Statics:
     """The forces of a study; nothing is made before it is asked for."""

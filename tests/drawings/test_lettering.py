@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from drawings.lettering import alphabet
-from drawings.lettering.alphabet import SLANT, gap, glyph
+from drawings.lettering.alphabet import SLANT, glyph
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
