@@ -103,7 +103,8 @@ def _indices() -> Iterator[tuple[str, str]]:
 def _quantity(study: Study, name: str) -> Quantity | None:
     """Find a quantity that the tables tell, whether or not it was drawn: R_0 of the first cam, K2:R_0 of K2."""
     of, _, own = name.rpartition(":")
-    wanted = {name, f"Σ{name}", own, f"{own} {of}"}
+    cams = study.comparison("cam").analysis.cams if of and "cam" in study.techniques else ()
+    wanted = {name, f"Σ{name}", f"{own} {of}", *(own for one in cams if [one.cam.name] == [of] and len(cams) == 1)}
     told = [(one.name.translate(SIGNS), one) for row in reversed(study.techniques) for one in study.quantities(row)]
     exact = (one for letters, one in told if letters in wanted)
     return next(exact, next((one for letters, one in told if letters.partition(" ")[0] == name), None))
@@ -116,12 +117,17 @@ def _told(one: Quantity, name: str, position: int) -> Explanation:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     position = position if count > 1 else 0
     shown = one.shown if isinstance(one.shown, Span | Reading) else filter(None, (one.shown,))
-    ours, theirs = (f"{float(abs(row[position])):.10g}" for row in (one.construction, one.analysis))
+    ours, theirs = (f"{_size(row[position]):.10g}" for row in (one.construction, one.analysis))
     value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=one.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*shown), position, count)
     units = {order.plan: order.point.unit for order in ORDERS} | {one.plan: one.unit}
     return Explanation(title, steps, units, (value,), POSITIONS.plan, written)
+
+
+def _size(value: complex | float) -> float:
+    """Give how long a vector is; a number as it is."""
+    return abs(value) if np.iscomplexobj(value) else float(value.real)
 
 
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:

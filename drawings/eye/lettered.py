@@ -326,6 +326,8 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
     (p, q, t), unit = place, style.width
     spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
     glyphs = tuple([_looked_up(steps, p, q, unit) for steps in parts[3::4]])
+    if not all([glyph.trail.points for glyph in glyphs]):  # noqa: C419  (a list is quicker: each letter is asked)
+        return None
     return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), unit, glyphs)
 
 

@@ -83,7 +83,7 @@ def _angle(own: Sequence[complex], trail: Trail, unit: float) -> float | None:
 
 
 def _of(trail: Trail, unit: float, near: float, accents: bool) -> Iterator[Reading]:
-    last, off = trail.points[-1] / unit if unit else 0j, near / unit if unit else 0.0
+    last, off = trail.points[-1] / unit if unit and trail.points else 0j, near / unit if unit else 0.0
     for found, points in _stood(trail.signature, accents):
         if abs(points[-1] - last) <= off and all(
             abs(point * unit - seen) <= near for point, seen in zip(points, trail.points, strict=True)

@@ -215,7 +215,9 @@ class _Lever:
             arm = marks.get(one.name, "".join(reversed(ends)))
             sign = "+ " if one.power > 0 else "− "
             text = Text(0j, f"{one.letter}·{arm}").plain
-            allowed = math.inf if self._doubtful or (one.name not in marks and not all(ends)) else 0.0
+            # A couple of which one force stands alone, off the pole, hangs on another link that turns alike.
+            alike = "/" in one.name and f"−{one.name}" not in self.said and "p" not in ends
+            allowed = math.inf if self._doubtful or alike or (one.name not in marks and not all(ends)) else 0.0
             row = Expected(Kind.LETTER, f"{EQUATION}-{self.acting.k}", one.letter, sign + text, allowed, may_lack=True)
             yield row._replace(value=text) if one is told[0] and one.power > 0 else row
 

@@ -37,6 +37,7 @@ def foreign(source: bytes) -> str | None:
 
 _SVG = "http://www.w3.org/2000/svg"
 _CHUNK = 64 * 1024
+KNOWN = 4096  # elements that are remembered as alike: a sheet of ours has some dozens, one of an editor any number
 _TELLING = ("style", "metadata")  # elements whose text may be heard
 _GZIP = b"\x1f\x8b"
 _SAID = 40  # letters of a name that are told
@@ -171,7 +172,9 @@ class _Reader:
             self._listen(tag, attributes)
         alike = (self.frames[-1], name, said(attributes))
         if (frame := self.known.get(alike)) is None:
-            frame = self.known[alike] = self._framed(*alike, sheet)
+            frame = self._framed(*alike, sheet)
+            if len(self.known) < KNOWN:
+                self.known[alike] = frame
         self.frames.append(frame)
         if frame.tag and (data := marked(attributes)):
             self._mark(frame, data, attributes, sheet)

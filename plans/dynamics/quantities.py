@@ -275,11 +275,6 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     return DynamicsComparison(ours, sampled, found, true, turn, after, before, others, motion=motion)
 
 
-def exact_turn(study: DynamicsStudy, motion: MotionComparison) -> Exact:
-    """Find the turn of a machine without any error but rounding, by the road that its positions were compared by."""
-    return exact(*_road(study, motion))
-
-
 def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, Stroke]]:
     strokes = study.statics.over(motion.road.extremes)
     loads, start = partial(_loads, study, strokes), float(study.linkage.turn.phi[0])

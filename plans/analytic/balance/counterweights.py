@@ -24,8 +24,6 @@ from plans.model.machine import Machine
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
 
-CONSTANT = 0  # the column of what never moves
-
 
 class Turned(NamedTuple):
     """A link's direction: the link whose direction it has but for a fixed turn, and that turn as a unit vector."""

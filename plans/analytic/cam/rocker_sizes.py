@@ -170,7 +170,19 @@ def _lines(families: Sequence[Family]) -> tuple[Points, Floats, list[tuple[Famil
 
 
 def _seeds(own: Sequence[int], which: Sequence[tuple[Family, float]], centre: complex) -> tuple[Seed, ...]:
-    return tuple(_seed(*which[k], centre) for k in own)
+    return tuple(_pressed(k, which, centre) for k in own)
+
+
+def _pressed(own: int, which: Sequence[tuple[Family, float]], centre: complex) -> Seed:
+    """Give the seed of a line: where a law breaks it is a corner if the stretches on both sides are pressed there."""
+    family, share = which[own]
+    line = family.weight, family.stretch.phase, share
+    seeds = [
+        _seed(other, at, centre)
+        for other, at in (which[own], *which[max(own - 1, 0) : own + 2])
+        if (other.weight, other.stretch.phase, at) == line
+    ]
+    return next((one for one in seeds if not one.corner), seeds[0])
 
 
 def _seed(family: Family, share: float, centre: complex) -> Seed:
@@ -197,7 +209,7 @@ def _nearest(cam: Cam, start: complex) -> complex:
 
     place = _polished(seeds, at, cam, [] if len(seeds) == 2 else [foot])
     broken = _broken(place, normals, bounds) if len(seeds) == 1 else None
-    if broken is None or len(both := _apart((*seeds, _seed(*which[broken], place)))) == 1:
+    if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
         return place
     return _polished(both, place, cam, [])
 
