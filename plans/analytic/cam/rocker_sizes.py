@@ -119,6 +119,10 @@ class Seed(NamedTuple):
     share: float
     corner: bool
 
+    def normal(self, share: float) -> complex:
+        """Give the normal of the line of its family at a share."""
+        return complex(self.family.lines(np.array([share]))[0][0])
+
 
 def rocker_sizes(cam: Cam) -> Sizes:
     """Give R0, L and the rocker's angle at the start."""
@@ -201,17 +205,30 @@ def _nearest(cam: Cam, start: complex) -> complex:
     if not own:
         raise vanishing(cam, limits_of(cam))
     seeds = _apart(_seeds(own, which, at))
+    place, shares = _touched(seeds, at, cam, start)
+    if len(seeds) == 2:
+        held = [one for one, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0]
+        return place if len(held) == 2 else _touched(held, place, cam, start)[0]
+    broken = _broken(place, normals, bounds)
+    if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
+        return place
+    return _touched(both, place, cam, start)[0]
+
+
+def _touched(seeds: Sequence[Seed], at: complex, cam: Cam, start: complex) -> tuple[complex, list[float]]:
+    """Give the place on one limiting line nearest to the start, or that on two, with the shares of the touches."""
 
     def foot(centre: complex, shares: Sequence[float]) -> float:
         """Of one line alone: O lies square to it from the start."""
-        normal = complex(seeds[0].family.lines(np.array([shares[0]]))[0][0])
-        return ((start - centre) / normal).imag
+        return ((start - centre) / seeds[0].normal(shares[0])).imag
 
-    place = _polished(seeds, at, cam, [] if len(seeds) == 2 else [foot])
-    broken = _broken(place, normals, bounds) if len(seeds) == 1 else None
-    if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
-        return place
-    return _polished(both, place, cam, [])
+    return _polished(seeds, at, cam, [] if len(seeds) == 2 else [foot])
+
+
+def _pressures(seeds: Sequence[Seed], shares: Sequence[float], off: complex) -> Floats:
+    """Give by how much each of two lines holds O off the start: below 0 O would leave it towards the start."""
+    normals = np.array([one.normal(share) for one, share in zip(seeds, shares, strict=True)])
+    return np.asarray(np.linalg.solve([normals.real, normals.imag], [off.real, off.imag]))
 
 
 def _broken(place: complex, normals: Points, bounds: Floats) -> int | None:
@@ -237,11 +254,12 @@ def _on_circle(cam: Cam, start: complex, radius: float) -> complex:
     best = min(below, key=lambda k: abs(places[k] - start))
     at = complex(places[best])
     size = cam.follower.length or 0.0
-    return _polished(_seeds([own[best]], which, at), at, cam, [lambda centre, _: (abs(centre) ** 2 - radius**2) / size])
+    seeds = _seeds([own[best]], which, at)
+    return _polished(seeds, at, cam, [lambda centre, _: (abs(centre) ** 2 - radius**2) / size])[0]
 
 
-def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Condition]) -> complex:
-    """Solve for O and the touches by Newton's method with a Jacobian of differences."""
+def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Condition]) -> tuple[complex, list[float]]:
+    """Solve for O and the shares of the touches by Newton's method with a Jacobian of differences."""
     scale = cam.follower.length or 0.0
     free = [seed.family.stretch for seed in seeds if not seed.corner]
     low = np.array([-np.inf, -np.inf, *(one.start for one in free)])
@@ -256,7 +274,8 @@ def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Con
         unknowns = np.clip(unknowns - step, low, high)
         if np.abs(step[:2]).max() <= 2 * np.finfo(float).eps:
             break
-    return scale * complex(unknowns[0], unknowns[1])
+    places = iter(unknowns[2:].tolist())
+    return scale * complex(unknowns[0], unknowns[1]), [one.share if one.corner else next(places) for one in seeds]
 
 
 def _residual(seeds: Sequence[Seed], centre: complex, free: Sequence[float], others: Sequence[Condition]) -> Floats:
