@@ -30,8 +30,8 @@ from drawings.grading.graded import grade
 from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import hints
-from drawings.original.originals import Originals
-from drawings.original.sheet_check import check
+from drawings.redrawn.originals import Originals
+from drawings.redrawn.sheet_check import check
 from tests.forgeries.chance_edits import CHANGES, HANDED_IN
 
 GALLERY = Path(__file__).parents[1] / "drawings" / "gallery"

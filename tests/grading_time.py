@@ -18,7 +18,7 @@ from drawings.grading.asked import Allowances
 from drawings.grading.graded import grade
 from drawings.grading.roll import grade_all
 from drawings.grading.sheet_task import sheet_task
-from drawings.original.originals import Originals
+from drawings.redrawn.originals import Originals
 from tests.gallery import GALLERY
 
 

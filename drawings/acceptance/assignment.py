@@ -8,7 +8,6 @@ from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
-from drawings.eye.sheet import see
 from drawings.grading.asked import Allowance, Allowances, Asked, PlanAsked, ends_of
 from drawings.grading.drawn_plan import from_marks
 from drawings.grading.feedback import allowance
@@ -17,10 +16,11 @@ from drawings.grading.marking import Place
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.grading.told import Hints, hints
-from drawings.measure.measure import Measured, measure
-from drawings.original.originals import Originals
-from drawings.original.sheet_check import Checked, check
 from drawings.paper.limits import SheetRefused
+from drawings.reading.measure import Measured, measure
+from drawings.reading.sheet import see
+from drawings.redrawn.originals import Originals
+from drawings.redrawn.sheet_check import Checked, check
 from geometry.errors import DraftError
 from plans.words.words import message
 

@@ -17,13 +17,13 @@ from drawings.checks import hold
 from drawings.checks.expected import Expected, subject
 from drawings.checks.readers import Read
 from drawings.checks.written import value as number
-from drawings.eye.sheet import SeenSheet, see
 from drawings.lettering.lettering import lettered
-from drawings.original.originals import leaves_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
+from drawings.reading.sheet import SeenSheet, see
+from drawings.redrawn.originals import leaves_of
 from drawings.sheets.table import SHEETS
 from plans.bench.quantities import quantities
 from plans.bench.trial import BUDGET, Errors, Road, Row, Times, interleaved

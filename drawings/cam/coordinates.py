@@ -10,8 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from drawings.checks.expected import KNOWN
-from drawings.checks.wrong import Wrong
+from drawings.checks.expected import KNOWN, Wrong
 from drawings.files.coordinate_table import CURVATURE, DIGITS, THETA, read, written
 from drawings.files.file_error import Enclosure
 from plans.analytic.cam.contour import contour

@@ -16,11 +16,11 @@ from drawings.cam.due_notes import DEGREES, MM, CamNumbers, every_cam, numbers_o
 from drawings.cam.due_values import ACCELERATION, HARD, TRAVEL, VELOCITY, CamValues, law_named
 from drawings.checks.expected import Cell, Expected, by_hand, cells, measured, phrases, subject
 from drawings.cyclogram.due_rows import cam_rows, chart
-from drawings.measure.pathdata import pair
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, stated
+from drawings.reading.pathdata import pair
 from geometry.strips import departure
 from plans.analytic.cam.contour import Curve
 from plans.cam.numbers import cam_by_hand, readings

@@ -1,4 +1,4 @@
-"""What must stand on a sheet: a statement, the value that the analysis gives it, how far off it may be (ожидаемое)."""
+"""What must stand on a sheet by the analysis, row by row, and how what is otherwise is named (ожидаемое)."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from drawings.layout.table import cell_name
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf
 from plans.model.motion import Complexes, Floats
+from plans.words.words import ENGLISH, Message, message, words
 
 # A value of a vector, a number, a direction; a text; a graph as a function of its argument; a path by dense points.
 Value: TypeAlias = complex | float | str | Callable[[Floats], Floats] | Complexes
@@ -102,3 +103,32 @@ def measured(
     lost = row.may_lack if may_lack is None else may_lack
     yield row
     yield Expected(Kind.PHRASE, row.figure, row.name, lettered, unit * row.allowed, may_lack=lost, digits=digits)
+
+
+Wrong: TypeAlias = Message | str
+
+
+def on(key: str, plan: str, **parts: object) -> Message:
+    """Say what is wrong on a plan or a figure, by the names of its marks.
+
+    >>> on("letter", "forces-2-3", name="R_12").worded("ru")
+    'буква R_12 (план сил 2-3)'
+    """
+    return message(f"wrong.{key}", plan=_figure(plan), **parts)
+
+
+def within(key: str, where: str, **parts: object) -> Message:
+    """Say what is wrong in a table or in the notes of a sheet, by the name of its figure.
+
+    >>> str(within("cell", "masses", name="II", text="0.5"))
+    '0.5 for II in the table of masses'
+    """
+    return message(f"wrong.{key}", where=where, **parts)
+
+
+def _figure(plan: str) -> Wrong:
+    """Name the figure of a group of links or a pair; any other by the word for its plan."""
+    if f"plan.{plan}" in words(ENGLISH):
+        return plan
+    kind, _, which = plan.partition("-")
+    return message(f"figure.{kind}", which=which) if which and f"figure.{kind}" in words(ENGLISH) else plan

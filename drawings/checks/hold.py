@@ -10,17 +10,16 @@ from typing import TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from drawings.checks.expected import NOTES, Expected
+from drawings.checks.expected import NOTES, Expected, Wrong, on
 from drawings.checks.readers import Read, frames, read
 from drawings.checks.written import reads
 from drawings.checks.written import value as number
-from drawings.checks.wrong import Wrong, on
 from drawings.lettering.phrase import SLOT, read_back, template_of
-from drawings.measure.measure import Measured
 from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, stated
+from drawings.reading.measure import Measured
 from plans.model.motion import Complexes, Floats
 
 Seen = Mapping[Key, Sequence[Read]]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from drawings.checks.wrong import on
+from drawings.checks.expected import on
 from drawings.layout.ink import CELL, CLEAR
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds

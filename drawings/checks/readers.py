@@ -12,10 +12,10 @@ from typing import Final, NamedTuple, TypeAlias, TypeGuard
 
 import numpy as np
 
-from drawings.eye.covering import corners
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import flat, groups, stated, texts
+from drawings.reading.covering import corners
 from plans.model.motion import Complexes
 
 ACROSS, UP = "x", "y"  # the names of the axes of a graph

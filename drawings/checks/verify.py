@@ -7,20 +7,19 @@ from pathlib import Path
 from typing import NamedTuple
 
 from drawings.checks import hold
-from drawings.checks.expected import Expected
+from drawings.checks.differences import differences
+from drawings.checks.expected import Expected, Wrong, on
 from drawings.checks.letters import unlettered
-from drawings.checks.seen.differences import differences
-from drawings.checks.seen.plain import plain
+from drawings.checks.plain import plain
 from drawings.checks.written import block_faults, marked_scales, scale_faults
-from drawings.checks.wrong import Wrong, on
-from drawings.eye.covering import COVERED, OUTSIDE, small, veiled
-from drawings.eye.sheet import SeenSheet, see
 from drawings.files.file_error import Enclosure
-from drawings.measure.measure import Measured, check
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.statement import Key
 from drawings.paper.strokes import Arc, Leaf, Text
 from drawings.paper.walk import unstated
+from drawings.reading.covering import COVERED, OUTSIDE, small, veiled
+from drawings.reading.measure import Measured, check
+from drawings.reading.sheet import SeenSheet, see
 from drawings.symbols.symbols import BLOCK
 from geometry.errors import DraftError
 from plans.quantity import Comparison, Lone
@@ -100,8 +99,8 @@ def obscured(seen: SeenSheet) -> list[Message]:
     held = [of for of, one in under.items() if isinstance(one.stroke, Text) or of in large]
     if not held:
         return []
-    from drawings.collation.edit import Figures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
-    from drawings.collation.items import items  # noqa: PLC0415
+    from drawings.sheet_diff.edit import Figures, lone  # noqa: PLC0415  (only what is badly drawn pays for it)
+    from drawings.sheet_diff.items import items  # noqa: PLC0415
 
     figures, right = Figures(leaf), {id(item.stroke): item for item in items(leaf)}
     return [lone("hidden", right[of], figures, reason=under[of].reason).told for of in held]

@@ -7,14 +7,14 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
-from drawings.checks.wrong import Wrong, on
+from drawings.checks.expected import Wrong, on
 from drawings.lettering.words import number
-from drawings.measure.measure import Measured
 from drawings.page.page import BLOCK
 from drawings.page.title_cell import NUMBERS
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
+from drawings.reading.measure import Measured
 from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 

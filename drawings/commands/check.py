@@ -9,9 +9,9 @@ from pathlib import Path
 
 from drawings.files.file_error import of_system, print_json
 from drawings.files.manifest import digest_of, manifest_beside
-from drawings.original.originals import Originals
-from drawings.original.sheet_check import UNREADABLE, Checked, Finding, check
 from drawings.paper.limits import SHEET_BYTES
+from drawings.redrawn.originals import Originals
+from drawings.redrawn.sheet_check import UNREADABLE, Checked, Finding, check
 from geometry.regular_file import regular_bytes
 from plans.words.words import ENGLISH, message, word
 

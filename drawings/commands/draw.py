@@ -14,9 +14,8 @@ from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest
-from drawings.files.sheet_set import output_folder, publish
+from drawings.files.sheet_set import output_folder, placed_sheets, publish, sheet_path, stem_of
 from drawings.lettering.lettering import lettered
-from drawings.original.sheet_paths import placed_sheets, sheet_path, stem_of
 from drawings.report.report import headlines, lines, remarks, summary, written
 from drawings.sheets.documents import of_scales, of_title
 from drawings.sheets.table import SHEETS
@@ -27,12 +26,11 @@ from plans.techniques import makers_of, named
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
-    from drawings.checks.expected import Expected
-    from drawings.checks.wrong import Wrong
-    from drawings.eye.sheet import SeenSheet
+    from drawings.checks.expected import Expected, Wrong
     from drawings.files.file_error import Enclosure
     from drawings.paper.statement import Key
     from drawings.paper.strokes import Leaf
+    from drawings.reading.sheet import SeenSheet
 
 GAPS, WITHHELD = 4, 5
 SHEETS_MOST = 1000  # of one scene; looked for until one is missing
@@ -131,8 +129,8 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with trace.stage("imports"):
         from drawings.checks.hold import phrase_faults
         from drawings.checks.verify import SelfCheckFailed, cramped, enclosure_wrongs, first, obscured
-        from drawings.original.originals import leaves_of
         from drawings.pens.svg import svg
+        from drawings.redrawn.originals import leaves_of
         from drawings.sheets.documents import cuts
 
     scene, stem, language = study.scene, stem_of(study.scene), study.scene.sheet.language

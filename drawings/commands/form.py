@@ -12,9 +12,8 @@ from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_of
-from drawings.files.sheet_set import output_folder, publish
+from drawings.files.sheet_set import output_folder, placed_sheets, publish, stem_of
 from drawings.lettering.lettering import lettered
-from drawings.original.sheet_paths import placed_sheets, stem_of
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.words.words import message, placed

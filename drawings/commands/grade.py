@@ -23,8 +23,8 @@ from drawings.grading.marking import RECORDS, Marking, MarkingError, read_markin
 from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import sheet_task
 from drawings.grading.told import HEAD, Hints, curve_hints, hints, lines, plain, plain_name, row
-from drawings.original.originals import Originals
 from drawings.paper.limits import SHEET_BYTES
+from drawings.redrawn.originals import Originals
 from geometry.regular_file import regular_bytes
 from plans.words.words import message, word
 

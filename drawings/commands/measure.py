@@ -11,10 +11,9 @@ from pathlib import Path
 from drawings.commands.stderr import tell
 from drawings.files.file_error import print_json
 from drawings.files.manifest import manifest_beside
-from drawings.measure.measure import Measured, MeasuredProfile, check, measure_file
-from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
-from drawings.measure.measured_lines import lines, plan_name
 from drawings.paper.limits import SheetRefused
+from drawings.reading.marks import MarkKey, MeasuredPoint, MeasuredVector
+from drawings.reading.measure import Measured, MeasuredProfile, check, lines, measure_file, plan_name
 from geometry.curve import CubicPiece, Piece
 from plans.words.words import ENGLISH, message, placed, word
 
@@ -61,7 +60,7 @@ def _language(scene: Path) -> str:
 
 def _astray(measured: Measured, options: argparse.Namespace) -> dict[str, list[MarkKey]]:
     """Name the marks that the sheet must have by its scene and has not, that it has and must not, and that differ."""
-    from drawings.original.originals import Originals  # only a scene that is given has its sheets laid out
+    from drawings.redrawn.originals import Originals  # only a scene that is given has its sheets laid out
 
     originals = Originals(options.scene)
     must = [originals.seen(one).measured for one in originals.of(options.sheet.name, measured.metadata)]

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from drawings import VERSION
 from drawings.files.file_error import json_text
-from drawings.measure.seal import digest, seal_of
+from drawings.reading.seal import digest, seal_of
 from geometry.regular_file import regular_bytes
 
 FORMAT = 1

@@ -9,16 +9,20 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.files.atomic_files import check_replaceable, create, discard, force_folder, make_folder, orphans, rename
 from drawings.files.atomic_files import temporary_name as new_name
 from drawings.files.file_error import told
 from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
 from drawings.files.standing import locked, unstopped
+from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
 
 
 class Left(NamedTuple):
@@ -184,3 +188,21 @@ def _put_back(kept: Mapping[Path, Path | None]) -> bool:
         except OSError:
             whole = False
     return whole
+
+
+def placed_sheets(
+    folder: Path, stem: str, leaves: Mapping[str, Sequence[Leaf]]
+) -> Iterator[tuple[Path, tuple[str, Leaf]]]:
+    """Give every leaf its file, with its kind."""
+    for kind, own in leaves.items():
+        yield from ((sheet_path(folder, stem, kind, k), (kind, leaf)) for k, leaf in enumerate(own))
+
+
+def sheet_path(folder: Path, stem: str, kind: str, number: int) -> Path:
+    """Name the file of a sheet, the first of its kind and those that follow."""
+    return folder / (f"{stem}-{kind}-{number + 1}.svg" if number else f"{stem}-{kind}.svg")
+
+
+def stem_of(scene: Scene) -> str:
+    """Give how the names of a scene's files begin."""
+    return Path(os.fspath(scene.file)).stem

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from drawings.files.file_error import FileError
 from drawings.files.manifest import Manifest, digest_of, manifest_beside
-from drawings.measure.seal import digest, sealed
+from drawings.reading.seal import digest, sealed
 from plans.words.words import Message, message
 
 BUSY = message("file.busy")

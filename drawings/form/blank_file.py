@@ -6,15 +6,15 @@ import re
 from collections.abc import Iterator
 
 from drawings.checks.verify import SelfCheckFailed
-from drawings.eye.sheet import SeenSheet, see
 from drawings.form.laid import SCALE, Given, given
 from drawings.form.task import TABLES, table_of
-from drawings.measure.measure import check
 from drawings.page.page import BLOCK
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Curve, Fill, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
+from drawings.reading.measure import check
+from drawings.reading.sheet import SeenSheet, see
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.study import Study

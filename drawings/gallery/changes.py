@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
-from drawings.collation.collate import collate
-from drawings.collation.edit import Edit
-from drawings.eye.sheet import see
 from drawings.files import atomic_files
 from drawings.files.manifest import SUFFIX, digest_of
+from drawings.reading.sheet import see
+from drawings.sheet_diff.collate import collate
+from drawings.sheet_diff.edit import Edit
 
 WITHIN = 0.002  # mm: far under what is seen, and over the last digit of a stroke
 ROUNDED = 1e-9  # of the largest: a value that a mark states has 12 digits

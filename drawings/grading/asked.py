@@ -12,11 +12,11 @@ import numpy as np
 from drawings.checks.expected import Expected
 from drawings.checks.hold import MARKS
 from drawings.grading.marking import RECORDS, Found, Place, Record
-from drawings.measure.measured import MeasuredPoint, MeasuredVector
-from drawings.original.originals import Original, Originals
 from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
 from drawings.paper.walk import groups
+from drawings.reading.marks import MeasuredPoint, MeasuredVector
+from drawings.redrawn.originals import Original, Originals
 from geometry.board import Board, Mark
 from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
 from geometry.steps import Span

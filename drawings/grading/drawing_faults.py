@@ -8,7 +8,6 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from drawings.checks.letters import Label, along, distance
-from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan, open_sides
@@ -17,6 +16,7 @@ from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups, texts
+from drawings.reading.sheet import SeenSheet
 from plans.by_hand import SLIP
 
 FORCE = "force"  # the kind of marks that are not to scale

@@ -10,10 +10,10 @@ from typing import NamedTuple
 from drawings.grading import verdict
 from drawings.grading.asked import Asked, PlanAsked, ends_of, is_free
 from drawings.grading.verdict import Verdict
-from drawings.measure.measure import Measured
-from drawings.measure.measured import MeasuredPoint, MeasuredVector
-from drawings.measure.transform import Affine
 from drawings.paper.limits import SEEN
+from drawings.reading.marks import MeasuredPoint, MeasuredVector
+from drawings.reading.measure import Measured
+from drawings.reading.transform import Affine
 
 
 class Arrow(NamedTuple):

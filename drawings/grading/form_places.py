@@ -10,9 +10,9 @@ from drawings.grading.drawing_faults import JOINED
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.marking import Place
 from drawings.lettering.extent import bounds
-from drawings.measure.pathdata import number
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
+from drawings.reading.pathdata import number
 from geometry.board import Mark
 from plans.linkage.letters import POLES
 

@@ -9,7 +9,6 @@ from functools import partial
 from hashlib import sha256
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from drawings.eye.sheet import SeenSheet, see
 from drawings.grading import verdict
 from drawings.grading.asked import Allowances, PlanAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
@@ -27,6 +26,7 @@ from drawings.grading.seeing.units import in_millimetres
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
+from drawings.reading.sheet import SeenSheet, see
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:

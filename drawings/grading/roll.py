@@ -17,8 +17,8 @@ from drawings.files.file_error import of_system
 from drawings.grading.asked import Allowances
 from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask
-from drawings.original.originals import Originals
 from drawings.paper.limits import SHEET_BYTES
+from drawings.redrawn.originals import Originals
 from geometry.regular_file import regular_bytes
 from plans.words.words import message
 

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import DEVIATIONS, Allowances, PlanAsked
 from drawings.grading.curves.drawn_figure import chains
@@ -17,6 +16,7 @@ from drawings.grading.drawn_plan import Arrow, DrawnPlan
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line
 from drawings.paper.walk import groups
+from drawings.reading.sheet import SeenSheet
 from geometry.hand_error import EDGE
 
 FIGURE = "scheme-"  # how the name of the figure of a loading scheme begins

@@ -9,7 +9,7 @@ from drawings.grading.asked import PlanAsked, plans_asked
 from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.cells.own_tables import tables_asked
 from drawings.grading.curves.figure_records import FigureAsked, figures_asked
-from drawings.original.originals import Originals
+from drawings.redrawn.originals import Originals
 
 
 class SheetTask(NamedTuple):

@@ -24,7 +24,6 @@ from xml.etree import ElementTree
 
 from drawings.lettering.alphabet import GAP
 from drawings.lettering.lettering import index_size, pen, text_width
-from drawings.measure.seal import seal
 from drawings.paper.limits import FORMAT
 from drawings.paper.strokes import (
     LOWERED,
@@ -47,6 +46,7 @@ from drawings.paper.walk import groups as within
 from drawings.paper.walk import tied, unstated
 from drawings.pens.letters import lettering
 from drawings.pens.paths import Plain, commands, curve, number, numbers
+from drawings.reading.seal import seal
 
 # Drawing fonts first, then the one whose advances are known: librsvg sets it as long as it must be.
 FONTS = "'GOST type B','osifont','DejaVu Sans',sans-serif"

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
-from drawings.measure.measure import check, measure_file
+from drawings.reading.measure import check, measure_file
 from plans.scene.source import language_of
 from tests.catalogue.scenes import COMMANDS, Row
 from tests.parts import some

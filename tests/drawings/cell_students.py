@@ -7,18 +7,18 @@ from functools import cache
 from typing import Any, NamedTuple
 from xml.sax.saxutils import escape
 
-from drawings.eye.alike import folded
 from drawings.form.blank_file import SEAL
 from drawings.form.task import table_of
 from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.asked_table import Key, SeenCell, TableAsked, tables_seen
 from drawings.grading.cells.frames import ruling
 from drawings.grading.cells.own_tables import tables_asked
-from drawings.measure.transform import STAY
-from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Group, Leaf, Stroke
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
+from drawings.reading.alphabet import folded
+from drawings.reading.transform import STAY
+from drawings.redrawn.originals import Original, Originals
 from tests.drawings.students import drawn, task
 
 SIZE = 4.9  # of an editor's letters, user units

@@ -12,9 +12,9 @@ import numpy as np
 
 from drawings.grading.curves.arm_figures import arm_at
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Values, figures_asked
-from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
+from drawings.redrawn.originals import Original, Originals
 from tests.drawings.students import task
 
 Keep = Callable[[Stroke], Stroke | None]

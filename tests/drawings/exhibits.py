@@ -8,10 +8,10 @@ from typing import Any
 
 from drawings.layout.contents import Panel
 from drawings.lettering.lettering import lettered
-from drawings.measure.measure import Measured, check, measure
 from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
+from drawings.reading.measure import Measured, check, measure
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit
 from plans.scene.scene import parse_scene

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from itertools import chain
 
 from drawings.checks import verify
+from drawings.checks.expected import Wrong
 from drawings.checks.verify import Written
-from drawings.checks.wrong import Wrong
-from drawings.eye.sheet import see
 from drawings.lettering.lettering import lettered
-from drawings.measure.measure import Measured
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
+from drawings.reading.measure import Measured
+from drawings.reading.sheet import see
 from drawings.sheets.documents import bind
 from drawings.sheets.table import SHEETS
 from plans.study import Study

@@ -11,15 +11,15 @@ import pytest
 
 from drawings.checks import hold
 from drawings.checks.expected import Expected
-from drawings.collation.items import brought
 from drawings.lettering.lettering import lettered
-from drawings.measure.measure import measure
-from drawings.measure.transform import Affine
-from drawings.original.originals import leaves_of
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat, groups
 from drawings.pens.svg import svg
+from drawings.reading.measure import measure
+from drawings.reading.transform import Affine
+from drawings.redrawn.originals import leaves_of
+from drawings.sheet_diff.items import brought
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import read_scene
 from plans.study import Study

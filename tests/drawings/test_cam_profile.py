@@ -11,11 +11,11 @@ from drawings.cam import size_view
 from drawings.cam.manufacturing import Manufacture, manufacture
 from drawings.cam.profile_sheet import sheets
 from drawings.cam.profile_view import ProfileView
-from drawings.measure.measure import Measured
 from drawings.page.scale import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Curve, Leaf
 from drawings.paper.walk import flat, texts
+from drawings.reading.measure import Measured
 from plans.cam.results import results
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import view_of

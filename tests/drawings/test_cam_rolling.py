@@ -7,11 +7,11 @@ import pytest
 
 from drawings.cam.profile_view import OUTER, PITCH, WORKING, profile_curve
 from drawings.layout.picture import Place
-from drawings.measure.measure import Measured, MeasuredProfile, check, measure
 from drawings.page.scale import Scale
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Group, Leaf, LineStyle
 from drawings.pens.svg import svg
+from drawings.reading.measure import Measured, MeasuredProfile, check, measure
 from drawings.symbols.figure import Subject, point
 from plans.analytic.cam.contour import contour
 from plans.cam.path import path

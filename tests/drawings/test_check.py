@@ -14,10 +14,10 @@ import pytest
 from drawings.commands import check as command
 from drawings.commands import cli
 from drawings.files.manifest import manifest_of
-from drawings.original.originals import Originals
-from drawings.original.sheet_check import check
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg
+from drawings.redrawn.originals import Originals
+from drawings.redrawn.sheet_check import check
 from tests.forgeries.chance_edits import CHANGES
 from tests.forgeries.leaf_edits import swapped
 from tests.forgeries.sheets import GALLERY, KINDS, forged, judged

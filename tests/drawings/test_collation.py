@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from drawings.collation.collate import Collation, Hidden, collate
-from drawings.collation.items import brought, items
-from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.reading.transform import Affine
+from drawings.sheet_diff.collate import Collation, Hidden, collate
+from drawings.sheet_diff.items import brought, items
 from plans.words.words import languages
 
 CORNERS = ("20 5", "200 5", "20 290")

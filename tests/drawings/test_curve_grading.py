@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.eye.sheet import see
 from drawings.forces.due_loads import Branch, branches
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
@@ -25,9 +24,10 @@ from drawings.grading.graded import PASS, UNREAD, grade
 from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.told import lines
-from drawings.original.originals import Originals
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
+from drawings.reading.sheet import see
+from drawings.redrawn.originals import Originals
 from tests.drawings.curve_students import CurveTask, curve_task, made
 from tests.mistakes import mistakes
 

@@ -12,12 +12,12 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.lettering.extent import bounds
-from drawings.measure.measure import Measured, check, measure
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text
 from drawings.pens.svg import svg
+from drawings.reading.measure import Measured, check, measure
 
 HAND = hand_of("A1")
 AT, DENSE = np.arange(12) * 30.0, np.linspace(0.0, 360.0, 361)

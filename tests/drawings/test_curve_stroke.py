@@ -13,11 +13,11 @@ import pytest
 from drawings.bench import plain_pen
 from drawings.layout.ink import Ink
 from drawings.lettering.extent import GRAIN, bounds
-from drawings.measure.pathdata import curve, pieces
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Circle, Curve, Group, Leaf, Line, LineStyle
 from drawings.pens.paths import curve as commands
 from drawings.pens.svg import svg
+from drawings.reading.pathdata import curve, pieces
 from drawings.symbols.dashes import fit_dashes
 from geometry.curve import CubicPiece, Piece, RoundPiece, straight
 from tests.drawings.conftest import Run

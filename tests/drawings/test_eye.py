@@ -7,18 +7,18 @@ import unicodedata
 
 import pytest
 
-from drawings.eye import alike
-from drawings.eye.lettered import Glyph, Letters, Track, any_letters, tracks, written
-from drawings.eye.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
-from drawings.eye.shapes import notations, shape, shapes
-from drawings.eye.sheet import SeenSheet, see
 from drawings.lettering.alphabet import glyph
 from drawings.lettering.lettering import lettered
-from drawings.measure.transform import MIRROR
 from drawings.paper.strokes import INK, Circle, Curve, Group, Leaf, Line, LineStyle, Polyline, Run, Text
 from drawings.paper.walk import flat
 from drawings.paper.walk import texts as texts_of
 from drawings.pens.svg import svg
+from drawings.reading import alphabet
+from drawings.reading.alphabet import notations, shape, shapes
+from drawings.reading.lettered import Glyph, Letters, Track, any_letters, tracks, written
+from drawings.reading.letters import NEAR, STANCES, UNREAD, Trail, angles, readings
+from drawings.reading.sheet import SeenSheet, see
+from drawings.reading.transform import MIRROR
 
 RAISED = "".join(one for one, notation in notations().items() if notation[0] in "^_")
 LETTERS = "".join(one for one in notations() if one.strip() and not unicodedata.combining(one) and one not in RAISED)
@@ -45,7 +45,7 @@ def test_every_letter_of_the_alphabet_is_read_from_its_strokes(size: float, slan
     source = svg(lettered(Leaf(420.0, 297.0, (Group(tuple(laid), "words"),)))).decode()
     source = re.sub(r'data-text="[^"]*"', 'data-text=""', source)  # nothing is told of the texts
     read = list(texts_of(see(source.encode()).written.groups))
-    assert [alike.folded(text.plain) for text in read] == [alike.folded(row) for row in ROWS]
+    assert [alphabet.folded(text.plain) for text in read] == [alphabet.folded(row) for row in ROWS]
     assert {(text.slanted, round(text.size, 6)) for text in read} == {(slanted, size)}
     assert all(abs(text.at - own.at) < 2e-3 for text, own in zip(read, laid, strict=True))
 
@@ -113,7 +113,7 @@ def test_letters_that_an_editor_has_written_anew_are_read() -> None:
     anew = "".join(absolute(track) for track in tracks(path))
     letters = any_letters(anew, MIRROR, LineStyle(0.5, cap="round"))
     assert letters is not None
-    assert written([letters], "", INK).plain.replace(" ", "") == alike.folded("Öйi Ё%…").replace("\u2009", "")
+    assert written([letters], "", INK).plain.replace(" ", "") == alphabet.folded("Öйi Ё%…").replace("\u2009", "")
 
 
 def absolute(track: Track) -> str:

@@ -12,19 +12,19 @@ from typing import Any
 import pytest
 
 from drawings.checks.verify import SelfCheckFailed
-from drawings.eye.sheet import see
 from drawings.files.file_error import json_text
 from drawings.form import laid, task
 from drawings.form.blank_file import blank_file, see_blank
 from drawings.form.form import form_of
 from drawings.form.laid import given
 from drawings.layout.picture import Place
-from drawings.original.originals import leaves_of
 from drawings.page.page import BLOCK
 from drawings.page.scale import Scale
 from drawings.paper.strokes import PLAIN, Arc, Circle, Group, Leaf, Line, Polyline, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
+from drawings.reading.sheet import see
+from drawings.redrawn.originals import leaves_of
 from drawings.sheets.table import SHEETS
 from drawings.symbols.figure import Subject, point, vector
 from plans.scene.scene import parse_scene, read_scene

@@ -15,9 +15,9 @@ from drawings.gallery import index
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
 from drawings.gallery.changes import ALPHABET, LIST, differences, listed, unlisted
 from drawings.lettering.extent import bounds
-from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of
 from drawings.paper.walk import flat
+from drawings.reading.seal import digest, sealed
 from plans.scene.scene import read_scene
 from plans.study import Study
 from tests import parts

@@ -17,9 +17,9 @@ from drawings.grading.asked import Allowance, Allowances, PlanAsked, plans_asked
 from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask
-from drawings.original.originals import Original, Originals
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.redrawn.originals import Original, Originals
 from tests.draughtsman import Draughtsman, copies
 from tests.drawings.students import ASIDE, Task, drawn, gone_on, lettered, marks_of, task, true_places
 from tests.mistakes import mistakes

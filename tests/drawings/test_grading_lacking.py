@@ -11,8 +11,6 @@ import pytest
 from drawings.acceptance.assertions import assert_close_to_analysis
 from drawings.acceptance.assignment import Assignment
 from drawings.acceptance.handed_sheet import HandedSheet
-from drawings.eye.alike import folded
-from drawings.eye.sheet import see
 from drawings.form.form import form_of
 from drawings.form.task import table_of
 from drawings.grading import verdict
@@ -24,6 +22,8 @@ from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Group, Text
 from drawings.pens.svg import svg
+from drawings.reading.alphabet import folded
+from drawings.reading.sheet import see
 from tests.drawings.cell_students import key_of, table_task, tables_of, written
 from tests.drawings.curve_students import curve_task
 from tests.drawings.test_curve_grading import on_form

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from drawings.checks.verify import obscured
-from drawings.eye.sheet import see
 from drawings.lettering.lettering import lettered
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, LineStyle, Stroke, Text
 from drawings.pens.svg import svg
+from drawings.reading.sheet import see
 from drawings.symbols.symbols import block
 
 WHITE = LineStyle(0.25, fill="#ffffff")

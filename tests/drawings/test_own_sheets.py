@@ -12,7 +12,7 @@ from drawings.grading.asked import Allowances
 from drawings.grading.graded import FAIL, PASS
 from drawings.grading.roll import grade_own
 from drawings.grading.sheet_task import SheetTask
-from drawings.original.originals import Original, Originals
+from drawings.redrawn.originals import Original, Originals
 from tests.drawings import (
     cell_students,
     curve_students,

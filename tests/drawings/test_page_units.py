@@ -13,7 +13,7 @@ from drawings.grading.feedback import feedback
 from drawings.grading.graded import PASS, grade
 from drawings.grading.seeing.units import stated
 from drawings.grading.sheet_task import SheetTask
-from drawings.measure.transform import PIXEL, viewport
+from drawings.reading.transform import PIXEL, viewport
 from tests import parts
 from tests.drawings.students import Task, task
 

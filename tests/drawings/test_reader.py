@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings.measure import pathdata
-from drawings.measure.measure import check, measure
-from drawings.measure.transform import Affine, about, matrix, transform
 from drawings.paper import limits
 from drawings.paper.limits import SheetRefused
+from drawings.reading import pathdata
+from drawings.reading.measure import check, measure
+from drawings.reading.transform import Affine, about, matrix, transform
 from tests.drawings.test_measure import DATA, HEAD, LINE, LOOK, bare
 from tests.parts import first
 

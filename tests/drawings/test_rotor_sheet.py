@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
+from drawings.reading.measure import Measured
 from drawings.rotor.report import residuals
 from drawings.rotor.sheet import leaves
 from plans.model.rotor import Plane, Rotor

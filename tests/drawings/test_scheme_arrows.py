@@ -7,13 +7,13 @@ from types import MappingProxyType
 
 import pytest
 
-from drawings.eye.sheet import see
 from drawings.grading.asked import Allowance, Allowances, PlanAsked
 from drawings.grading.drawing_faults import segments
 from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.scheme_arrows import arrow_verdicts
 from drawings.paper.strokes import Group, Leaf, Line
 from drawings.pens.svg import svg
+from drawings.reading.sheet import see
 
 SHARE, OWN = Allowances(Allowance(share=0.02)), Allowances(own=MappingProxyType({"G": Allowance(1.0)}))
 

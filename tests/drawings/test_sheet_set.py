@@ -16,7 +16,7 @@ from drawings.files import atomic_files, sheet_set, standing
 from drawings.files.file_error import FileError
 from drawings.files.manifest import manifest_beside, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
-from drawings.measure.seal import digest, seal
+from drawings.reading.seal import digest, seal
 from tests.drawings.conftest import Run
 from tests.parts import first
 

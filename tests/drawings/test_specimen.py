@@ -7,9 +7,8 @@ import math
 
 import pytest
 
-from drawings.checks.seen.differences import differences
-from drawings.checks.seen.plain import plain
-from drawings.eye.sheet import SeenSheet
+from drawings.checks.differences import differences
+from drawings.checks.plain import plain
 from drawings.paper.strokes import (
     INK,
     Arc,
@@ -25,6 +24,7 @@ from drawings.paper.strokes import (
     Text,
     stated,
 )
+from drawings.reading.sheet import SeenSheet
 from geometry.curve import CubicPiece, RoundPiece
 from tests.drawings.held import seen
 from tests.drawings.slips import Change, changed, rewritten

@@ -13,10 +13,10 @@ import pytest
 
 from drawings.checks.written import Sheets, scale_faults
 from drawings.linkage import kinematics
-from drawings.measure.measure import Measured, measure_file
-from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import SheetError
 from drawings.pens.svg import svg
+from drawings.reading.marks import MeasuredVector
+from drawings.reading.measure import Measured, measure_file
 from drawings.sheets.documents import of_scales
 from drawings.sheets.stated_scales import Exhibit
 from drawings.sheets.table import SHEETS

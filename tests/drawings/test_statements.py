@@ -18,11 +18,11 @@ from drawings.checks.expected import NOTES, Expected, by_hand, cells
 from drawings.checks.readers import frames, read
 from drawings.lettering.lettering import lettered
 from drawings.lettering.phrase import joined, phrase, slotted
-from drawings.measure.measure import measure
 from drawings.paper.statement import Key, Kind, Statement
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.pens.svg import svg
+from drawings.reading.measure import measure
 from geometry.curve import CubicPiece
 
 MU = 0.02  # true units a mm

@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import lettered
-from drawings.measure.seal import sealed
 from drawings.paper import strokes
 from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import (
@@ -33,6 +32,7 @@ from drawings.paper.strokes import (
     Text,
 )
 from drawings.pens import svg as pen
+from drawings.reading.seal import sealed
 from tests.parts import examples
 from tests.rows import over
 

@@ -16,9 +16,9 @@ import pytest
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.files.manifest import read_manifest
-from drawings.original import originals
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Fill, Group, Leaf, LineStyle, Text
+from drawings.redrawn import originals
 from drawings.rotor import due as due_rotor
 from plans.rotor import quantities
 from tests.drawings.bank_scenes import scene

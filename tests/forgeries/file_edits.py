@@ -7,9 +7,9 @@ from collections.abc import Callable
 from random import Random
 from xml.etree import ElementTree
 
-from drawings.measure.seal import seal
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
+from drawings.reading.seal import seal
 from tests.forgeries.forgery import Told
 from tests.forgeries.leaf_edits import letter_lost
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from drawings.collation.edit import Figures
-from drawings.collation.items import Item, middle
 from drawings.paper.strokes import Text
+from drawings.sheet_diff.edit import Figures
+from drawings.sheet_diff.items import Item, middle
 
 NEAR = 0.5  # mm: how exactly the place of an edit is told
 

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
-from drawings.collation.edit import Figures
-from drawings.collation.items import Item, brought, items, middle
-from drawings.measure.transform import Affine
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.reading.transform import Affine
+from drawings.sheet_diff.edit import Figures
+from drawings.sheet_diff.items import Item, brought, items, middle
 from tests.forgeries.forgery import Told, of
 
 Edit = Callable[[Leaf, Random], tuple[Leaf, Told] | None]

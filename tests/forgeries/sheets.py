@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from random import Random
 
-from drawings.measure.seal import sealed
-from drawings.original.originals import Original, Originals
-from drawings.original.sheet_check import Checked, check
 from drawings.pens.svg import svg
+from drawings.reading.seal import sealed
+from drawings.redrawn.originals import Original, Originals
+from drawings.redrawn.sheet_check import Checked, check
 from tests.forgeries.file_edits import FILE_EDITS
 from tests.forgeries.forgery import Forgery, Told
 from tests.forgeries.leaf_edits import LEAF_EDITS

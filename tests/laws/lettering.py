@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 from drawings.checks.verify import obscured
-from drawings.eye.sheet import SeenSheet
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
+from drawings.reading.sheet import SeenSheet
 from tests.drawings.collisions import collisions
 from tests.drawings.held import seen
 

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
-from drawings.eye.alike import folded
-from drawings.eye.letters import UNREAD
 from drawings.grading.asked import DEVIATIONS, Allowance, Allowances
 from drawings.grading.cells.frames import Box, Ruling
 from drawings.grading.curves.figure_records import PRICKED
 from drawings.grading.seeing.units import in_unit
 from drawings.paper.strokes import Text
+from drawings.reading.alphabet import folded
+from drawings.reading.letters import UNREAD
 from geometry.hand_error import POINT
 from geometry.steps import Reading
 from plans.by_hand import SLIP

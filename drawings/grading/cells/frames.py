@@ -10,9 +10,9 @@ from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from drawings.lettering.extent import bounds
-from drawings.measure.transform import Affine
 from drawings.paper.strokes import Leaf, Line, Polyline, Run, Stroke, Text
 from drawings.paper.walk import flat
+from drawings.reading.transform import Affine
 
 LEVEL = 0.2  # mm: a line that is out by more is no line of a table, and two that are nearer are one
 SHORT = 2.0  # mm: no cell is smaller

@@ -10,8 +10,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.eye.alike import folded
-from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import Allowances
 from drawings.grading.cells.asked_table import (
@@ -32,9 +30,11 @@ from drawings.grading.drawn_plan import DrawnPlan
 from drawings.grading.form_places import own_places
 from drawings.grading.verdict import Verdict
 from drawings.lettering.words import letter
-from drawings.measure.transform import Affine
 from drawings.paper.strokes import Text
 from drawings.paper.walk import texts
+from drawings.reading.alphabet import folded
+from drawings.reading.sheet import SeenSheet
+from drawings.reading.transform import Affine
 from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import redraw

@@ -7,17 +7,17 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
 from drawings.checks.expected import Expected
-from drawings.checks.seen.plain import plain
-from drawings.eye.alike import folded
+from drawings.checks.plain import plain
 from drawings.form.laid import BESIDE
 from drawings.form.task import table_of
 from drawings.grading.cells.asked_table import SURE, CellAsked, Key, SeenTable, Sought, TableAsked, number, tables_seen
 from drawings.grading.cells.frames import ruling
 from drawings.lettering.words import word
-from drawings.measure.transform import Affine
-from drawings.original.originals import Original, Originals
 from drawings.paper.strokes import Text
 from drawings.paper.walk import groups, stated, texts
+from drawings.reading.alphabet import folded
+from drawings.reading.transform import Affine
+from drawings.redrawn.originals import Original, Originals
 from geometry.steps import Reading
 from plans.model.motion import ORDERS
 from plans.study import Study

@@ -10,7 +10,6 @@ import numpy as np
 from drawings.bank.compensators import COMPENSATOR
 from drawings.bank.due import Bank, Body
 from drawings.checks.letters import NEAREST, labels_of, off
-from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.curves.drawn_figure import PLACED, DrawnFigure, scales_on
 from drawings.grading.curves.figure_records import (
@@ -27,6 +26,7 @@ from drawings.grading.drawn_plan import Arrow
 from drawings.lettering.vector_letters import lowered_bank
 from drawings.paper.strokes import Circle, Leaf, Line, Text
 from drawings.paper.walk import flat, group_named
+from drawings.reading.sheet import SeenSheet
 from plans.bank.harmonics import FORCE, letters
 from plans.model.balance.bank import Compensator
 from plans.study import Study

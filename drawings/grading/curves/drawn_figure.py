@@ -9,15 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.figure_records import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.seeing.onlooker import stated_scales
-from drawings.measure.measured import MeasuredPoint, MeasuredVector
-from drawings.measure.transform import Affine
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Curve, Line, Polyline, Stroke
 from drawings.paper.walk import flat, group_named, texts
+from drawings.reading.marks import MeasuredPoint, MeasuredVector
+from drawings.reading.sheet import SeenSheet
+from drawings.reading.transform import Affine
 from plans.by_hand import SLIP
 
 # mm: a curve goes through a place if a hand that slips by four times a fair one's has drawn it so.

@@ -17,12 +17,12 @@ import numpy.typing as npt
 
 from drawings.checks.expected import Expected
 from drawings.checks.written import written_scales
-from drawings.measure.measure import Measured
-from drawings.measure.measured import MeasuredPoint, MeasuredVector
-from drawings.original.originals import Originals
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, group_named
+from drawings.reading.marks import MeasuredPoint, MeasuredVector
+from drawings.reading.measure import Measured
+from drawings.redrawn.originals import Originals
 from geometry.hand_error import EVEN
 from plans.model.dynamics import TURN
 from plans.techniques import named, technique_of

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.eye.sheet import SeenSheet
 from drawings.grading import verdict
 from drawings.grading.asked import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.arm_figures import from_arms
@@ -21,6 +20,7 @@ from drawings.grading.plans_on_form import paired
 from drawings.grading.verdict import Verdict
 from drawings.paper.strokes import Circle, Line
 from drawings.paper.walk import flat
+from drawings.reading.sheet import SeenSheet
 
 OPPOSITE = 2.0  # how far ways are apart that lead to opposite sides: no ray is farther from any
 

@@ -29,9 +29,9 @@ from drawings.grading.curves.figure_records import (
     Values,
     by_number,
 )
-from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Circle
 from drawings.paper.walk import flat, group_named
+from drawings.reading.marks import MeasuredVector
 from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
 from plans.model.cyclogram import Row

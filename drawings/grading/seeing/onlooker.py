@@ -8,19 +8,19 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from drawings.checks.letters import Label, labels_of
-from drawings.eye.alike import folded
-from drawings.eye.ink import Ink, length
-from drawings.eye.sheet import EM, Observer, Opened, without
 from drawings.grading.cells.asked_table import NUMBER, levelled, plainly, value_of
 from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
 from drawings.lettering.vector_letters import with_index
-from drawings.measure.pathdata import number
-from drawings.measure.transform import Viewport
-from drawings.measure.visibility import declarations, said
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf, Run, Stroke, Text
 from drawings.paper.walk import flat, texts
+from drawings.reading.alphabet import folded
+from drawings.reading.ink import Ink, length
+from drawings.reading.pathdata import number
+from drawings.reading.sheet import EM, Observer, Opened, without
+from drawings.reading.transform import Viewport
+from drawings.reading.visibility import declarations, said
 
 _NAMES = {"pi": "π"}
 

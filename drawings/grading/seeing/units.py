@@ -9,14 +9,14 @@ from functools import lru_cache, reduce
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
-from drawings.eye.alike import folded
 from drawings.lettering.extent import bounds
-from drawings.measure.pathdata import NUMERAL, SPACE, numbers
-from drawings.measure.transform import PIXEL, viewport
 from drawings.paper.formats import SIZES
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import flat
+from drawings.reading.alphabet import folded
+from drawings.reading.pathdata import NUMERAL, SPACE, numbers
+from drawings.reading.transform import PIXEL, viewport
 
 # mm: of ours, of a screen, of Inkscape before 0.92, of Illustrator. A page that has a standard's size in one has it in
 # no other, by NEAR mm.

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.eye.sheet import SeenSheet
 from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, Frame, away, chains, foot, heights
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.drawn_plan import Arrow
@@ -15,6 +14,7 @@ from drawings.grading.form_places import form_places
 from drawings.grading.seeing.onlooker import stated_scales
 from drawings.paper.strokes import Group, Line
 from drawings.paper.walk import flat, groups, texts
+from drawings.reading.sheet import SeenSheet
 
 FRAME, AXES = "frame", "axes"  # the group of the page itself, and the kind of those of a form that are axes
 NEAR = 90.0  # mm: a scale that is written farther from the axes is not theirs

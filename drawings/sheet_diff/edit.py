@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from drawings.collation.items import Item, is_heading, items, middle, spots
-from drawings.collation.matching import Shift
 from drawings.paper.strokes import Group, Leaf, LineStyle, Text
 from drawings.paper.walk import groups
+from drawings.sheet_diff.items import Item, is_heading, items, middle, spots
+from drawings.sheet_diff.matching import Shift
 from plans.words.words import Message, message
 
 STILL = ("frame", "corners", "title-block", "notes")  # what every sheet has, by the names of its groups

@@ -8,8 +8,8 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from drawings.measure.pathdata import GAP, NUMERAL, SPACE, number, numbers
 from drawings.paper.limits import ELEMENT_TRANSFORMS, QUANTUM, REACH, SheetRefused
+from drawings.reading.pathdata import GAP, NUMERAL, SPACE, number, numbers
 from plans.words.words import Message, message
 
 _CALL = re.compile(rf"([A-Za-z]+)[{SPACE}]*\(([^()]*)\)")

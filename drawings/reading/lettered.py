@@ -11,12 +11,12 @@ from itertools import pairwise
 from operator import attrgetter
 from typing import NamedTuple, TypeAlias
 
-from drawings.eye.alike import picked
-from drawings.eye.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
-from drawings.measure.pathdata import PathStep, centred, handles, steps
-from drawings.measure.transform import Affine
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import LEAN, LOWERED, RAISED, LineStyle, Text
+from drawings.reading.alphabet import picked
+from drawings.reading.letters import ASKEW, NEAR, STANCES, UNREAD, Reading, Stance, Trail, angles, readings
+from drawings.reading.pathdata import PathStep, centred, handles, steps
+from drawings.reading.transform import Affine
 
 # The end of a straight piece, three points of a cubic; of an arc its middle and its end.
 Piece: TypeAlias = tuple[complex] | tuple[complex, complex, complex] | tuple[complex, complex]

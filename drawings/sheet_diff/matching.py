@@ -9,9 +9,9 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
-from drawings.collation.items import Ink, Item, spots
-from drawings.measure.transform import Affine
 from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Text
+from drawings.reading.transform import Affine
+from drawings.sheet_diff.items import Ink, Item, spots
 
 WIDTH = 1e-3  # mm: far under the steps of the widths that a pen has, and over what an editor rounds of them
 

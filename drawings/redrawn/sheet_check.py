@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 
 from drawings import VERSION
 from drawings.checks import verify
-from drawings.collation.collate import Collation, Hidden, collate
-from drawings.collation.edit import Edit
-from drawings.collation.items import inside
-from drawings.eye.sheet import SeenSheet, see
 from drawings.files.standing import flaws
-from drawings.original.originals import Original, Originals
 from drawings.paper.limits import OverLimit, SheetRefused
+from drawings.reading.sheet import SeenSheet, see
+from drawings.redrawn.originals import Original, Originals
+from drawings.sheet_diff.collate import Collation, Hidden, collate
+from drawings.sheet_diff.edit import Edit
+from drawings.sheet_diff.items import inside
 from geometry.errors import DraftError
 from plans.words.words import Message, message
 

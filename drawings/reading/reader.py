@@ -10,12 +10,12 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
-from drawings.measure.marks import LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
-from drawings.measure.pathdata import pair
-from drawings.measure.transform import Viewport, about, transform, viewport
-from drawings.measure.visibility import ANIMATIONS, Look, Said, presented, said, telling
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
+from drawings.reading.marks import LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
+from drawings.reading.pathdata import pair
+from drawings.reading.transform import Viewport, about, transform, viewport
+from drawings.reading.visibility import ANIMATIONS, Look, Said, presented, said, telling
 from plans.words.words import Message, message
 
 _BEGINNINGS = {

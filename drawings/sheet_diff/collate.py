@@ -8,15 +8,15 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from drawings.collation import edit
-from drawings.collation.edit import STILL, Edit, Figures
-from drawings.collation.items import BEARERS, Ink, Item, brought, items, middle, spots
-from drawings.collation.matching import alike_in_style, lies, looks_alike, match, reversed_lies, shift_of, stretch_of
-from drawings.eye.covering import crosses
-from drawings.measure.transform import STAY, Affine, placing
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
+from drawings.reading.covering import crosses
+from drawings.reading.transform import STAY, Affine, placing
+from drawings.sheet_diff import edit
+from drawings.sheet_diff.edit import STILL, Edit, Figures
+from drawings.sheet_diff.items import BEARERS, Ink, Item, brought, items, middle, spots
+from drawings.sheet_diff.matching import alike_in_style, lies, looks_alike, match, reversed_lies, shift_of, stretch_of
 from plans.words.words import Message, message
 
 MOST_PAIRS = 250_000  # of strokes that are held against each other one by one: a second of work

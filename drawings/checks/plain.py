@@ -7,9 +7,6 @@ import math
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
-from drawings.eye.alike import regular, signs
-from drawings.eye.outlines import merged
-from drawings.eye.shapes import notations, shape
 from drawings.lettering.lettering import index_size, text_width
 from drawings.paper.strokes import (
     LEAN,
@@ -29,6 +26,8 @@ from drawings.paper.strokes import (
     Stroke,
     Text,
 )
+from drawings.reading.alphabet import notations, regular, shape, signs
+from drawings.reading.outlines import merged
 from geometry.curve import RoundPiece
 
 _SPACES = " \u00a0\u2009\u202f"

@@ -7,15 +7,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from itertools import zip_longest
 
-from drawings.checks.wrong import Wrong
-from drawings.collation.items import Item, inside
-from drawings.eye.covering import veiled
-from drawings.eye.ink import Unseen
-from drawings.eye.letters import NEAR
-from drawings.eye.sheet import SeenSheet, uncovered
+from drawings.checks.expected import Wrong
 from drawings.paper.limits import CURVE_QUANTUM, DECIMALS, QUANTUM
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 from drawings.paper.walk import flat
+from drawings.reading.covering import veiled
+from drawings.reading.ink import Unseen
+from drawings.reading.letters import NEAR
+from drawings.reading.sheet import SeenSheet, uncovered
+from drawings.sheet_diff.items import Item, inside
 from geometry.curve import CubicPiece, Piece, RoundPiece
 from plans.words.words import message
 
@@ -36,7 +36,7 @@ def differences(laid: Leaf, seen: SeenSheet) -> Iterator[Wrong]:
     there = seen.written
     if not any(one.reason in NEVER for one in seen.unseen) and _same_paper(laid, there) and same(laid, there):
         return
-    from drawings.collation.collate import Hidden, collate  # noqa: PLC0415  (only a difference pays for it)
+    from drawings.sheet_diff.collate import Hidden, collate  # noqa: PLC0415  (only a difference pays for it)
 
     lost, hidden = ([Hidden(*one) for one in _unseen(own)] for own in (seen.unseen, veiled(laid)))
     told = collate(uncovered(_rounded(laid, there)), seen.leaf, lost, hidden)

@@ -1,14 +1,15 @@
-"""Marks: the elements of a sheet that can be measured, and where each of them is drawn."""
+"""Marks of a sheet: where each that can be measured is drawn, and what it is in true units (знаки листа)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
-from drawings.measure.pathdata import Spots, centre, curve, number, numbers, trace
-from drawings.measure.transform import Affine, Viewport
-from drawings.measure.visibility import Look, Said
 from drawings.paper.limits import SheetRefused
+from drawings.reading.pathdata import Spots, centre, curve, number, numbers, trace
+from drawings.reading.transform import Affine, Viewport
+from drawings.reading.visibility import Look, Said
 from plans.words.words import Message, message
 
 
@@ -118,3 +119,56 @@ def _middle(tag: str, attributes: Mapping[str, str]) -> complex:
 def at(attributes: Mapping[str, str], across: str, down: str) -> complex:
     """Give the place that two attributes of an element say."""
     return complex(number(attributes.get(across, "0")), number(attributes.get(down, "0")))
+
+
+class MarkKey(NamedTuple):
+    """What a vector or point is called."""
+
+    plan: str
+    quantity: str
+    name: str
+    position: int | None = None
+
+
+@dataclass(frozen=True)
+class MeasuredMark:
+    """A mark of a sheet: what it is called, its value by measurement and as stated, in true units."""
+
+    plan: str
+    quantity: str
+    name: str
+    position: int | None
+    value: complex
+    stated: complex
+    unit: str
+    scale: float
+
+    @property
+    def key(self) -> MarkKey:
+        """What it is called."""
+        return MarkKey(self.plan, self.quantity, self.name, self.position)
+
+
+@dataclass(frozen=True)
+class MeasuredVector(MeasuredMark):
+    """A vector: its ends on the sheet (mm, y up)."""
+
+    start: complex
+    end: complex
+
+    @property
+    def reach(self) -> float:
+        """How far from the sheet's corner its ends are (mm), which its rounding is a share of."""
+        return abs(self.start) + abs(self.end)
+
+
+@dataclass(frozen=True)
+class MeasuredPoint(MeasuredMark):
+    """A point: its place on the sheet (mm, y up); its value is measured from the pole."""
+
+    at: complex
+
+    @property
+    def reach(self) -> float:
+        """How far from the sheet's corner it is (mm), which its rounding is a share of."""
+        return abs(self.at)

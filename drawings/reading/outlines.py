@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
-from drawings.eye.lettered import Track, chains, tracks
-from drawings.measure.marks import at
-from drawings.measure.pathdata import number, numbers, pieces
-from drawings.measure.transform import Affine
 from drawings.paper.limits import REACH, SheetRefused
 from drawings.paper.strokes import PLAIN, Arc, Circle, Curve, Fill, Line, LineStyle, Polyline, Stroke
+from drawings.reading.lettered import Track, chains, tracks
+from drawings.reading.marks import at
+from drawings.reading.pathdata import number, numbers, pieces
+from drawings.reading.transform import Affine
 from geometry.curve import Piece, RoundPiece
 
 SHAPES = frozenset(("line", "circle", "ellipse", "rect", "polyline", "polygon", "path"))

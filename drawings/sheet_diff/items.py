@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
-from drawings.measure.transform import Affine
 from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.reading.transform import Affine
 from geometry.curve import CubicPiece, Piece
 
 Ink: TypeAlias = Line | Polyline | Arc | Circle | Fill | Curve | Text

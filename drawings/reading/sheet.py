@@ -9,19 +9,19 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
-from drawings.eye import alike
-from drawings.eye.covering import veiled
-from drawings.eye.ink import Ink, Unseen, ink, length
-from drawings.eye.lettered import Letters, any_letters, pen_of_letters, plain_letters, written
-from drawings.eye.outlines import SHAPES, cornered, outlines, scale_of
-from drawings.measure.marks import KINDS, Frame
-from drawings.measure.measure import Measured, measure
-from drawings.measure.pathdata import SPACE, number
-from drawings.measure.transform import STAY, Affine, Viewport, viewport
-from drawings.measure.visibility import Look, Said, declarations, unfollowed
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import INK, LOWERED, RAISED, Group, Leaf, LineStyle, Run, Stroke, Text
 from drawings.paper.walk import flat
+from drawings.reading import alphabet
+from drawings.reading.covering import veiled
+from drawings.reading.ink import Ink, Unseen, ink, length
+from drawings.reading.lettered import Letters, any_letters, pen_of_letters, plain_letters, written
+from drawings.reading.marks import KINDS, Frame
+from drawings.reading.measure import Measured, measure
+from drawings.reading.outlines import SHAPES, cornered, outlines, scale_of
+from drawings.reading.pathdata import SPACE, number
+from drawings.reading.transform import STAY, Affine, Viewport, viewport
+from drawings.reading.visibility import Look, Said, declarations, unfollowed
 
 EM = 1.4  # a font's size over the height of its capitals
 FREE = 0.1  # sizes, which a font leaves free before its first letter
@@ -60,9 +60,9 @@ def joined(parts: Sequence[Typeset], said: str, ink: LineStyle) -> Text:
     turn = cmath.rect(1, math.radians(first.rotation))
     row = sorted(parts, key=lambda part: (part.at / turn).real)
     low = next((part.at / turn).imag for part in row if part.size == size)
-    signs = [(sign, level) for plain, level in _levels(row, turn, low, size) for sign in alike.signs(plain)]
+    signs = [(sign, level) for plain, level in _levels(row, turn, low, size) for sign in alphabet.signs(plain)]
     seen = [(sign.seen, level or sign.level) for sign, level in signs]
-    runs = alike.picked(seen, [sign.thin for sign, _ in signs], said, fonts=True)
+    runs = alphabet.picked(seen, [sign.thin for sign, _ in signs], said, fonts=True)
     at = turn * complex((row[0].at / turn).real, low)
     return Text(at, runs, round(size, 4), "start", first.slanted, first.rotation, ink)
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from drawings.eye.shapes import LetterShape, Signature, accented, shapes
 from drawings.paper.strokes import LEAN
+from drawings.reading.alphabet import LetterShape, Signature, accented, shapes
 
 # A letter's points are written in hundredths of a millimetre: none is off by more than half of one in x and in y.
 NEAR = math.sqrt(2) * 0.005 + 1e-6

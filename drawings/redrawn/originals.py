@@ -9,22 +9,21 @@ from typing import Any, NamedTuple
 
 from drawings import VERSION
 from drawings.checks import verify
-from drawings.checks.expected import Expected, subject
+from drawings.checks.expected import Expected, Wrong, subject
 from drawings.checks.hold import stated_keys
-from drawings.checks.seen.plain import plain
+from drawings.checks.plain import plain
 from drawings.checks.verify import agree
-from drawings.checks.wrong import Wrong
-from drawings.collation.items import items
-from drawings.collation.matching import match
-from drawings.eye.sheet import SeenSheet, see, without
+from drawings.files.sheet_set import placed_sheets, stem_of
 from drawings.lettering.lettering import lettered
-from drawings.measure.seal import digest
-from drawings.original.sheet_paths import placed_sheets, stem_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
+from drawings.reading.seal import digest
+from drawings.reading.sheet import SeenSheet, see, without
+from drawings.sheet_diff.items import items
+from drawings.sheet_diff.matching import match
 from drawings.sheets.documents import bind
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import Scene, read_scene

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
-from drawings.measure.pathdata import NUMERAL, SPACE
 from drawings.paper.limits import NUMERAL_LENGTH, SheetRefused
+from drawings.reading.pathdata import NUMERAL, SPACE
 from plans.words.words import Message, message
 
 # Contents that are kept for other uses, or are not a drawing at all.

@@ -7,10 +7,10 @@ import re
 from functools import lru_cache
 from typing import Literal, NamedTuple
 
-from drawings.measure.pathdata import NUMERAL, SPACE, numbers
-from drawings.measure.visibility import Look, share
 from drawings.paper.limits import NUMERAL_LENGTH, REACH, SheetRefused
 from drawings.paper.strokes import LineStyle, Stroke
+from drawings.reading.pathdata import NUMERAL, SPACE, numbers
+from drawings.reading.visibility import Look, share
 
 # The narrowest line of ISO 128-2, mm; what is finer is no line of a drawing.
 NARROWEST = 0.13

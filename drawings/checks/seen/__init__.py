@@ -1,1 +1,0 @@
-"""What is seen of a written sheet held against what was laid out (сверка с компоновкой)."""

@@ -1,1 +1,0 @@
-"""The eye: a written sheet read back from what is drawn on it, as a stranger sees it (чтение начерченного)."""

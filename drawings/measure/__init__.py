@@ -1,1 +1,0 @@
-"""Measuring: a written sheet is read back as one would read a stranger's (измерение листа)."""

@@ -1,1 +1,0 @@
-"""Originals (подлинники): the sheets that a scene gives, and written sheets held against them."""
