@@ -16,14 +16,13 @@ from drawings.files.file_error import Enclosure
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Course, settled
 from plans.cam.study import CamStudy
-from plans.model.cam import Cam
+from plans.model.cam import MM, Cam
 from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import message
 
 ROUNDED = 0.5 * 10.0**-DIGITS
-MM = 1000.0  # of a metre
 
 
 def enclosures(study: Study) -> Iterator[Enclosure]:

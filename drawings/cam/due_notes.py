@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,18 +16,18 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.cam.contour import contour
-from plans.cam.course import Course, settled
+from plans.cam.course import Stations, stations
 from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.sizing import RATIO, dimensions
 from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
-from plans.model.cam import DWELL, TABLE, Cam, Phase
-from plans.model.cam_motion import CamFound, Extreme, Shock, ToldProfile, told_turns
+from plans.model.cam import DWELL, GROOVE, MM, ROLLER, TABLE, Cam, Phase
+from plans.model.cam_motion import CamFound, Contour, Extreme, Points, Shock
 from plans.model.motion import Floats
 from plans.quantity import Quantity
 from plans.study import Study
 
-MM, DEGREES, RPM = 1000.0, math.degrees(1), 30 / math.pi
+DEGREES, RPM = math.degrees(1), 30 / math.pi
 DIGITS = 4
 
 
@@ -179,51 +180,72 @@ FINE = 5
 TURN = 360.0
 
 
-def profile_cells(told: ToldProfile) -> Floats:
-    """Give abscissas and ordinates, mm, (N, 2); of a cam that turns radii, and angles against the rotation, degrees."""
-    if told.cam.translates:
-        return MM * np.column_stack((told.spots.real, told.spots.imag))
-    angles = -told.cam.sense * np.degrees(np.unwrap(np.angle(told.spots / told.spots[0])))
-    return np.column_stack((MM * np.abs(told.spots), angles))
+class MadeProfile(NamedTuple):
+    """The profile by the analysis as a cam is made: the points at the stations that a workshop is told, m, (N,)."""
+
+    found: CamFound
+    stations: Stations
+    spots: Points
+
+    @property
+    def cam(self) -> Cam:
+        """The cam as it is asked for."""
+        return self.found.cam
 
 
-def dwells(told: ToldProfile) -> Iterator[tuple[Phase, float]]:
-    """Give the dwells with the radii of their arcs, m."""
-    own = [one for one in told.cam.phases if one.kind == DWELL]
-    middles = np.array([(one.start + one.end) / 2 for one in own])
-    if own:
-        at = contour(told.cam, told.found.sizes, told.found.roller, middles)
-        yield from zip(own, np.abs(at.pitch if told.found.grooved else at.profile).tolist(), strict=True)
+def made_curve(found: CamFound, at: Contour) -> Points:
+    """Give the curve that a workshop is told: the working profile, but of a groove where the centre of its mill goes.
+
+    The sheet says it by itself: what it tells of another curve is seen here.
+    """
+    milled = found.cam.closure == GROOVE and found.cam.follower.end == ROLLER
+    return at.pitch if milled else at.profile
 
 
-def told_profile(found: CamFound) -> ToldProfile:
+def made_profile(found: CamFound) -> MadeProfile:
     """Look at a cam at the turns that its sheet tells."""
-    turned = settled(told_turns(found.cam), Course(found.cam))
-    return ToldProfile(found, contour(found.cam, found.sizes, found.roller, turned))
+    told = stations(found.cam)
+    return MadeProfile(found, told, made_curve(found, contour(found.cam, found.sizes, found.roller, told.turned)))
+
+
+def profile_cells(made: MadeProfile) -> Floats:
+    """Give abscissas and ordinates, mm, (N, 2); of a cam that turns radii, and angles against the rotation, degrees."""
+    if made.cam.translates:
+        return MM * np.column_stack((made.spots.real, made.spots.imag))
+    angles = -made.cam.sense * np.degrees(np.unwrap(np.angle(made.spots / made.spots[0])))
+    return np.column_stack((MM * np.abs(made.spots), angles))
+
+
+def dwells(found: CamFound) -> list[tuple[Phase, float]]:
+    """Give the dwells with the radii of their arcs, m."""
+    resting = [phase for phase in found.cam.phases if phase.kind == DWELL]
+    middles = np.array([(phase.start + phase.end) / 2 for phase in resting])
+    at = contour(found.cam, found.sizes, found.roller, middles)
+    return [*zip(resting, np.abs(made_curve(found, at)).tolist(), strict=True)]
 
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam (row of the table of sheets)."""
     values = numbers_of(study, leaves[0].metadata["cam"]).values
     found = values.found
-    drafting, exact, slack = drafting_of(study.scene), told_profile(found), float(np.max(values.compared.slack.profile))
+    drafting, exact, slack = drafting_of(study.scene), made_profile(found), float(np.max(values.compared.slack.profile))
     yield from _figure(values, exact, slack, drafting)
-    every = leaves[0].metadata["every"]
+    every, names = leaves[0].metadata["every"], exact.stations.names
     for k, (first, second) in enumerate(profile_cells(exact)):
-        row = drafting.number(exact.names[k], FINE)
+        row = drafting.number(names[k], FINE)
         far = float(np.abs(exact.spots[k]))
         off = MM * slack if found.cam.translates else math.degrees(slack / far) if far else math.inf
         told = (float(first), MM * slack), (float(second), off)
         yield from cells(RADII, row, told, may_lack=k % every > 0)
-    yield from (*_notes(exact, slack), *every_cam(study))
+    yield from (*_notes(found, slack), *every_cam(study))
 
 
-def _figure(values: CamValues, exact: ToldProfile, slack: float, drafting: Drafting) -> Iterator[Expected]:
+def _figure(values: CamValues, exact: MadeProfile, slack: float, drafting: Drafting) -> Iterator[Expected]:
     """Give the curves, the radii or ordinates, the sense of motion."""
     cam = values.cam
     for name, path in values.curves():
         yield Expected(Kind.CURVE, PLAN, name, path, slack + values.drawn)
-    for number, (k, turn) in enumerate(exact.rays()):
+    for number, (k, turn) in enumerate(exact.stations.rays()):
         said = drafting.number(turn, FINE)
         letter = f"x {said}" if cam.translates else f"φ {said}°"
         spot = complex(exact.spots[k])
@@ -231,13 +253,13 @@ def _figure(values: CamValues, exact: ToldProfile, slack: float, drafting: Draft
     yield Expected(Kind.DIRECTION, PLAN, *(("v", -cam.sense) if cam.translates else ("ω", cam.sense)))
 
 
-def _notes(exact: ToldProfile, slack: float) -> Iterator[Expected]:
+def _notes(found: CamFound, slack: float) -> Iterator[Expected]:
     """Give the numbers that a workshop is told: roller, groove, arcs of the dwells."""
-    name, roller = exact.cam.name, exact.found.roller
+    name, roller, resting = found.cam.name, found.roller, dwells(found)
     sizes = {f"r_rol {name}": MM * roller, f"breadth {name}": 2 * MM * roller}
-    sizes |= {f"r {k} {name}": MM * radius for k, (_, radius) in enumerate(dwells(exact))}
+    sizes |= {f"r {k} {name}": MM * radius for k, (_, radius) in enumerate(resting)}
     told = ((quantity, size, 2 * MM * slack) for quantity, size in sizes.items())
     yield from phrases(NOTES, told, FINE, may_lack=True)
-    for k, (phase, _) in enumerate(dwells(exact)):
+    for k, (phase, _) in enumerate(resting):
         for quantity, turn in ((f"start {k} {name}", phase.start), (f"end {k} {name}", phase.end)):
             yield Expected(Kind.PHRASE, NOTES, quantity, math.degrees(turn), digits=FINE, may_lack=True, period=TURN)

@@ -26,13 +26,36 @@ from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, pole
-from plans.cam.course import Course, settled
+from plans.cam.course import Course, Stations, stations
 from plans.cam.profile.profile import profile
-from plans.model.cam import DWELL, Phase
-from plans.model.cam_motion import CamFound, ToldProfile, told_turns
+from plans.model.cam import DWELL, GROOVE, MM, Cam, Phase
+from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
 
 PLAN, QUANTITY = "manufacturing", "l"
+
+
+def grooved(found: CamFound) -> bool:
+    """Tell whether a mill as broad as the groove makes it, so that the path of its centre is told."""
+    return found.cam.closure == GROOVE and found.roller > 0
+
+
+def made(found: CamFound, at: Contour) -> Points:
+    """Give the points that a workshop is told, m, (N,): of the working profile, of a groove those of its middle."""
+    return at.pitch if grooved(found) else at.profile
+
+
+class ToldProfile(NamedTuple):
+    """The profile as a workshop is told it: its points at the stations, m, (N,)."""
+
+    found: CamFound
+    stations: Stations
+    spots: Points
+
+    @property
+    def cam(self) -> Cam:
+        """The cam that was asked for."""
+        return self.found.cam
 
 
 def zero(shown: ToldProfile) -> complex:
@@ -48,11 +71,11 @@ def angles(shown: ToldProfile) -> Floats:
 
 def dwells(shown: ToldProfile) -> Iterator[tuple[Phase, float]]:
     """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
-    own = shown.found.contour
-    spots = own.pitch if shown.found.grooved else own.profile
-    for one in shown.cam.phases:
-        if one.kind == DWELL:
-            yield one, float(abs(spots[int(np.argmin(abs(own.turned - one.start)))]))
+    contour = shown.found.contour
+    spots = made(shown.found, contour)
+    for phase in shown.cam.phases:
+        if phase.kind == DWELL:
+            yield phase, float(abs(spots[int(np.argmin(abs(contour.turned - phase.start)))]))
 
 
 class Manufacture(NamedTuple):
@@ -72,9 +95,9 @@ class Manufacture(NamedTuple):
 
 def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
-    course = Course(found.cam)
-    at = profile(course, found.sizes, found.roller, settled(told_turns(found.cam), course)).contour
-    return Manufacture(profile_view(found), ToldProfile(found, at))
+    told = stations(found.cam)
+    at = profile(Course(found.cam), found.sizes, found.roller, told.turned).contour
+    return Manufacture(profile_view(found), ToldProfile(found, told, made(found, at)))
 
 
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
@@ -127,7 +150,7 @@ def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Label
         end, (spot, turn) = _end(shown, place, hand), _arrow(shown, place, hand)
         yield labels.beside(end, drafting.word("zero ray"), hand.number, BESIDE, cmath.phase(end - zero))
         yield labels.beside(spot, "ω", hand.letter, BESIDE, turn)
-    for k, name in shown.table.rays():
+    for k, name in shown.table.stations.rays():
         spot = place.on(complex(shown.table.spots[k]))
         towards = math.pi / 2 if translates else cmath.phase(spot - zero)
         yield labels.beside(spot, label(shown, name, drafting), hand.number, BESIDE, towards)
@@ -188,7 +211,7 @@ def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Group]:
     """Draw the radii at even turns, or ordinates from the level of O; each can be measured."""
     hand = drafting.hand
-    for number, (k, name) in enumerate(shown.table.rays()):
+    for number, (k, name) in enumerate(shown.table.stations.rays()):
         end = complex(shown.table.spots[k])
         start = complex(end.real) if shown.view.cam.translates else 0j
         data = Subject(PLAN, QUANTITY, number).data("vector", "r", end - start, place.scale)
@@ -200,7 +223,6 @@ def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.table.spots)
 
 
-MM = 1000.0  # of a metre
 DIGITS = 5
 
 
@@ -208,7 +230,7 @@ def notes(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
     """Say what a workshop must know beside the curve."""
     cam = shown.cam
     yield drafting.word(_moves(shown))
-    curve = drafting.word("mill path" if shown.found.grooved else "profile told")
+    curve = drafting.word("mill path" if grooved(shown.found) else "profile told")
     yield drafting.word("plane datum" if cam.translates else "polar datum", curve=curve)
     if shown.found.roller:
         yield drafting.letter(_roller(shown, drafting))
@@ -229,7 +251,7 @@ def _moves(shown: ToldProfile) -> str:
 
 def _roller(shown: ToldProfile, drafting: Drafting) -> str:
     radius = Slot(f"r_rol {shown.cam.name}", MM * shown.found.roller, DIGITS)
-    if not shown.found.grooved:
+    if not grooved(shown.found):
         return drafting.phrase("roller of cam", radius=radius)
     breadth = Slot(f"breadth {shown.cam.name}", 2 * MM * shown.found.roller, DIGITS)
     return drafting.phrase("groove of cam", radius=radius, breadth=breadth)
@@ -253,8 +275,8 @@ POLAR, PLANE = ("polar radius, mm", "polar angle, °"), ("abscissa, mm", "ordina
 
 def radii(shown: ToldProfile, every: int, drafting: Drafting) -> RuledTable:
     """Tell the profile, of a groove its middle, at every so many of the tabled turns."""
-    own, spots = shown.names, told(shown)
-    lines = [_row(own[k], *spots[k], drafting) for k in range(0, len(own), every)]
+    names, spots = shown.stations.names, told(shown)
+    lines = [_row(names[k], *spots[k], drafting) for k in range(0, len(names), every)]
     words = PLANE if shown.cam.translates else POLAR
     first = drafting.word("x of cam, mm" if shown.cam.translates else "φ of cam, °")
     return table(lines, first, tuple(drafting.word(key) for key in words), drafting.hand.text)._replace(name=NAME)

@@ -10,7 +10,7 @@ from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
 from plans.cam.sizing import RATIO, dimensions
 from plans.cam.tables import smoothing
-from plans.model.cam import GROOVE, ROLLER, TABLE, Cam, Phase, interval_of
+from plans.model.cam import GROOVE, MM, ROLLER, TABLE, Cam, Phase, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
@@ -68,7 +68,6 @@ def _kind(cam: Cam, one: Phase) -> str:
     return REST if one.change == 0 and one.level == lowest else one.kind
 
 
-MM = 1000.0  # of a metre
 RPM = 30 / math.pi  # of a rad/s
 HARD = 1  # order of a shock that jumps the speed
 CORNERED = ("undercut", "hollow")  # flaws that a corner of the pitch curve has

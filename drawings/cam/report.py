@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.cam.notes import MM, CamNotes, letters, ways_told
+from drawings.cam.notes import CamNotes, letters, ways_told
 from drawings.dynamics.report_tables import entry, plain
 from drawings.lettering.words import ROUNDING
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, header, row
 from plans.cam.study import LAWS, CamDrawing, CamStudy
+from plans.model.cam import MM
 from plans.model.cam_motion import CamFound
 from plans.model.motion import Floats
 from plans.study import Study

@@ -28,6 +28,7 @@ from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, TICK, hinge, pole
 from plans.cam.sizing import Tangent
+from plans.model.cam import MM
 
 MARGINS = Margins(3.4, 4.6, 2.0)  # paper around it for letters, in their sizes
 LETTERS, MOST = 22.0, 64.0  # it is drawn at least so many letters large, and at most
@@ -206,7 +207,7 @@ def _dimension(letter: str, size: float, ends: Ends, off: complex, place: Place,
 
 
 def _told(letter: str, size: float, drafting: Drafting) -> Phrase:
-    return joined(" = ", (letter, drafting.slot(Slot(letter, 1000 * size))))
+    return joined(" = ", (letter, drafting.slot(Slot(letter, MM * size))))
 
 
 def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:

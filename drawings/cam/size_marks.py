@@ -28,7 +28,7 @@ from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TurnArrow, arrowhead
 from plans.cam.centre.bounds import PressureBound
 from plans.cam.sizing import Tangent
-from plans.model.cam import DWELL, Phase
+from plans.model.cam import DWELL, MM, Phase
 from plans.model.cam_motion import Extreme, Sizes
 
 PAST = 1.5  # mm that an axis goes past the arc that ends at it
@@ -267,7 +267,7 @@ def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
 
 
 def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:
-    text = joined(" = ", (name.replace("_min", "_{min}"), drafting.slot(Slot(name, 1000 * size, DIGITS))))
+    text = joined(" = ", (name.replace("_min", "_{min}"), drafting.slot(Slot(name, MM * size, DIGITS))))
     return SizeMark(name, text, place.on(start), place.on(end), end - start)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from geometry.strips import SLIVER
 from plans.cam.tables import Pieces, Push, Shares, bends, shares, table
-from plans.model.cam import CUBICS, SHAPE, TABLE, Cam, Law, Phase
+from plans.model.cam import CUBICS, MM, SHAPE, TABLE, Cam, Law, Phase
 from plans.model.cam_motion import Shock, Travel
 from plans.model.motion import Floats
 
@@ -215,3 +215,42 @@ def settled(turned: Floats, course: Course) -> Floats:
     near = joints[np.abs(turned[:, None] - joints).argmin(axis=1)]
     width = float(np.diff(turned).min(initial=course.cam.turn))
     return np.where(np.abs(turned - near) <= SLIVER * width, near, turned)
+
+
+STATIONS = 72  # turns that a workshop is told: every 5 degrees; of a cam that translates so many at most, and its end
+RAYS, ORDINATES = 6, 10  # stations from one drawn radius to the next, 30 degrees; from one drawn ordinate
+MANTISSAS = (1.0, 2.0, 2.5, 5.0, 10.0)  # of the travel in mm from one station to the next
+QUOTIENT = 1e-12  # of a step: what a division leaves of one that is as long as it must be
+DECIMALS = 9  # of a station's name, degrees or mm: far above rounding, far below any step
+
+
+class Stations(NamedTuple):
+    """The turns of a cam that a workshop is told, rad: every 5 degrees, or by a round length of travel m."""
+
+    cam: Cam
+    turned: Floats
+
+    @property
+    def names(self) -> list[float]:
+        """The turns in degrees; of a cam that translates its travels, mm."""
+        shown = MM * self.turned if self.cam.translates else np.degrees(self.turned)
+        return [float(name) for name in shown.round(DECIMALS)]
+
+    def rays(self) -> Iterator[tuple[int, float]]:
+        """Give the stations whose radii, or ordinates, are drawn, with their names."""
+        every = ORDINATES if self.cam.translates else RAYS
+        yield from ((k, self.names[k]) for k in range(every, len(self.names), every))
+
+
+def stations(cam: Cam) -> Stations:
+    """Give the turns of a cam that a workshop is told."""
+    return Stations(cam, settled(_stations(cam), Course(cam)))
+
+
+def _stations(cam: Cam) -> Floats:
+    if not cam.translates:
+        return np.linspace(0.0, cam.turn, STATIONS, endpoint=False)
+    least = MM * cam.turn / STATIONS
+    power = 10.0 ** math.floor(math.log10(least))
+    step = next(part * power for part in MANTISSAS if part * power >= least * (1 - QUOTIENT)) / MM
+    return np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)

@@ -16,7 +16,7 @@ from plans.cam.sizes import laid_end
 from plans.cam.sizing import SIZES as BOARD
 from plans.cam.sizing import Sizing
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
-from plans.model.cam import ROLLER
+from plans.model.cam import MM, ROLLER
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
 from plans.model.motion import Floats
 from plans.quantity import Numbers, pairs, plain
@@ -96,7 +96,6 @@ def _flaw(one: Flaw) -> dict[str, Any]:
     return {"kind": one.kind, "from": one.start, "to": one.end, "worst": _extreme(one.worst)}
 
 
-MM = 1000.0  # of a metre
 Moves: TypeAlias = Mapping[Mark, Slopes]
 
 

@@ -7,10 +7,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from plans.cam.sizing import RATIO, dimensions
-from plans.model.cam import RETURN, RISE, Cam
+from plans.model.cam import MM, RETURN, RISE, Cam
 from plans.model.cam_motion import CamFound, Shock
-
-MM = 1000.0  # of a metre
 
 
 class Result(NamedTuple):

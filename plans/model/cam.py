@@ -19,6 +19,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 TURN = 2 * math.pi
+MM = 1000.0  # of a metre
 RISE, DWELL, RETURN = "rise", "dwell", "return"
 TRANSLATING, ROCKING = "translating", "rocking"
 POINTED, ROLLER, FLAT = "pointed", "roller", "flat"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -11,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.errors import ConstructionError
-from plans.model.cam import GROOVE, Cam, Limits
+from plans.model.cam import MM, Cam, Limits
 from plans.model.motion import Floats
 from plans.words.words import Message, message
 
@@ -106,7 +105,7 @@ def _angles(limits: Limits) -> str:
 
 
 def _mm(size: float) -> str:
-    return f"{1000 * size:.6g}"
+    return f"{MM * size:.6g}"
 
 
 Points = npt.NDArray[np.complex128]
@@ -227,51 +226,3 @@ class CamFound:
     # curvature.
     mending: float | None = None
     advised: Sizes | None = None  # that would keep it to them, where it does not; None: it does, or no sizes do
-
-    @property
-    def grooved(self) -> bool:
-        """Whether a mill as broad as the groove makes it, so that the path of its centre is told."""
-        return self.cam.closure == GROOVE and self.roller > 0
-
-
-TOLD = 72  # turns that a workshop is told: every 5 degrees; of a cam that translates so many at most, and its end
-RAYS, ORDINATES = 6, 10  # told turns from one drawn radius to the next, 30 degrees; from one drawn ordinate
-MANTISSAS = (1.0, 2.0, 2.5, 5.0, 10.0)  # of the travel in mm from one to the next
-
-
-def told_turns(cam: Cam) -> Floats:
-    """Give the turns of the cam that a workshop is told, rad: every 5 degrees, or by a round length of travel m."""
-    if not cam.translates:
-        return np.linspace(0.0, cam.turn, TOLD + 1)[:-1]
-    least = 1000 * cam.turn / TOLD
-    power = 10.0 ** math.floor(math.log10(least))
-    step = next(one * power for one in MANTISSAS if one * power >= least * (1 - 1e-12)) / 1000
-    return np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
-
-
-class ToldProfile(NamedTuple):
-    """The profile as a workshop is told it, by either road: what is found of the cam, its contour at the told turns."""
-
-    found: CamFound
-    at: Contour
-
-    @property
-    def cam(self) -> Cam:
-        """The cam that was asked for."""
-        return self.found.cam
-
-    @property
-    def spots(self) -> Points:
-        """The told points, m, (N,): of the working profile, of a groove those of its middle."""
-        return self.at.pitch if self.found.grooved else self.at.profile
-
-    @property
-    def names(self) -> list[float]:
-        """The told turns, degrees; of a cam that translates its travels, mm."""
-        own = 1000 * self.at.turned if self.cam.translates else np.degrees(self.at.turned)
-        return [float(one) for one in own.round(9)]
-
-    def rays(self) -> Iterator[tuple[int, float]]:
-        """Give the told turns whose radii, or ordinates, are drawn, with their names."""
-        every = ORDINATES if self.cam.translates else RAYS
-        yield from ((k, self.names[k]) for k in range(every, len(self.names), every))
