@@ -18,10 +18,9 @@ from drawings.paper.strokes import Leaf
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Stations, stations
 from plans.cam.quantities import EQUAL, NEAR
-from plans.cam.sizing import RATIO, dimensions
 from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
-from plans.model.cam import DWELL, GROOVE, MM, ROLLER, TABLE, Cam, Phase
+from plans.model.cam import DWELL, GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions
 from plans.model.cam_motion import CamFound, Contour, Extreme, Points, Shock
 from plans.model.motion import Floats
 from plans.quantity import Quantity

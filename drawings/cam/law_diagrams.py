@@ -29,7 +29,7 @@ from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import arrowhead
 from drawings.symbols.trimming import around, trim
 from plans.cam.diagrams import LawDiagrams
-from plans.cam.sizing import RATIO
+from plans.model.cam import RATIO
 
 DOT = 0.6  # mm, radius of a point of a curve
 GIVEN, GRAPH_CLEAR = 1.1, 2.5  # mm, radius of a given point; least distance of two, in radii

@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
-from plans.cam.sizing import RATIO, dimensions
 from plans.cam.tables import smoothing
-from plans.model.cam import GROOVE, MM, ROLLER, TABLE, Cam, Phase, interval_of
+from plans.model.cam import GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"

@@ -1,4 +1,4 @@
-"""The graph of the pressure angle over the cam's turn: limits, extremes with values, phases (угол давления)."""
+"""The pressure angle over the cam's turn, alone or under the diagrams of the law over one axis (угол давления)."""
 
 from __future__ import annotations
 
@@ -8,18 +8,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from drawings.cam import law_diagrams
+from drawings.cam.law_frame import LawPlate
 from drawings.cam.notes import phase_letter
-from drawings.kinds.axes import Axes, Letter, Part
+from drawings.kinds.axes import Axes, Letter, Part, Parts
 from drawings.kinds.graph import DOT, Graph, GraphForm, standing
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.extent import spaced
 from drawings.lettering.phrase import Phrase, Slot, joined
+from drawings.page.page import Field
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import TICK
+from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import DWELL, RETURN, RISE, Cam, Limits
 from plans.model.cam_motion import CamFound, Contour, Extreme
 from plans.model.motion import Floats
@@ -41,6 +45,7 @@ class PressureView:
     stations: Floats  # of the numbered positions
     ordinates: Floats  # degrees
     extremes: Mapping[str, Extreme]  # rad: on each kind of phase
+    law: LawDiagrams | None = None  # what stands over it on one axis
 
     @property
     def levels(self) -> tuple[tuple[str, float], ...]:
@@ -77,13 +82,40 @@ def pressure_view(limits: Limits, curve: Contour, found: CamFound) -> PressureVi
 
 
 def measure(view: PressureView, drafting: Drafting) -> Picture:
-    """Measure the room of the graph: its scale is that of the cam's turn."""
+    """Measure the room of the graph, with the diagrams over it: as wide as they are, as high as both."""
+    low = _room(view, drafting)
+    if view.law is None:
+        return low
+    law = law_diagrams.measure(view.law, drafting)
+    around = law.margins._replace(
+        above=law.margins.above + law.margins.below + low.margins.above, below=low.margins.below
+    )
+    high = law.high + low.high
+    least = law.least * max(law.wide, high) / law.wide  # the axis stays as long
+    return law._replace(high=high, middle=complex(law.wide, high) / 2, margins=around, least=least)
+
+
+def _room(view: PressureView, drafting: Drafting) -> Picture:
+    """Measure the room of the graph alone: its scale is that of the cam's turn."""
     axis = ("x", "m") if view.cam.translates else ("φ", "rad")
     return FORM.room(NAME, view.cam.turn, axis, drafting.word("cam pressure graph"), drafting.hand)
 
 
-def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> Part:
-    """Draw the graph in its spot: axes, limits dashed, phases under it, the curve, extremes over it."""
+def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> Part | Parts:
+    """Draw the graph in its spot; under diagrams its axis begins where theirs do."""
+    if view.law is None:
+        return _graph(view, room, spot, drafting)
+    law, low, (box, scale) = law_diagrams.measure(view.law, drafting), _room(view, drafting), spot
+    level = box.top - law.size(scale)[1]
+    middle = box.left + LawPlate.proportions.left * drafting.hand.letter + law.wide / scale.mu / 2
+    half = low.size(scale)[0] / 2
+    under = Spot(Field(middle - half, box.bottom, middle + half, level), scale)
+    over = Spot(box._replace(bottom=level), scale)
+    return Parts((), (law_diagrams.draw(view.law, law, over, drafting), _graph(view, low, under, drafting)))
+
+
+def _graph(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> Part:
+    """Draw the graph: axes, limits dashed, phases under it, the curve, extremes over it."""
     hand, turn = drafting.hand, view.cam.turn
     axes = standing(room, spot, view.span, (LETTER, UNIT), drafting)
     graph = Graph(NAME, axes, hand)

@@ -1,30 +1,42 @@
-"""Sheet 4, a cam: laws, main sizes by tangents, profile by inversion, pressure angle, table (кулачок, лист 4)."""
+"""The sheets of cams: laws, sizes and profile; the drawing to make one by; charts of all (кулачок, лист 4, чертёж)."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
-from drawings.cam import column, law_diagrams, law_frame, pressure_graph, profile_sheet, size_diagram, size_view
+from drawings.cam import law_diagrams, law_frame, manufacturing, pressure_graph, size_diagram, size_view
 from drawings.cam import profile as profile_figure
+from drawings.cam.manufacturing import TRUE, Manufacture, manufacture
 from drawings.cam.notes import CamNotes
 from drawings.cam.pressure_graph import PressureView, pressure_view
 from drawings.cam.profile_view import profile_view
 from drawings.cam.size_view import SizeView
+from drawings.cyclogram.notes import settings_of
+from drawings.kinds import bar_chart, circular_chart
+from drawings.kinds.bar_chart import Chart
+from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
+from drawings.page.page import page_of
 from drawings.page.scale import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.formats import SIZES
+from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.report import agreed
-from drawings.sheets.leaves import lay_out
-from drawings.sheets.stated_scales import Draft, Exhibit, exhibit
-from plans.cam.numbers import cam_by_hand, readings
+from drawings.sheets.documents import letter
+from drawings.sheets.leaves import compositions, lay_out, lay_out_each
+from drawings.sheets.stated_scales import Draft, Exhibit, exhibit, figures_facts
+from plans.cam.numbers import cam_by_hand, readings, results
 from plans.cam.quantities import of_cam
-from plans.cam.results import results
+from plans.cam.reading.form import CamForm
 from plans.cam.study import CYCLOGRAM, CamDrawing, CamStudy
+from plans.cyclogram.rows import EVERY as ALL_CAMS
+from plans.cyclogram.rows import rows_of_cams
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
 from plans.quantity import Quantity
+from plans.scene.scene import Scene
 from plans.study import Study
 
 LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
@@ -40,7 +52,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
         (one, exact, of_cam(comparison, one.cam.name))
         for one, exact in zip(cams, comparison.analysis.cams, strict=True)
     ]
-    shared = [] if CYCLOGRAM in scene.sheets else profile_sheet.drafts([one.cam for one in cams], drafting)
+    shared = [] if CYCLOGRAM in scene.sheets else charts([one.cam for one in cams], drafting)
     return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
 
@@ -92,7 +104,7 @@ def _shows(contents: _Contents, way: str, drafting: Drafting) -> Iterator[Exhibi
     """Show the law, and the sizes that follow from it."""
     drawing, angle = contents.drawing, contents.angle
     if way == JOINED:
-        yield exhibit(column, (drawing.diagrams, angle), drafting)
+        yield exhibit(pressure_graph, replace(angle, law=drawing.diagrams), drafting)
     else:
         yield exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
@@ -110,3 +122,94 @@ def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Draf
     """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
     own, other = (results(one) for one in (drawing.found, exact))
     return size_view.sizes(own, other, by_hand, drafting)
+
+
+def charts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
+    """Give the draft of the charts; a cam alone has its phases on its own sheet."""
+    turning = [one for one in cams if not one.translates]
+    if len(turning) < 2:
+        return []
+    said, title = tuple(settings_of(turning, drafting)), drafting.word("cyclogram sheet title")
+    return [Draft("cam", title, tuple(_charts(turning, drafting)), (), said, partial(figures_facts, cam=ALL_CAMS))]
+
+
+def _charts(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
+    chart = Chart(rows_of_cams(cams), cams[0].sense)
+    yield from (exhibit(one, chart, drafting) for one in (bar_chart, circular_chart))
+
+
+KIND = "profile"
+EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
+
+
+def workshop_leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's cams, one for each (row of the table of sheets)."""
+    return workshop_sheets(study.scene, [manufacture(one) for one in study.of(CamStudy).found])
+
+
+def workshop_sheets(scene: Scene, parts: Sequence[Manufacture]) -> tuple[Leaf, ...]:
+    """Lay out the sheets of cams whose profiles are found."""
+    return lay_out_each([_workshop_draft(scene, one, len(parts) > 1) for one in parts])
+
+
+def _workshop_draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draft]:
+    """Give the smallest format on which the profile stands at its own size with the whole table, and the draft.
+
+    Where none takes that, the scene's own: with the draft whose figure can be read on the fewest sheets, and of its
+    table as many rows as they take.
+    """
+    for small in _formats(scene):
+        draft = _workshop_told(shown, EVERY[0], several, drafting_of(small))
+        if _true(small, draft):
+            return small, draft
+    first, *further = (_workshop_told(shown, every, several, drafting_of(scene)) for every in EVERY)
+    return scene, first._replace(instead=tuple(further))
+
+
+def _formats(scene: Scene) -> Iterator[Scene]:
+    """Give a scene by formats up to its own that its standard lays as the scene wants them, the smallest first."""
+    names = [*reversed(SIZES)]
+    for name in names[: names.index(scene.sheet.format) + 1]:
+        small = scene.changed(sheet=scene.sheet.changed(format=name))
+        if _lies(small):
+            yield small
+
+
+def _lies(scene: Scene) -> bool:
+    """Tell whether the standard lays the format as the scene wants it."""
+    try:
+        page_of(scene, KIND)
+    except SheetError:
+        return False
+    return True
+
+
+def _true(scene: Scene, draft: Draft) -> bool:
+    """Tell whether one sheet takes a draft with its figure at its own size, or larger."""
+    try:
+        composed, *further = compositions(scene, draft)
+    except SheetError:  # there is not even room for its heading
+        return False
+    (room,) = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    natural = max(room.wide, room.high) * TRUE
+    return not further and room.extent(composed.spots[room.name].scale) >= max(natural, room.least) * SMALLER
+
+
+def _workshop_told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
+    title = drafting.word("cam profile sheet title") + (f" {shown.view.cam.name}" if several else "")
+    figure = exhibit(manufacturing, shown, drafting)
+    table = manufacturing.radii(shown.table, every, drafting)
+    return Draft(
+        KIND,
+        title,
+        (figure,),
+        (table,),
+        tuple(manufacturing.notes(shown.table, drafting)),
+        partial(figures_facts, cam=shown.view.cam.name, every=every),
+        manufacturing.PLAN,
+    )
+
+
+def of_cams(scene: Scene) -> None:
+    """See that the names of a scene's cams can be lettered; whatever else is read of them can be shown."""
+    letter(scene, [(("cam", k, "name"), one.name) for k, one in enumerate(scene.of(CamForm).cam)])

@@ -27,7 +27,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, TICK, hinge, pole
-from plans.cam.sizing import Tangent
+from plans.cam.centre.place import Tangent
 from plans.model.cam import MM
 
 MARGINS = Margins(3.4, 4.6, 2.0)  # paper around it for letters, in their sizes

@@ -27,7 +27,7 @@ from drawings.symbols.dimension import Dimension, arrows
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TurnArrow, arrowhead
 from plans.cam.centre.bounds import PressureBound
-from plans.cam.sizing import Tangent
+from plans.cam.centre.place import Tangent
 from plans.model.cam import DWELL, MM, Phase
 from plans.model.cam_motion import Extreme, Sizes
 

@@ -16,8 +16,8 @@ from drawings.page.scale import Drafting
 from geometry.board import Line as Ruler
 from geometry.board import Mark
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches
-from plans.cam.results import Result
-from plans.cam.sizing import Sizing, Tangent
+from plans.cam.centre.place import Sizing, Tangent
+from plans.cam.numbers import Result
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Points
 from plans.quantity import Quantity

@@ -77,14 +77,14 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         scales={"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"},
     ),
     "cam": Sheet(
-        admit="drawings.cam.admission:of_cams",
+        admit="drawings.cam.sheet:of_cams",
         leaves="drawings.cam.sheet:leaves",
         due="drawings.cam.due:due",
         scales={"sizes": "cam", "profile": "cam"},
     ),
     "profile": Sheet(
-        admit="drawings.cam.admission:of_cams",
-        leaves="drawings.cam.profile_sheet:leaves",
+        admit="drawings.cam.sheet:of_cams",
+        leaves="drawings.cam.sheet:workshop_leaves",
         due="drawings.cam.due_notes:due",
         enclosures="drawings.cam.coordinates:enclosures",
         scales={"manufacturing": "cam"},

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.board import GIVEN, Board, Mark
 from geometry.steps import behind
-from plans.cam.sizing import Sizing, dimensions
+from plans.cam.centre.place import Sizing
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
 from plans.explanation import Explanation, NoMark, UnknownMark, in_position
-from plans.model.cam import Cam
+from plans.model.cam import Cam, dimensions
 from plans.words.words import Message, because, message
 
 if TYPE_CHECKING:
@@ -115,9 +115,8 @@ def _asked(cams: CamStudy, name: str) -> tuple[CamDrawing, str]:
 
 def _boards(drawing: CamDrawing, position: int) -> Iterator[Board]:
     """Give the profile drawn at one position alone, then the sizes, then the diagrams of the law."""
-    yield from drawing.profile(drawing.turned[position : position + 1]).boards
-    yield from drawing.sizing.boards
-    yield drawing.diagrams.board
+    profile = drawing.profile(drawing.turned[position : position + 1])
+    yield from (profile.drawing.board, drawing.sizing.board, drawing.diagrams.board)
 
 
 def _names(drawing: CamDrawing) -> Iterator[str]:

@@ -1,7 +1,8 @@
-"""A cam as plain data, for `solve`, and what its main sizes found by hand may be out in (числа кулачка)."""
+"""What is found of a cam: plain data for `solve`, the rows of its table, what a hand may be out in (числа кулачка)."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
@@ -11,12 +12,11 @@ from geometry.board import Board, Mark, between
 from geometry.hand_error import SlippingHand, Slopes, number_error, size_error, slopes
 from plans.by_hand import SLIP, Slipping
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram
-from plans.cam.centre.rocker_sizes import laid_end as laid_on_arc
-from plans.cam.sizes import laid_end
-from plans.cam.sizing import SIZES as BOARD
-from plans.cam.sizing import Sizing
+from plans.cam.centre.place import SIZES as BOARD
+from plans.cam.centre.place import Sizing
+from plans.cam.centre.sizes import laid_end
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
-from plans.model.cam import MM, ROLLER
+from plans.model.cam import MM, RATIO, RETURN, RISE, ROLLER, Cam, dimensions
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
 from plans.model.motion import Floats
 from plans.quantity import Numbers, pairs, plain
@@ -177,11 +177,9 @@ def _angles(drawing: CamDrawing, sizing: Sizing, start: Mark, centre: Mark) -> I
 def _end(drawing: CamDrawing, sizing: Sizing, start: Mark, turned: float) -> Mark:
     """Lay K and D off at a turn of the cam, beside the diagram."""
     board, diagram = Board(BOARD), SlopeDiagram(sizing.cam)
-    motion = drawing.course.at(np.array([turned]))
-    own = motion.s[0], motion.slope[0]
-    if sizing.cam.rocks:
-        return laid_on_arc(board, diagram, sizing.board["l"], own, "")[1]
-    return laid_end(board, diagram, start, own, "")[1]
+    at = drawing.course.at(np.array([turned]))
+    track = sizing.board["l"] if sizing.cam.rocks else start
+    return laid_end(board, diagram, track, (at.s[0], at.slope[0]))[1]
 
 
 def _distance(name: str, start: Mark, end: Mark) -> Reading:
@@ -201,3 +199,94 @@ def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> Reading:
         return np.asarray(np.degrees(number_error(first - sum(others))))
 
     return Reading(name, tuple(mark for ray in rays for mark in ray), error)
+
+
+class Result(NamedTuple):
+    """A row of the table by one road: its letters, its unit, its value in that unit; whether the scene gives it."""
+
+    letter: str
+    unit: str
+    value: float
+    given: bool = False
+    where: str = ""  # the word for the place of a value, of one that is a place
+
+
+def results(found: CamFound) -> tuple[Result, ...]:
+    """List what one road found."""
+    return (*_main_sizes(found), *_curvature(found), *_pressure_rows(found), *_motion(found), *_shock_rows(found))
+
+
+def _main_sizes(found: CamFound) -> Iterator[Result]:
+    cam, own = found.cam, found.sizes
+    if not cam.translates:
+        yield Result("R_0", "mm", MM * own.base, cam.given.base is not None)
+    if not (cam.rocks or cam.flat or cam.translates):
+        yield Result("e", "mm", MM * own.offset, cam.given.offset is not None)
+        yield Result("S_0", "mm", MM * math.sqrt(own.base**2 - own.offset**2))
+    if cam.rocks:
+        yield Result("L", "mm", MM * own.centre, cam.given.centre is not None)
+        yield Result("ψ_0", "°", math.degrees(own.initial))
+    if found.roller:
+        yield Result("r_{rol}", "mm", MM * found.roller, cam.roller is not None)
+    yield Result("Ψ", "°", math.degrees(cam.lift), True) if cam.rocks else Result("H", "mm", MM * cam.lift, True)
+
+
+def _curvature(found: CamFound) -> Iterator[Result]:
+    """Give the least radii of curvature of the pitch curve, convex and hollow; the breadth of a face."""
+    for letter, one in (("ρ_{min}", found.sharpest), ("ρ_{hol}", found.hollow)):
+        if one is not None:
+            yield Result(letter, "mm", MM * one.value)
+            yield _where(found.cam, letter, one.turned)
+    if found.cam.flat:
+        yield from (Result(f"b_{side + 1}", "mm", MM * abs(far)) for side, far in enumerate(found.face))
+
+
+def _pressure_rows(found: CamFound) -> Iterator[Result]:
+    """Give the largest pressure angles; under a flat face that does not rock there is none."""
+    for kind in () if found.cam.flat and not found.cam.rocks else (RISE, RETURN):
+        if kind in found.pressure:
+            letter = f"α_{{{kind}}}"
+            yield Result(letter, "°", math.degrees(found.pressure[kind].value))
+            yield _where(found.cam, letter, found.pressure[kind].turned)
+
+
+def _where(cam: Cam, letter: str, turned: float) -> Result:
+    """Give the place of a value: the cam's turn in degrees, or its travel in millimetres."""
+    if cam.translates:
+        return Result(letter, "mm", MM * turned, where="cam travel at")
+    return Result(letter, "°", math.degrees(turned), where="cam angle at")
+
+
+def _motion(found: CamFound) -> Iterator[Result]:
+    """Give the follower's largest velocity and acceleration; at a hard shock the acceleration has no largest value."""
+    if found.cam.speed is not None:
+        letters = ("ω_{max}", "ε_{max}") if found.cam.rocks else ("v_{max}", "a_{max}")
+        for order, peak in enumerate(found.peaks.values(), 1):
+            yield Result(letters[order - 1], _units(found.cam)[order - 1], abs(peak.value) * found.cam.speed**order)
+
+
+def _shock_rows(found: CamFound) -> Iterator[Result]:
+    """Give the shocks, each by its jump: of the velocity a hard one, of the acceleration a soft one."""
+    for number, one in enumerate(found.shocks):
+        letter = f"Δ{_jumps(found.cam, one)}_{{{number + 1}}}"
+        yield Result(letter, _unit(found.cam, one), one.jump * (found.cam.speed or 1.0) ** one.order)
+        yield _where(found.cam, letter, one.turned)
+
+
+def _jumps(cam: Cam, shock: Shock) -> str:
+    """Name what jumps."""
+    if cam.speed is None:
+        return ("ψ" if cam.rocks else "S") + "'" * shock.order
+    return ("ωε" if cam.rocks else "va")[shock.order - 1]
+
+
+def _unit(cam: Cam, shock: Shock) -> str:
+    if cam.speed is None:
+        bare = dimensions(cam)[shock.order]
+        return "" if bare == RATIO else bare
+    return _units(cam)[shock.order - 1]
+
+
+def _units(cam: Cam) -> tuple[str, str]:
+    """Give the units of velocity and acceleration."""
+    return ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")

@@ -14,11 +14,10 @@ from plans.analytic.cam.contour import Curve, forces_of
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
-from plans.cam.results import results
-from plans.cam.sizing import dimensions
+from plans.cam.numbers import results
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.cam.verdicts import TERM, Slack, Verdicts
-from plans.model.cam import SHAPE, TABLE, Cam
+from plans.model.cam import SHAPE, TABLE, Cam, dimensions
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Flaw, Points, Pressing
 from plans.model.motion import Floats, Gap
 from plans.quantity import Comparison, Quantity

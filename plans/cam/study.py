@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from plans.cam.centre.place import Sizing
+from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course, positions
 from plans.cam.diagrams import THREE, LawDiagrams, law_diagrams
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
-from plans.cam.sizes import sizing
-from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamError, CamFound, Contour, Sizes, large_roller, pivot_passed
 from plans.model.motion import Floats

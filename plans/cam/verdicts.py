@@ -10,11 +10,11 @@ from itertools import pairwise
 
 import numpy as np
 
+from plans.cam.centre.place import Sizing
+from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course, law_of
-from plans.cam.sizes import sizing
-from plans.cam.sizing import Sizing, dimensions
 from plans.cam.study import LAWS, PROFILE, CamDrawing
-from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, Law, Load, interval_of
+from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, Law, Load, dimensions, interval_of
 from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes
 from plans.model.motion import Floats
 from plans.quantity import Quantity

@@ -231,3 +231,17 @@ def limits_of(cam: Cam) -> Limits:
 def interval_of(cam: Cam, kind: str) -> Interval | None:
     """Give what a cam's pressure angle is held to on a kind of phase; None where the scene limits nothing there."""
     return None if cam.unlimited else limits_of(cam).interval(kind, cam.closure)
+
+
+RATIO = "1"  # the unit of what has none
+UNITS = {  # whether the follower rocks and whether the cam translates
+    (False, False): ("m", "m/rad", "m/rad2"),
+    (False, True): ("m", RATIO, "1/m"),
+    (True, False): ("rad", RATIO, "1/rad"),
+    (True, True): ("rad", "rad/m", "rad/m2"),
+}
+
+
+def dimensions(cam: Cam) -> tuple[str, str, str]:
+    """Give the units of S, S' and S''."""
+    return UNITS[cam.rocks, cam.translates]

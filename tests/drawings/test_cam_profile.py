@@ -9,14 +9,14 @@ import pytest
 from drawings.cam import profile as profile_figure
 from drawings.cam import size_view
 from drawings.cam.manufacturing import Manufacture, manufacture
-from drawings.cam.profile_sheet import sheets
 from drawings.cam.profile_view import ProfileView
+from drawings.cam.sheet import workshop_sheets
 from drawings.page.scale import drafting_of
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Curve, Leaf
 from drawings.paper.walk import flat, texts
 from drawings.reading.measure import Measured
-from plans.cam.results import results
+from plans.cam.numbers import results
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import view_of
 from tests.drawings.exhibits import SHEET, exhibited, read_back
@@ -29,13 +29,13 @@ def scene(size: str = "A3", language: str = "en") -> Scene:
 @cache
 def made(name: str, size: str = "A3", language: str = "en") -> tuple[Manufacture, tuple[Leaf, ...]]:
     shown = manufacture(view_of(name).found)
-    return shown, sheets(scene(size, language), [shown])
+    return shown, workshop_sheets(scene(size, language), [shown])
 
 
 def test_a_smaller_format_lies_as_the_scene_wants_it() -> None:
     """A4 only stands upright: a scene that wants its sheets lying has the profile on no less than A3."""
     lying = scene().changed(sheet=scene().sheet.changed(orientation="landscape"))
-    assert [leaf.width for leaf in sheets(lying, [made("wedge")[0]])] == [420.0]
+    assert [leaf.width for leaf in workshop_sheets(lying, [made("wedge")[0]])] == [420.0]
 
 
 def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_scene() -> None:

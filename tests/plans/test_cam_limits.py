@@ -12,9 +12,9 @@ import pytest
 from plans.analytic.cam.findings import cam_found as analysed
 from plans.analytic.cam.pressure import pressure
 from plans.analytic.cam.sizes import sizes
+from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
-from plans.cam.sizes import sizing
 from plans.cam.study import CamStudy
 from plans.model.cam import (
     DWELL,

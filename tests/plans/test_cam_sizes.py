@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.pressure import extreme, pressure
 from plans.analytic.cam.sizes import sizes
+from plans.cam.centre.place import Sizing
+from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course
-from plans.cam.sizes import sizing
-from plans.cam.sizing import Sizing
 from plans.model.cam import FLAT, FORCE, NO_LIMITS, RETURN, RISE, ROCKING, Cam, Follower, GivenSizes, Limits
 from plans.model.cam_motion import CamError, Sizes
 from tests.parts import examples

@@ -16,8 +16,7 @@ import numpy as np
 
 from geometry.meet import dot
 from plans.cam.course import law_of
-from plans.cam.false_position import closed_in
-from plans.cam.profile.touch import arm
+from plans.cam.profile.touch import arm, closed_in
 from plans.model.cam import FORCE, RETURN, RISE, Cam, Limits, Phase
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats
@@ -156,9 +155,9 @@ class Touch(NamedTuple):
         return self.stretch.one(self.share)
 
     @property
-    def corner(self) -> bool:
-        """Whether it is an end of a smooth stretch."""
-        return self.share in (self.stretch.start, self.stretch.end)
+    def motion(self) -> tuple[float, float]:
+        """S and S' there."""
+        return float(self.instant.s[0]), float(self.instant.slope[0])
 
 
 def touch(along: Iterable[Stretch], rule: Rule) -> Touch:

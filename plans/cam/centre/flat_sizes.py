@@ -19,9 +19,8 @@ from plans.cam.centre.bounds import (
     stretches,
     touch,
 )
-from plans.cam.centre.rocker_sizes import axis, on_circle, place, rocker_sizes
+from plans.cam.centre.place import SIZES, Sizing, Tangent, axis, on_circle, place, rocker_sizes
 from plans.cam.course import Course, positions
-from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam
 from plans.model.cam_motion import Sizes, fast_face, hard_face, no_distance, no_level, no_radius, no_region
 from plans.model.motion import Floats

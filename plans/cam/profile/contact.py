@@ -8,10 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
+from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course
 from plans.cam.profile.profile import curvature, curvature_slope, slip, slip_slope
 from plans.cam.profile.touch import Place, Stretches, Tip, Touch, Value
-from plans.cam.sizes import sizing
 from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, Load, Phase, interval_of
 from plans.model.cam_motion import BEND, SLOPE, CamError, Extreme, Pressing, Sizes
 from plans.model.motion import Floats

@@ -272,11 +272,6 @@ class Profile:
     contour: Contour
     drawing: Inversion
 
-    @property
-    def boards(self) -> tuple[Board, ...]:
-        """The boards in the order of drawing."""
-        return (self.drawing.board,)
-
 
 def profile(course: Course, sizes: Sizes, roller: float, turned: Floats, before: bool = False) -> Profile:
     """Draw the theoretical and the working profile at turns of the cam, rad, (N,), with a roller m or none."""
