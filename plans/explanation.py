@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,7 +25,6 @@ class Explanation(NamedTuple):
     units: Mapping[str, str]
     notes: tuple[Message, ...] = ()
     home: str = ""  # the plan whose marks are named without it
-    letters: Callable[[str, str], str] = lambda name, language: name  # a name as a language writes it
     zeros: frozenset[Mark] = frozenset()  # marks whose coordinates are nothing but rounding
 
 

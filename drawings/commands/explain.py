@@ -12,6 +12,7 @@ import numpy as np
 
 from drawings.commands.talk import noted
 from drawings.files.file_error import print_json
+from drawings.lettering.words import letter
 from drawings.sheets.table import SHEETS
 from geometry.board import Arc, Line, Mark, at
 from geometry.precision import condition
@@ -40,7 +41,8 @@ def run(options: argparse.Namespace) -> int:
     for number, mark in enumerate(explanation.steps, 1):
         print(f"{number:>3}. {sentence(mark, explanation, language)}")
     for note in explanation.notes:
-        print(f"     {note.worded(language)}")
+        parts = {name: letter(language, part) if isinstance(part, str) else part for name, part in note.parts}
+        print(f"     {message(note.key, **parts).worded(language)}")
     return 0
 
 
@@ -122,7 +124,7 @@ def _told(one: Quantity, name: str, position: int) -> Explanation:
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*shown), position, count)
     units = {order.plan: order.point.unit for order in ORDERS} | {one.plan: one.unit}
-    return Explanation(title, steps, units, (value,), POSITIONS.plan, written)
+    return Explanation(title, steps, units, (value,), POSITIONS.plan)
 
 
 def _size(value: complex | float) -> float:
@@ -150,12 +152,12 @@ def sentence(mark: Mark, of: Explanation, language: str) -> str:
         angle = f"{np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}"
         kappa = f"{float(condition(mark).flat[0]):.3g}"
         text = word(language, "explain.crossing", step=text, angle=angle, kappa=kappa)
-    return f"{text}. {said(mark.step.why, language)}" if mark.step.why else text
+    return f"{text}. {letter(language, said(mark.step.why, language))}" if mark.step.why else text
 
 
 def _named(mark: Mark, of: Explanation, language: str) -> str:
     """Name a mark by its letters; one that has words for its name by those of the language."""
-    name = of.letters(term(language, "mark_name", mark.name), language)
+    name = letter(language, written(term(language, "mark_name", mark.name), language))
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))
     return name if mark.subject == of.home else f"{name} [{term(language, 'plan', mark.subject)}]"

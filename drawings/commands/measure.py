@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from drawings.commands.stderr import tell
 from drawings.files.file_error import print_json
 from drawings.files.manifest import manifest_beside
+from drawings.lettering.words import letter
 from drawings.paper.limits import SheetRefused
 from drawings.reading.marks import MarkKey, MeasuredPoint, MeasuredVector
-from drawings.reading.measure import Measured, MeasuredProfile, check, lines, measure_file, plan_name
+from drawings.reading.measure import Measured, MeasuredProfile, check, measure_file
 from geometry.curve import CubicPiece, Piece
-from plans.words.words import ENGLISH, message, placed, word
+from plans.words.words import ENGLISH, message, placed, term, word, words, written
 
 FAILED = 5
 
@@ -48,7 +49,11 @@ def run(options: argparse.Namespace) -> int:
 def _told(astray: Mapping[str, Sequence[MarkKey]], language: str) -> Iterator[str]:
     """Say what is astray, mark by mark."""
     for how, key in ((how, key) for how, own in astray.items() for key in own):
-        names = (plan_name(part, language) if part == key.plan else str(part) for part in key if part is not None)
+        names = (
+            plan_name(part, language) if part == key.plan else mark_name(str(part), language)
+            for part in key
+            if part is not None
+        )
         yield word(language, f"measure.{how}", mark=" ".join(names))
 
 
@@ -117,3 +122,49 @@ def _plain_piece(piece: Piece) -> dict[str, object]:
         return {"cubic": [[point.real, point.imag] for point in piece]}
     start, centre = ([point.real, point.imag] for point in piece[:2])
     return {"arc": start, "centre": centre, "sweep": math.degrees(piece.sweep)}
+
+
+WIDTH = 14  # letters of the column of plans, at the least
+
+
+def lines(measured: Measured, off: Collection[MarkKey], language: str) -> Iterator[str]:
+    """Give a line of each mark in true units, of each profile, and of all that is left aside; `off` differ."""
+    names = {one.plan: plan_name(one.plan, language) for one in (*measured.marks, *measured.profiles)}
+    wide = max((WIDTH, *map(len, names.values())))
+    for mark in measured.marks:
+        value = word(language, "measure.value", x=f"{mark.value.real:.6g}", y=f"{mark.value.imag:.6g}")
+        position = "" if mark.position is None else str(mark.position)
+        name, unit = mark_name(mark.name, language), term(language, "text_unit", mark.unit)
+        sign = _sign(mark.key, off, language)
+        yield f"{names[mark.plan]:<{wide}} {position:>4}  {name:<10} {value:<26} {unit:<6} {sign}".rstrip()
+    for one in measured.profiles:
+        within, to = f"{one.deviation:.2g}", f"{one.quantum:.1g}"
+        told = word(language, "measure.profile", count=len(one.pieces), within=within, to=to)
+        sign = _sign(one.key, off, language)
+        yield f"{names[one.plan]:<{wide}} {'':>4}  {mark_name(one.name, language):<10} {told}  {sign}".rstrip()
+    yield from (message("aside.note", note=note).worded(language) for note in measured.notes)
+
+
+def mark_name(name: str, language: str) -> str:
+    """Letter a mark as sheets of a language do.
+
+    >>> mark_name("R^t_12", "ru"), mark_name("P_bal", "ru"), mark_name("m_cw3", "ru")
+    ('R^τ_12', 'P_ур', 'm_пр3')
+    """
+    return letter(language, written(name, language))
+
+
+def plan_name(plan: str, language: str) -> str:
+    """Name a plan, or a figure of a group, in the words of a language.
+
+    >>> plan_name("velocities", "ru"), plan_name("forces-2-3", "ru"), plan_name("v", "ru")
+    ('план скоростей', 'план сил 2-3', 'v')
+    """
+    kind, _, which = plan.partition("-")
+    if which and f"figure.{kind}" in words(language) and f"plan.{plan}" not in words(language):
+        return word(language, f"figure.{kind}", which=which)
+    return term(language, "plan", plan)
+
+
+def _sign(key: MarkKey, off: Collection[MarkKey], language: str) -> str:
+    return word(language, "measure.off") if key in off else ""

@@ -14,7 +14,7 @@ from plans.balance.study import BalanceStudy
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING
-from plans.words.words import Message, message, written
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -34,7 +34,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if STILL.fullmatch(letter):
         mark = _on((board for board in _still(balance, letter)), letter.removesuffix(AFTER))
         title = message("explain.name", mark=name)
-        return _none(balance) if mark is None else Explanation(title, tuple(behind(mark)), UNITS, letters=written)
+        return _none(balance) if mark is None else Explanation(title, tuple(behind(mark)), UNITS)
     if letter.endswith(AFTER) and balance.after is None:
         return _none(balance)
     wanted = motion.position_of(linkage, position)
@@ -43,7 +43,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if mark is None:
         return _none(balance)
     title, zeros = motion.title(linkage, name, wanted), frozenset(_zeros(drawing))
-    return Explanation(title, *_steps(behind(mark), study.whole), motion.HOME, written, zeros)
+    return Explanation(title, *_steps(behind(mark), study.whole), motion.HOME, zeros)
 
 
 def _steps(steps: list[Mark], whole: bool) -> tuple[tuple[Mark, ...], Mapping[str, str], tuple[Message, ...]]:

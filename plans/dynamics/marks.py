@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from geometry.board import Mark
 from geometry.steps import behind
@@ -25,6 +28,9 @@ SEGMENTS = {"o1k": 1, "o1l": 0}  # cut off the axis of energy by the tangents of
 SEGMENT = re.compile(r"^o_?1([kl])([·/].*)?$")  # as the loop and the results letter it
 TANGENTS = {"ψ_max": 1, "ψ_min": 0}
 POINT = re.compile(r"A_(?P<edge>\d+'*)")
+ORIGIN = ("J_0", "T_0", "J_fly")  # what the origin of the whole diagram gives
+RESULTS = (DRIVING, "A_us(2π)", *SEGMENTS, *ORIGIN, "J_0^*", "ω_max", "ω_min", "δ")
+BRACES = str.maketrans("", "", "{}")
 UNITS = {**motion.UNITS, "forces": "N", "lever": "m", WORKS: "J", LOOP: "J", SPEEDS: "rad/s"}
 EXAMPLES = (MOMENT, INERTIA, "o1k")
 
@@ -35,12 +41,12 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     name = SEGMENT.sub(r"o1\1", name.replace("psi_", "ψ_"))
     if name in (MOMENT, INERTIA):
         return _reduced(dynamics, position, name)
-    targets = _diagram(dynamics, name)
-    if targets is None:
+    targets, notes = _diagram(dynamics, name), (*_notes(dynamics, name), *_result(study, name))
+    if targets is None and not notes:
         loop = (*SEGMENTS, "J_0") if dynamics.task.delta is not None else ()
         examples = EXAMPLES if loop else EXAMPLES[:-1]
         return NoMark((MOMENT, INERTIA, DRIVE, *loop), None, examples)
-    return Explanation(message("explain.name", mark=name), tuple(behind(*targets)), UNITS, _notes(dynamics, name))
+    return Explanation(message("explain.name", mark=name), tuple(behind(*(targets or ()))), UNITS, notes)
 
 
 def _reduced(dynamics: DynamicsStudy, position: int, name: str) -> Explanation:
@@ -61,7 +67,7 @@ def _diagram(dynamics: DynamicsStudy, name: str) -> tuple[Mark, ...] | None:
         return (_work(dynamics, point["edge"]),)
     if name in (DRIVE, DRIVING):
         return (dynamics.works.drive,)
-    loop = dynamics.loop if name in (*SEGMENTS, *TANGENTS, "J_0") else None
+    loop = dynamics.loop if name in (*SEGMENTS, *TANGENTS, *ORIGIN) else None
     if loop is None:
         return None
     if name in TANGENTS:
@@ -80,7 +86,15 @@ def _work(dynamics: DynamicsStudy, edge: str) -> Mark:
 def _notes(dynamics: DynamicsStudy, name: str) -> tuple[Message, ...]:
     """Say how J0 follows from the segments, which do not hang on a far meeting of two lines."""
     loop: Loop | None = dynamics.loop
-    if name != "J_0" or loop is None:
+    if name not in ORIGIN or loop is None:
         return ()
     wheel = loop.flywheel
     return (message("explain.whole", whole=f"{wheel.whole:.10g}", energy=f"{wheel.energy:.10g}"),)
+
+
+def _result(study: Study, name: str) -> Iterator[Message]:
+    """Say of what the table of results tells what the strips come to, and what it is without their error."""
+    for one in study.quantities("dynamics") if name in RESULTS else ():
+        if SEGMENT.sub(r"o1\1", one.name.translate(BRACES)) == name and np.isinf(one.allowed[0]):  # is not judged
+            ours, exact = (f"{row[0]:.10g}" for row in (one.construction, one.analysis))
+            yield message("explain.strips", mark=name, ours=ours, exact=exact, unit=one.unit)

@@ -32,9 +32,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = tuple(behind(mark))
-    return Explanation(
-        message("explain.name", mark=name), steps, UNITS, letters=written, zeros=frozenset(_zeros(rotor, steps))
-    )
+    return Explanation(message("explain.name", mark=name), steps, UNITS, zeros=frozenset(_zeros(rotor, steps)))
 
 
 def _find(rotor: RotorStudy, name: str) -> Mark | None:

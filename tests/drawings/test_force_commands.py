@@ -11,7 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from drawings.dynamics.sheet import results
 from drawings.forces.report import friction_lines
+from drawings.page.scale import drafting_of
+from plans.scene.scene import read_scene
+from plans.study import Study
 from tests.drawings.conftest import Run
 from tests.plans.force_cases import ROADS, WORKED, compared, text_of
 from tests.plans.scenes import scene
@@ -138,6 +142,25 @@ def test_what_a_table_tells_is_explained_by_what_shows_it_and_by_both_roads(run:
     assert code == 0 and out.startswith("v_{DB}, 34 steps")
     assert re.fullmatch(r" *v_\{DB\} = (\S+) m/s by construction, (\S+) m/s by analysis", out.splitlines()[-1])
     assert "d [velocities]: meet" in out.splitlines()[-2]
+
+
+def test_steps_are_lettered_as_the_sheet_of_the_language_is(run: Run) -> None:
+    out = run("explain", GALLERY / "pumping-jack.toml", "M_ур")[1]
+    assert "\n 30. M_ур [силы]: замкнуть" in out and "R^τ_12 [силы]" in out
+    assert "M_bal" not in out and "R^t_" not in out
+    assert "\n     M_пр = 0 Н·м" in run("explain", GALLERY / "compressor.toml", "M_red")[1]
+    assert "R^τ_12" in run("measure", GALLERY / "pumping-jack-forces.svg", "--scene", GALLERY / "pumping-jack.toml")[1]
+
+
+@pytest.mark.parametrize(("letter", "row"), [("T_0", "T_0, J"), ("J_fly", "J_{fly}, kg·m²"), ("o_1k", "o_1k·μ_T, J")])
+def test_a_result_by_strips_is_told_beside_the_exact_one_as_the_sheet_does(run: Run, letter: str, row: str) -> None:
+    last = run("explain", GALLERY / "planer.toml", letter)[1].splitlines()[-1]
+    found = re.search(r"= (\S+) \S+ by construction in strips, (\S+) \S+ by analysis without the error", last)
+    scene = read_scene(GALLERY / "planer.toml")
+    account = Study.of_all(scene).comparison("dynamics")
+    table = results(account.construction, account.exact, None, drafting_of(scene))
+    (cells,) = (line.cells for line in table.lines if line.name == row)
+    assert found and [f"{float(value):.6g}" for value in found.groups()] == [*cells[:2]]
 
 
 def test_a_force_that_there_is_not_is_refused_with_what_there_is(run: Run, worked: Path) -> None:

@@ -9,12 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from drawings.commands.measure import lines
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
 from drawings.pens.svg import BEARERS, numbers, svg
 from drawings.reading import pathdata
 from drawings.reading.marks import KINDS, MarkKey
-from drawings.reading.measure import check, lines, measure, measure_file
+from drawings.reading.measure import check, measure, measure_file
 from drawings.reading.transform import Affine, transform
 from tests.parts import examples
 
