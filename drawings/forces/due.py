@@ -26,7 +26,7 @@ from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.primary import balancing_quantity
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
-from plans.linkage.primaries import stroke
+from plans.linkage import ram
 from plans.model.motion import NOTHING, Floats
 from plans.study import Study
 
@@ -91,7 +91,7 @@ class _Curves:
             loads = self.statics.loading_over(motion, strokes)
             found = kinetostatics(road, self.statics.machine, motion, loads, self.statics.pairs)
             given = self.statics.given(found, motion, strokes)
-        ways = stroke.ways(study.mechanism, phi)
+        ways = ram.ways(study.mechanism, phi)
         along = np.arange(STEPS + 1) * TURN / STEPS if ways is None else np.abs(ways - ways[0])
         return along, np.asarray(given)
 

@@ -40,7 +40,7 @@ from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.primary import BALANCING, balancing_quantity
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
-from plans.linkage.primaries import stroke
+from plans.linkage import ram
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula
 from plans.model.kinetostatics import Kinetostatics
@@ -236,7 +236,7 @@ class _ForceSheet:
         if mechanism.drive.turns:
             turned = np.degrees(self.study.sense * (phi - phi[0])) % 360
             return turned, np.arange(STEPS + 1) * 360 / STEPS
-        own, along = (stroke.ways(mechanism, row) for row in (phi, self.turned.phi))
+        own, along = (ram.ways(mechanism, row) for row in (phi, self.turned.phi))
         assert own is not None and along is not None  # of a drive over a stroke
         return np.abs(own - own[0]), np.abs(along - own[0])
 

@@ -14,7 +14,7 @@ from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups
 from drawings.reading.pathdata import number
 from geometry.board import Mark
-from plans.linkage.letters import POLES
+from plans.linkage.plan import POLES
 
 
 def own_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:

@@ -21,7 +21,7 @@ from drawings.paper.walk import stating, tied
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from geometry.board import Mark, at
 from geometry.meet import cross
-from plans.linkage.letters import POLES
+from plans.linkage.plan import POLES
 
 PARTS = "parts"  # the group of their letters, after the name of their plan
 GAP = 1.4  # mm between a vector and its letter: nearer the line itself is felt under the letter

@@ -14,12 +14,10 @@ from drawings.lettering.vector_letters import with_index
 from drawings.page.scale import Drafting
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
-from plans.linkage.groups.kinds import KINDS
-from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
-from plans.linkage.letters import POLES
+from plans.linkage.dyads import KINDS
 from plans.linkage.parts import Expected as Analysed
 from plans.linkage.parts import findings, spans
-from plans.linkage.plan import Plan
+from plans.linkage.plan import POLES, Plan, Sliding, Slotted, Turning, Vector
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy

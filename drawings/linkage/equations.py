@@ -14,12 +14,11 @@ from drawings.page.scale import Scale, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Formula, display, inline, total
 from drawings.report.table import chapter
-from plans.linkage.groups.vector_sums import VectorSum, VectorSums
-from plans.linkage.groups.vectors import Turning
-from plans.linkage.letters import POLES
+from plans.linkage.plan import POLES, Turning
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import largest_of
 from plans.linkage.study import LinkageStudy
+from plans.linkage.vector_sums import VectorSum, VectorSums
 from plans.model.dyad import Dyad
 from plans.model.motion import ACCELERATIONS, NOTHING, PLANS, POSITIONS, VELOCITIES, Motion
 from plans.words.words import word

@@ -31,8 +31,8 @@ from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exh
 from geometry.board import Mark
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.by_hand import MotionByHand
-from plans.linkage.letters import unnamed
 from plans.linkage.parts import alike, spans
+from plans.linkage.plan import unnamed
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula

@@ -11,8 +11,8 @@ from drawings.lettering.words import fixed, number, runs, span, word
 from drawings.report.report import share
 from plans.by_hand import SLIP
 from plans.linkage.pressure import interval
-from plans.linkage.primaries import ram as cylinder
 from plans.linkage.quantities import MotionComparison
+from plans.linkage.ram import law
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import formula, mechanism_class
 from plans.model.mechanism import Ram
@@ -66,8 +66,7 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     drive = study.mechanism.drive
     omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
     if drive.ram is not None:
-        law = cylinder.law(study.mechanism, study.turn.phi)
-        return _cylinder(drive.ram, drive.link, (omega, epsilon), law, language)
+        return _cylinder(drive.ram, drive.link, (omega, epsilon), law(study.mechanism, study.turn.phi), language)
     if not drive.pushed:
         key = "crank" if np.any(rates.epsilon) else "even crank"
         return word(language, key, link=drive.link, omega=omega, **({"epsilon": epsilon} if key == "crank" else {}))
@@ -75,10 +74,10 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
 
 
-def _cylinder(ram: Ram, link: int, rates: tuple[str, str], law: tuple[Floats, Floats], language: str) -> str:
+def _cylinder(ram: Ram, link: int, rates: tuple[str, str], growth: tuple[Floats, Floats], language: str) -> str:
     """Tell how a cylinder turns the crank: the law m/s, m/s2 of its length, and the crank's rates as written."""
     stroke = " … ".join(number(1000 * way, language) for way in (ram.begin, ram.end))
-    v, a = (span(np.ravel(rate), language) for rate in law)
+    v, a = (span(np.ravel(rate), language) for rate in growth)
     parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.foot}{ram.point}"}
     return word(language, "cylinder", stroke=stroke, v=v, a=a, **parts)
 

@@ -10,9 +10,8 @@ import numpy.typing as npt
 
 from drawings.lettering.words import fixed, number, word
 from drawings.report.table import Subject
-from plans.linkage.extreme import EQUAL
 from plans.linkage.study import LinkageStudy
-from plans.linkage.travel import frame_slide
+from plans.linkage.travel import EQUAL, frame_slide
 from plans.model.dyad import Group, formula, mechanism_class
 from plans.model.machine import ways
 from plans.model.mechanism import Mechanism, Output

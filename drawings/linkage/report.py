@@ -20,13 +20,13 @@ from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline
 from drawings.report.report import gap_line, gap_lines, positions
 from drawings.report.table import chapter, header, row
-from plans.linkage.extreme import ExtremePositions
 from plans.linkage.margin import Barrier
 from plans.linkage.parts import alike
 from plans.linkage.pressure import interval
-from plans.linkage.primaries import ram as cylinder
 from plans.linkage.quantities import NOT_GRADED, MotionComparison, notches
+from plans.linkage.ram import law
 from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.travel import ExtremePositions
 from plans.model.dyad import Pair, formula, mechanism_class, pairs
 from plans.model.mechanism import FRAME, Ram, Slide
 from plans.model.motion import PLANS, POSITIONS, VELOCITIES
@@ -62,7 +62,7 @@ def data(study: LinkageStudy) -> Iterator[str]:
 def _cylinder(study: LinkageStudy, ram: Ram) -> str:
     """Tell the law of the cylinder that turns the crank."""
     ends = (number(MM * way, study.language) for way in (ram.begin, ram.end))
-    v, a = (span(rate, study.language) for rate in cylinder.law(study.mechanism, study.turn.phi))
+    v, a = (span(rate, study.language) for rate in law(study.mechanism, study.turn.phi))
     parts = {"line": f"{ram.foot}{ram.point}", "stroke": " … ".join(ends), "v": v, "a": a}
     return word(study.language, "report.cylinder", **parts)
 

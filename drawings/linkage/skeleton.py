@@ -13,14 +13,11 @@ import numpy as np
 
 from drawings.layout.picture import Place
 from plans.linkage.assembly_limits import NODES
-from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.extreme import ExtremePositions
-from plans.linkage.letters import unnamed
 from plans.linkage.margin import angle
-from plans.linkage.plan import Plan
-from plans.linkage.primary import PRIMARIES
-from plans.linkage.strokes import other_strokes
+from plans.linkage.plan import Plan, unnamed
+from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.study import EXTREMES, LinkageStudy
+from plans.linkage.travel import ExtremePositions, other_strokes
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
 
@@ -158,7 +155,7 @@ class Skeletons:
     @cached_property
     def strokes(self) -> dict[Slide, ExtremePositions]:
         """Give the strokes of the sliders on the frame besides the output, where extremes are asked for."""
-        return other_strokes(self.study) if EXTREMES in self.study.plans else {}
+        return other_strokes(self.study.sweep, self.study.output) if EXTREMES in self.study.plans else {}
 
     @cached_property
     def points(self) -> list[complex]:

@@ -17,10 +17,8 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols import symbols
 from drawings.symbols.symbols import arrowhead
-from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.extreme import ExtremePositions
-from plans.linkage.primary import PRIMARIES
-from plans.linkage.travel import frame_slide
+from plans.linkage.primary import PRIMARIES, CrankPositions
+from plans.linkage.travel import ExtremePositions, frame_slide
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes
 

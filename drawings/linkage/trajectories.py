@@ -22,8 +22,8 @@ from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
 from drawings.paper.walk import stating
 from drawings.symbols.symbols import TurnArrow
-from plans.linkage.extreme import ExtremePositions
 from plans.linkage.study import LinkageStudy
+from plans.linkage.travel import ExtremePositions
 from plans.model.mechanism import FRAME
 from plans.model.motion import POSITIONS, Complexes, Floats
 from plans.words.words import word

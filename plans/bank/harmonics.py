@@ -15,7 +15,7 @@ import numpy as np
 from geometry.board import Board, Mark
 from geometry.errors import ConstructionError
 from geometry.precision import errors
-from plans.linkage.crank_positions import directions, even
+from plans.linkage.primary import directions, even
 from plans.model.balance.bank import EPS, HARMONIC, Harmonic, Unit
 from plans.model.motion import Complexes, Floats
 from plans.rotor.balancing import RUN

@@ -20,8 +20,8 @@ from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_ov
 from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, Shaking, SliderCrank, Source, harmonics
 from plans.bank.polygons import Polygons, polygons
 from plans.forces.statics import Statics
-from plans.linkage.crank_positions import even
 from plans.linkage.drafts import Drafts
+from plans.linkage.primary import even
 from plans.linkage.study import LinkageStudy, obstruction
 from plans.model.balance.bank import CONSTRUCTION, EPS, ROUNDING, STEPS, BankBalance, BankTask, Member
 from plans.model.balance.linkage import NONE

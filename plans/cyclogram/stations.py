@@ -15,10 +15,9 @@ from plans.cyclogram import tool
 from plans.cyclogram import tool as watch
 from plans.cyclogram.tool import Notch, Path, Watch, go_back, watch_of, way_back
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
-from plans.linkage.extreme import ExtremePositions
 from plans.linkage.plan import Plan
 from plans.linkage.pressure import pressure
-from plans.linkage.travel import Travel
+from plans.linkage.travel import ExtremePositions, Travel
 from plans.model import cyclogram as c
 from plans.model.cyclogram import BESIDE, TURN, Cyclogram, CyclogramTask, Position, Stop
 from plans.model.dyad import Group

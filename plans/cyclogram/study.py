@@ -13,9 +13,9 @@ from plans.cam.reading.cams import cams_of
 from plans.cyclogram.reading import task_of
 from plans.cyclogram.stations import Stations
 from plans.forces.stroke import output_at
-from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.extreme import ExtremePositions, extremes
+from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy, obstruction
+from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.cam import Cam
 from plans.model.cyclogram import BEGIN, END, TURN, Along, Cyclogram, CyclogramTask, Window
 from plans.model.mechanism import Output, StructureError

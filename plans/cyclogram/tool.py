@@ -9,7 +9,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.meet import Sizes, cross, dot
-from plans.linkage.groups import guide
+from plans.linkage import leads
 from plans.linkage.plan import Image, Plan
 from plans.linkage.travel import frame_slide
 from plans.model.cyclogram import Watched
@@ -114,9 +114,9 @@ def _by_line(plan: Plan, notch: Notch, there: Plan) -> Mark:
     """Meet the slot with the arc that the pin in it describes: far from the slot's pivot, or near it."""
     dyad, pin = notch.dyad, notch.pin
     slide, driven = dyad.slide(), dyad.links[1 - notch.end]
-    left = guide.offset(plan, slide, dyad.links[notch.end], pin).left
-    slot = guide.line(plan, slide, driven, left)
-    along = np.asarray(there.units[guide.key(slide)].point)  # type: ignore[union-attr]  # a plan of positions has all
+    left = leads.offset(plan, slide, dyad.links[notch.end], pin).left
+    slot = leads.line(plan, slide, driven, left)
+    along = np.asarray(there.units[leads.key(slide)].point)  # type: ignore[union-attr]  # a plan of positions has all
     centre, end = (np.asarray(there.point(name).point) for name in (notch.pivot, pin))
     side: Sizes = np.sign(dot(along, end - centre))
     why = because("slot_back", point=pin, link=driven)
@@ -150,7 +150,7 @@ def lay_out(plan: Plan, out: Output, path: Path, shares: Floats) -> Mark:
     gone = plan.board.turn(f"S_{name}", stroke, shares + 0j, because("tool_share"))
     mark = plan.name(name, plan.board.lay_off(name, first, gone, because("tool_place", point=name)))
     own = plan.mechanism.links[out.link].points[name]
-    plan.images[out.link] = Image(mark, guide.unit(plan, slide, FRAME), own, slide.way(out.link).direction)
+    plan.images[out.link] = Image(mark, leads.unit(plan, slide, FRAME), own, slide.way(out.link).direction)
     return mark
 
 
@@ -219,7 +219,7 @@ def _line(plan: Plan, watch: Watch) -> Mark:
     notch, joint = watch.notch, watch.dyad.outer[1 - watch.notch.end]
     pivot = plan.point(notch.pivot)
     if isinstance(joint, Slide):
-        way = guide.direction(plan, joint, FRAME)
+        way = leads.direction(plan, joint, FRAME)
         return plan.board.square(f"⊥ {notch.pivot}", pivot, way, because("watch_square"))
     fixed = plan.board.join(f"{notch.pivot}{joint}", pivot, plan.point(joint), because("watch_fixed"))
     return plan.board.parallel(f"{notch.pivot}{joint}", pivot, fixed, because("watch_line"))

@@ -1,4 +1,4 @@
-"""The study of the kinematic diagrams: made of the plans, or left out with the reason (кинематические диаграммы)."""
+"""The kinematic diagrams: made of the plans, or left out with the reason (кинематические диаграммы)."""
 
 from __future__ import annotations
 
@@ -12,19 +12,54 @@ import numpy as np
 from geometry.board import Board
 from geometry.calculus import Derivative, derivative_by_chords
 from geometry.strips import ordinates
-from plans.diagrams.form import DiagramsForm
 from plans.linkage.assembly_limits import at_angles
-from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.drafts import Drafts
+from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import Travel
 from plans.model.diagrams import MOST, TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
 from plans.model.motion import ORDERS, Floats
+from plans.scene import fields as f
+from plans.scene.faults import Fault
+from plans.scene.scene import Meaning, Scene, TechniqueForm
+from plans.scene.tables import Table, key, table
 from plans.words.calculus import REASONS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
+
+
+class DiagramsTable(Table):
+    """Of the sheet whether it shows the diagrams."""
+
+    diagrams: bool = key(
+        f.FLAG,
+        True,
+        meaning=(
+            "Whether the kinematics sheet shows S(φ), v(φ), a(φ) of the output (кинематические диаграммы) and the "
+            "table of them."
+        ),
+    )
+
+
+class DiagramsForm(TechniqueForm):
+    """What a scene says of the diagrams."""
+
+    sheet: DiagramsTable = key(table(DiagramsTable), DiagramsTable(), meaning="What of the output's course is shown.")
+
+
+class DiagramsSurvey:
+    """What the examination of the key found: nothing, its form has told all faults."""
+
+    def __init__(self, meaning: Meaning) -> None:
+        self.faults: list[Fault] = []
+
+
+def notes_of(scene: Scene) -> Iterator[Fault]:
+    """Give no notes: there is nothing odd in wanting the diagrams or not."""
+    yield from ()
+
 
 NODES = 720  # of the axis at least: between two of them no link turns half round
 

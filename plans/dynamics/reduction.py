@@ -22,8 +22,8 @@ from plans.forces.lever import Lever, lever
 from plans.forces.loading import loading
 from plans.forces.statics import Statics
 from plans.linkage.assembly_limits import Sweep, at_angles
-from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.motion_plans import accelerations, velocities
+from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
 from plans.model.dynamics import CONSTRUCTION, Cycle, Reduced, Speeds, settled
 from plans.model.mechanism import Mechanism

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.forces.primary import DRIVING
-from plans.linkage.primaries.between import apart
+from plans.linkage.ram import apart
 from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Ram

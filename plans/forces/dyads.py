@@ -129,7 +129,7 @@ class ForceKind(NamedTuple, Generic[Of]):
     splits: Callable[[Of], Iterable[Split]]
 
 
-# A new kind of group has a row here, and one in plans/linkage/groups/kinds.py.
+# A new kind of group has a row here, and one in plans/linkage/dyads.py.
 GROUP_FORCES: Mapping[str, ForceKind[Any]] = {
     "RRR": ForceKind(rrr, leads),
     "RRP": ForceKind(rrp, leads),

@@ -17,9 +17,9 @@ from plans.forces.cut import ForcePlan, Support
 from plans.forces.dyads import GROUP_FORCES
 from plans.forces.lever import Lever, lever
 from plans.forces.primary import primary
-from plans.linkage.groups import guide
+from plans.linkage import leads
+from plans.linkage.motion_plans import PlanTemplate, resting
 from plans.linkage.plan import Plan
-from plans.linkage.plan_template import PlanTemplate, resting
 from plans.linkage.travel import remade
 from plans.model.dyad import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
@@ -62,7 +62,7 @@ def _reaction(plan: ForcePlan, support: Support, count: int) -> Reaction:
     def value(mark: Mark | None) -> Any:
         return None if mark is None else mark.point
 
-    along = None if support.slide is None else guide.direction(plan.positions, support.slide, support.slide.owner)
+    along = None if support.slide is None else leads.direction(plan.positions, support.slide, support.slide.owner)
     return reaction_of(support, *map(value, (support.at, support.force, support.moment, along)), count=count)
 
 
@@ -132,7 +132,7 @@ class ForcePattern:
     def _found(self, support: Support) -> _Places:
         place, along = self.tracing.place, None
         if support.slide is not None:
-            along = place(guide.direction(self.plan.positions, support.slide, support.slide.owner))
+            along = place(leads.direction(self.plan.positions, support.slide, support.slide.owner))
         moment = None if support.moment is None else place(support.moment)
         return _Places(support, place(support.at), place(support.force), moment, along)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from geometry.board import Board, Mark
 from plans.forces.cut import REACTION, Couple, Load
 from plans.forces.primary import BALANCING, DRIVING
-from plans.linkage.groups import guide
+from plans.linkage import leads
 from plans.model.mechanism import FRAME
 from plans.words.words import because
 
@@ -101,7 +101,7 @@ def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
     """Give the turned image of the point where the drive acts, that point, and the line of its force on the lever."""
     base, speeds, drive = plan.positions, plan.velocities, plan.mechanism.drive
     if drive.guide is not None and plan.driven is not None:
-        along, turned = guide.direction(base, drive.guide, FRAME), _turned(board, speeds.point(drive.end))
+        along, turned = leads.direction(base, drive.guide, FRAME), _turned(board, speeds.point(drive.end))
         return turned, plan.driven, board.parallel(f"∥{along.name}", turned, along, because("pushed_along"))
     if plan.driven is None or plan.driven is base.point(drive.end):
         point, image, arm = base.point(drive.end), speeds.point(drive.end), base.arm(drive.link)

@@ -20,7 +20,7 @@ from plans.forces.cut import (
     Support,
     indices,
 )
-from plans.linkage.groups import guide
+from plans.linkage import leads
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Slide
 from plans.words.words import because
@@ -101,12 +101,12 @@ def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
 def slot_of(plan: ForcePlan, dyad: Dyad) -> Mark:
     """Carry the direction of a group's inner slide to the plan of forces."""
     slide = dyad.slide()
-    return direction_on(plan, guide.direction(plan.positions, slide, slide.owner))
+    return direction_on(plan, leads.direction(plan.positions, slide, slide.owner))
 
 
 def guide_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
     """Carry the direction of a group's outer slide to the plan of forces."""
-    return direction_on(plan, guide.direction(plan.positions, dyad.slide(end), dyad.hosts[end]))
+    return direction_on(plan, leads.direction(plan.positions, dyad.slide(end), dyad.hosts[end]))
 
 
 def lead_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
@@ -187,7 +187,7 @@ def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | No
     terms = moments(plan, about, [*own, *loads], couples)
     if not terms:
         return None
-    slot = guide.direction(base, slide, slide.owner)
+    slot = leads.direction(base, slide, slide.owner)
     line = base.board.square(f"⊥{slot.name}", at, slot, because("slot_presses"))
     name, why = normal_name(dyad, 0, part), because("group_moments", point=about.name)
     found = plan.board.balance(name, about, line, *terms, why=why)

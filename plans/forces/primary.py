@@ -8,7 +8,7 @@ from typing import NamedTuple
 from geometry.board import Mark
 from plans.forces import polygon as statics
 from plans.forces.cut import CLOSING, PART, Cut, Equation, ForcePlan, Load, Side, indices
-from plans.linkage.groups import guide
+from plans.linkage import leads
 from plans.model.machine import FORCE, GEAR, Transmission
 from plans.model.mechanism import FRAME, Drive, Slide
 from plans.words.words import because
@@ -40,7 +40,7 @@ def primary(plan: ForcePlan) -> Cut:
 def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
     """Close the polygon of a slide along its guide and square to it; no moment is needed for what pushes it."""
     drive, board = plan.mechanism.drive, plan.board
-    (loads, couples), along = plan.acting(drive.link), guide.direction(plan.positions, slide, FRAME)
+    (loads, couples), along = plan.acting(drive.link), leads.direction(plan.positions, slide, FRAME)
     laid = statics.chain(plan, str(drive.link), *statics.known_sides(loads))
     lead = statics.direction_on(plan, along)
     lines = (
@@ -62,7 +62,7 @@ def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
 def _foot(plan: ForcePlan, slide: Slide, along: Mark) -> Mark:
     """Give where a slide is pushed: its named point, or the foot of that on the guide's line."""
     point, board = plan.positions.point(slide.point), plan.positions.board
-    left = guide.offset(plan.positions, slide, slide.slider, slide.point).left
+    left = leads.offset(plan.positions, slide, slide.slider, slide.point).left
     if not left:
         return point
     back = board.turn(f"h{slide.slider}'", along, -1j * left, because("offset"))

@@ -21,8 +21,8 @@ from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
-from plans.linkage.primaries.ram import lever
 from plans.linkage.quantities import ANALYSIS, MotionComparison, MotionNumbers, cap, largest_of, with_analysis
+from plans.linkage.ram import cylinder
 from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction
 from plans.model.machine import Track
 from plans.model.motion import FORCES, ORDERS, Floats
@@ -179,7 +179,7 @@ class ForceFindings:
             return
         ours = statics.given(self.ours, motion.construction)
         theirs = statics.given(self.theirs, motion.analysis, found)
-        arm = lever(statics.study.mechanism, motion.analysis)
+        arm = cylinder(statics.study.mechanism).lever(motion.analysis)
         off = self.off(self.plans.plan.balancing) / arm
         yield self.finding((DRIVING, "N"), (ours, theirs), off, max(self.largest, largest_of([np.abs(ours)])))
 

@@ -18,11 +18,10 @@ from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import ROUNDING, NoStroke, OtherStroke, Stroke, strokes
 from plans.linkage.assembly_limits import Drawing, at_angles
-from plans.linkage.drafts import Drafts
-from plans.linkage.extreme import ExtremePositions, extremes
-from plans.linkage.gaps import near_edge
-from plans.linkage.plan_template import PlanTemplate
+from plans.linkage.drafts import Drafts, near_edge
+from plans.linkage.motion_plans import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy, obstruction
+from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
 from plans.model.machine import Force, Machine, NoWorkingStroke, Track

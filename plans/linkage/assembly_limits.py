@@ -15,12 +15,11 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.meet import UNBORNE, Sizes
-from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.groups.kinds import KINDS
+from plans.linkage.dyads import KINDS
 from plans.linkage.margin import SAME, Barrier, Edge, angle, margins, meeting, of_arcs, rate
-from plans.linkage.motion_plans import accelerations, positions, velocities
+from plans.linkage.motion_plans import UNIT, PlanTemplate, accelerations, positions, resting, velocities
 from plans.linkage.plan import Plan
-from plans.linkage.plan_template import UNIT, PlanTemplate, resting
+from plans.linkage.primary import CrankPositions
 from plans.model.dyad import Group
 from plans.model.mechanism import Mechanism
 from plans.model.motion import CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES, Floats, LinkMotion, Motion, PointMotion

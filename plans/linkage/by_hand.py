@@ -11,8 +11,8 @@ from geometry.hand_error import SlippingHand, slopes
 from geometry.steps import Span
 from plans.by_hand import SLIP, Slipping, errors_by_hand
 from plans.linkage.drafts import Drafts
-from plans.linkage.letters import Masses
 from plans.linkage.parts import findings, spans
+from plans.linkage.plan import Masses
 from plans.linkage.quantities import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME

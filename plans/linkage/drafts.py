@@ -1,23 +1,229 @@
-"""Drafts: the plans over some positions of a study, as far as they are asked for (планы положений)."""
+"""Drafts: the plans over some positions of a study, and why in some there are none (планы положений, разрывы)."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-from plans.linkage import gaps
+from geometry.board import Arc, Mark, at, between
+from geometry.meet import EPS, UNBORNE
 from plans.linkage.assembly_limits import Drawing, Sweep
-from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.margin import Barrier
-from plans.linkage.motion_plans import accelerations, velocities
+from plans.linkage.margin import Barrier, Edge, bounding, crossing, margins, undefined
+from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
-from plans.linkage.plan_template import PlanTemplate
+from plans.linkage.primary import CrankPositions
 from plans.linkage.sketch import Assembly
 from plans.model.dyad import Group
-from plans.model.motion import ORDERS, VELOCITIES, Motion
+from plans.model.motion import (
+    BEYOND_CHANGE_POINT,
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    NOT_REACHABLE,
+    ORDERS,
+    OUT_OF_REACH,
+    PARALLEL_GUIDES,
+    POSITIONS,
+    VELOCITIES,
+    Floats,
+    Gap,
+    Motion,
+)
+from plans.words.words import Message, message
+
+# A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
+# the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
+LIMIT = 1e-7
+# A position so near to a barrier, rad, is told by its angle from it, others by how sharply their groups meet.
+BESIDE = 2.0**-20
+# So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and
+# places are known to eps over it.
+AT_CHANGE = 2.0**-23
+ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is counted in
+
+BARS = CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES
+
+Flags = npt.NDArray[np.bool_]
+
+
+def lost(sweep: Sweep, plan: Plan, turn: CrankPositions, home: float, barriers: Sequence[Barrier]) -> Flags:
+    """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
+    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL_GUIDES,), UNBORNE)
+    if not sweep.groups or (plan.board.clear and not gone.any() and not sweep.pinned):
+        return gone
+    field, _ = margins(plan, sweep.groups, sweep.sides)
+    nowhere = undefined(plan, sweep.groups).any(axis=0)
+    with np.errstate(invalid="ignore"):
+        limit = (field == 0).any(axis=0) & (field >= 0).all(axis=0) & _near(turn.phi, _ends(home, barriers), LIMIT)
+    return np.asarray((gone & ~limit) | nowhere)
+
+
+def reached(phi: Floats, home: float, barriers: Sequence[Barrier]) -> Flags:
+    """Tell which crank angles are reached from home, rad, in either sense, without passing a barrier.
+
+    An angle within a change point's own rounding is reached: the mechanism gets there, but no further.
+    """
+    if not barriers:
+        return np.ones(len(phi), dtype=bool)
+    turn = 2 * np.pi
+    ahead = np.mod(phi - home, turn)
+    on = min(float(np.mod(edges(b)[0] - home, turn)) + _blur(b.edges[0]) for b in barriers)
+    back = min(float(np.mod(home - edges(b)[1], turn)) + _blur(b.edges[1]) for b in barriers)
+    return np.asarray((ahead <= on) | (np.mod(turn - ahead, turn) <= back))
+
+
+def edges(barrier: Barrier) -> tuple[float, float]:
+    """Give the two edges of a barrier, rad; a change point is one angle, unless links stay in one line for a while."""
+    if barrier.kind == CHANGE_POINT and barrier.end - barrier.start < BESIDE:
+        return (barrier.middle, barrier.middle)
+    return (barrier.start, barrier.end)
+
+
+def _blur(edge: Edge) -> float:
+    return AT_CHANGE if edge.kind == CHANGE_POINT else ROUNDING
+
+
+def _ends(home: float, barriers: Sequence[Barrier]) -> list[float]:
+    """Give the two angles, rad, that bound the way of the crank from home."""
+    if not barriers:
+        return []
+    turn = 2 * np.pi
+    firsts, lasts = ([edges(b)[side] for b in barriers] for side in (0, 1))
+    return [min(firsts, key=lambda e: float(np.mod(e - home, turn))), min(lasts, key=lambda e: np.mod(home - e, turn))]
+
+
+def _near(phi: Floats, angles: Sequence[float], within: float) -> Flags:
+    near = np.zeros(len(phi), dtype=bool)
+    for angle in angles:
+        near |= np.abs(np.angle(np.exp(1j * (phi - angle)))) < within
+    return near
+
+
+def near_edge(phi: Floats, barriers: Sequence[Barrier], kinds: Sequence[str] = BARS, within: float = LIMIT) -> Flags:
+    """Tell which crank angles lie at the edge of a barrier that is of one of some kinds there, rad."""
+    both = (zip(edges(barrier), barrier.edges, strict=True) for barrier in barriers)
+    return _near(phi, [angle for pair in both for angle, edge in pair if edge.kind in kinds], within)
+
+
+def unborne(sweep: Sweep, plan: Plan, turn: CrankPositions) -> Flags:
+    """Tell the positions whose velocities the condition does not bear.
+
+    A dead centre is told by the crank's angle from it; elsewhere a group must not meet too bluntly.
+    """
+    if not sweep.groups or plan.board.clear:
+        return np.zeros(len(turn), dtype=bool)
+    field, _ = margins(plan, sweep.groups, sweep.sides)
+    told = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH, PARALLEL_GUIDES), BESIDE)
+    blunt = (field < UNBORNE).any(axis=0) & ~told
+    dead = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH,), UNBORNE)
+    return np.asarray(blunt | dead | near_edge(turn.phi, sweep.barriers, (CHANGE_POINT,), AT_CHANGE))
+
+
+def gaps_of(
+    sweep: Sweep, turn: CrankPositions, positions: Sequence[int], home: float | None, barriers: Sequence[Barrier]
+) -> list[Gap]:
+    """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
+    if not positions:
+        return []
+    plan = sweep.positions(turn)
+    field, marks = margins(plan, sweep.groups, sweep.sides)
+    nowhere = undefined(plan, sweep.groups)
+    misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
+    near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
+    found = []
+    for k, position in enumerate(positions):
+        phi, told = float(turn.phi[k]), [float(miss[k]) for miss in misses]
+        edge = None if home is None else bounding(phi, home, barriers)
+        # Beyond a change point or parallel guides it does not matter whether the links would meet.
+        met = edge is None or edge.kind == OUT_OF_REACH or near[k]
+        unplaced = _unplaced(field[:, k], nowhere[:, k], marks, told, k, position, phi) if met else None
+        found.append(unplaced or _beyond(position, phi, edge))
+    return found
+
+
+def _unplaced(
+    margin: Floats, none: Flags, marks: Sequence[Mark], misses: Sequence[float], k: int, position: int, phi: float
+) -> Gap | None:
+    """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
+    for share, nowhere, mark, miss in zip(margin, none, marks, misses, strict=True):
+        if share < 0 and crossing(mark) is None:
+            return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, mark.name, miss, _reach(mark, miss, k))
+        if nowhere and crossing(mark) is None:
+            return _in_one(position, phi, mark.name)
+    return None
+
+
+def _in_one(position: int, phi: float, where: str) -> Gap:
+    advice = message("gap.one_line", point=where)
+    return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, where, 0.0, advice)
+
+
+def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:
+    """Name a position that could be assembled, but not without passing a barrier."""
+    where = edge.where if edge else ""
+    if edge is not None and edge.kind == CHANGE_POINT:
+        return Gap(position, phi, POSITIONS.plan, BEYOND_CHANGE_POINT, where, 0.0, message("gap.change_point"))
+    if edge is not None and edge.kind == PARALLEL_GUIDES and _near(np.array([phi]), [edge.phi], UNBORNE).any():
+        advice = message("gap.parallel", point=where)
+        return Gap(position, phi, POSITIONS.plan, PARALLEL_GUIDES, where, 0.0, advice)
+    if edge is not None and edge.kind == PARALLEL_GUIDES:
+        advice = message("gap.guides", point=where)
+        return Gap(position, phi, POSITIONS.plan, NOT_REACHABLE, where, 0.0, advice)
+    return Gap(position, phi, POSITIONS.plan, NOT_REACHABLE, where, 0.0, message("gap.barred"))
+
+
+def _reach(mark: Mark, miss: float, k: int) -> Message:
+    """Say how far apart two loci are, and how far they reach."""
+    first, second = mark.step.inputs
+    if mark.step.op == "tangent":
+        apart = abs(at(between(first, second), k))
+        return message("gap.slot", first=first.name, second=second.name, apart=f"{apart:.6g}", miss=f"{miss:.6g}")
+    ends = tuple(locus.step.inputs[0].name for locus in (first, second))
+    radii = [at(locus.value.radius, k).real for locus in (first, second) if isinstance(locus.value, Arc)]
+    apart = abs(at(between(first.step.inputs[0], second.step.inputs[0]), k))
+    if len(radii) == 1:
+        sizes = {"size": radii[0], "miss": miss, "least": radii[0] + miss}
+        return message("gap.guide", line=second.name, point=first.name.rpartition(" ")[2], **_written(sizes))
+    low, high = abs(radii[0] - radii[1]), sum(radii)
+    sizes = {"apart": apart, "near": radii[0], "far": radii[1], "low": low, "high": high}
+    names = {"start": ends[0], "end": ends[1], "first": first.name, "second": second.name}
+    return message("gap.reach" if apart > high else "gap.fold", **names, **_written(sizes))
+
+
+def _written(sizes: Mapping[str, float]) -> dict[str, str]:
+    """Write sizes in metres with six digits."""
+    return {name: f"{size:.6g}" for name, size in sizes.items()}
+
+
+def without_velocity(
+    drawn: Motion, gone: npt.NDArray[np.bool_], blunt: npt.NDArray[np.bool_], barriers: Sequence[Barrier]
+) -> list[Gap]:
+    """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
+    if drawn.order < VELOCITIES.number:
+        return []
+    letters = list(drawn.points)
+    none = np.isnan(np.array([drawn.points[name].v for name in letters]))
+    dead = (none.any(axis=0) | blunt) & ~gone
+    forget(drawn, dead)
+    change = near_edge(drawn.phi, barriers, (CHANGE_POINT,), BESIDE)
+    advice = message("gap.no_velocity")
+    return [
+        Gap(
+            int(k), float(drawn.phi[k]), VELOCITIES.plan, CHANGE_POINT if change[k] else DEAD_CENTRE,
+            letters[int(np.argmax(none[:, k]))], 0.0, advice,
+        )
+        for k in np.flatnonzero(dead)
+    ]  # fmt: skip
+
+
+def forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
+    """Leave no velocity and no acceleration where the mechanism as a whole has none."""
+    for rows in (*drawn.points.values(), *drawn.links.values()):
+        for row in rows[1:]:
+            row[positions] = np.nan
 
 
 class Drawable(Protocol):
@@ -112,11 +318,11 @@ class Drafts:
             return np.ones(len(self.turn), dtype=bool)
         if self.free:
             return np.zeros(len(self.turn), dtype=bool)
-        return gaps.lost(study.sweep, self.positions, self.turn, study.assembly.phi, study.barriers)
+        return lost(study.sweep, self.positions, self.turn, study.assembly.phi, study.barriers)
 
     @cached_property
     def unborne(self) -> npt.NDArray[np.bool_]:
         """Positions whose velocities the condition does not bear."""
         if self.free or self.study.assembly.phi is None:
             return np.zeros(len(self.turn), dtype=bool)
-        return gaps.unborne(self.study.sweep, self.positions, self.turn)
+        return unborne(self.study.sweep, self.positions, self.turn)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Line, Mark, between
 from geometry.meet import UNBORNE, Vectors, cross
-from plans.linkage.groups.kinds import KINDS
+from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan
 from plans.model.dyad import Group
 from plans.model.mechanism import FRAME

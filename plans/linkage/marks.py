@@ -11,8 +11,7 @@ from geometry.meet import cross
 from geometry.steps import Reading, behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
-from plans.linkage.letters import Masses, unnamed
-from plans.linkage.plan import Plan
+from plans.linkage.plan import Masses, Plan, unnamed
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive
 from plans.model.motion import ORDERS, POSITIONS

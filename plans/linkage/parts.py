@@ -15,10 +15,8 @@ from geometry.board import Mark, between
 from geometry.precision import errors
 from geometry.steps import Span
 from plans.linkage.drafts import Drafts
-from plans.linkage.groups.kinds import KINDS
-from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
-from plans.linkage.letters import NONE, Letters, Masses, unnamed
-from plans.linkage.plan import Plan
+from plans.linkage.dyads import KINDS
+from plans.linkage.plan import NONE, Letters, Masses, Plan, Sliding, Slotted, Turning, Vector, unnamed
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison, with_analysis
 from plans.linkage.study import LinkageStudy

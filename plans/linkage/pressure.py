@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep
-from plans.linkage.groups.kinds import KINDS
+from plans.linkage.dyads import KINDS
 from plans.linkage.plan import Plan
 from plans.model.dyad import Group
 from plans.model.motion import Floats

@@ -19,11 +19,9 @@ from geometry.steps import Span
 from plans.analytic.kinematics import Analysis
 from plans.linkage.drafts import Drafts
 from plans.linkage.margin import margins
-from plans.linkage.primaries import stroke
-from plans.linkage.primaries.between import apart
-from plans.linkage.primaries.ram import lever, triangle
+from plans.linkage.ram import cylinder, length_of, ram_of, ways
 from plans.linkage.study import EXTREMES, LinkageStudy
-from plans.model.mechanism import FRAME, Mechanism, Ram
+from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import ACCELERATIONS, ORDERS, POSITIONS, Extremes, Floats, Motion, numbers_of, stroke_rates
 from plans.quantity import Comparison, Quantity, gap_numbers, pairs, plain
 from plans.words.words import Message, message
@@ -37,17 +35,11 @@ ROUNDINGS = 16.0  # of a distance by two places, each of a few roundings itself
 
 def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Iterator[Quantity]:
     """Hold the law of the cylinder that drives against the distance of its points, and what that grows by."""
-    ram, told = study.mechanism.drive.ram, stroke_of(study.mechanism, len(solved.phi))
-    assert ram is not None  # asked only where there is one
-    rows = [apart(study.mechanism, solved, k) for k in range(order + 1)]
-    length = np.abs(rows[0])
-    along = np.conj(rows[0] / length)
-    found = [length]
-    found += [(along * rows[1]).real] if order > 0 else []
-    found += [(along * rows[2]).real + (along * rows[1]).imag ** 2 / length] if order > 1 else []
+    ram, told = ram_of(study.mechanism), stroke_of(study.mechanism, len(solved.phi))
+    found, driving = length_of(study.mechanism, solved, order), cylinder(study.mechanism)
     # The crank's angle is known to a rounding of the length over the share of its turning that goes along the cylinder.
-    arm = _arm(study, ram)
-    blunt = np.maximum(arm, length) / lever(study.mechanism, solved)
+    arm = driving.arm
+    blunt = np.maximum(arm, found[0]) / driving.lever(solved)
     for k, row in enumerate(found):
         due = np.where(np.isnan(row), np.nan, told[k])
         fastest = float(np.abs(told[1]).max()) ** k / arm ** (k - 1)
@@ -59,15 +51,9 @@ def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Itera
 
 def stroke_of(mechanism: Mechanism, count: int) -> tuple[Floats, Floats, Floats]:
     """Give what a scene says of its cylinder at so many even places of the stroke: length m, m/s, m/s2, (N,) each."""
-    ram = mechanism.drive.ram
-    assert ram is not None  # asked only where there is one
+    ram = ram_of(mechanism)
     lengths = np.linspace(ram.begin, ram.end, count)
     return lengths, *stroke_rates(mechanism.drive, lengths, ram.speed, ram.acceleration)
-
-
-def _arm(study: LinkageStudy, ram: Ram) -> float:
-    """Give the crank's arm m that a cylinder turns by; between two links none is nearer to that than its length."""
-    return abs(triangle(study.mechanism).own) if ram.links is None else min(ram.begin, ram.end)
 
 
 # A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
@@ -299,8 +285,8 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
     found = (solved if by == "analysis" else _constructed)(linkage, order, told)
-    ways = stroke.ways(linkage.mechanism, found[0].phi)
-    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2], ways)
+    way = ways(linkage.mechanism, found[0].phi)
+    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2], way)
 
 
 def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, None]:

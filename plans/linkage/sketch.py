@@ -8,12 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.errors import DraftError
-from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.groups.kinds import KINDS
+from plans.linkage.dyads import KINDS
 from plans.linkage.margin import crossing, margins
 from plans.linkage.motion_plans import positions
 from plans.linkage.plan import Plan
-from plans.linkage.primary import PRIMARIES
+from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.model.dyad import Group
 from plans.model.mechanism import Mechanism, Slide
 from plans.model.motion import Complexes, Floats

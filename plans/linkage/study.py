@@ -12,17 +12,15 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.errors import ConstructionError, DraftError
-from plans.linkage import assembly_limits, gaps
+from plans.linkage import assembly_limits, ram
 from plans.linkage.assembly_limits import FAN, Sweep, at_angles
-from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
-from plans.linkage.drafts import Drafts
-from plans.linkage.extreme import ExtremePositions, extremes, output
-from plans.linkage.gaps import of_positions
+from plans.linkage.drafts import Drafts, forget, gaps_of, reached, without_velocity
 from plans.linkage.margin import Barrier, margins
-from plans.linkage.primaries import stroke
+from plans.linkage.primary import CrankPositions, even, from_direction, listed
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
+from plans.linkage.travel import ExtremePositions, extremes, output
 from plans.model.dyad import Group, decompose
 from plans.model.machine import NoWorkingStroke
 from plans.model.mechanism import Mechanism, Output, StructureError
@@ -51,7 +49,7 @@ def _mending(sweep: Sweep, barrier: Barrier) -> Message:
     _, marks = margins(sweep.plan(phi), sweep.groups, sweep.sides)
     miss = np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)
     worst = int(np.nanargmax(miss))
-    return of_positions(sweep, at_angles(phi[worst : worst + 1]), [0], None, ())[0].advice
+    return gaps_of(sweep, at_angles(phi[worst : worst + 1]), [0], None, ())[0].advice
 
 
 def no_extreme(sweep: Sweep, link: int, assembled: bool) -> Message:
@@ -133,7 +131,7 @@ class LinkageStudy:
     @property
     def pace(self) -> Pace | None:
         """The rates of the drive at its coordinate: another technique's, or a stroke's own; None: steady ones."""
-        return stroke.pace(self.mechanism) if self._pace is None else self._pace
+        return ram.pace(self.mechanism) if self._pace is None else self._pace
 
     @property
     def rates(self) -> Rates:
@@ -165,7 +163,7 @@ class LinkageStudy:
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
         """
         told, turns = self.form.drive, self.mechanism.drive.turns or not self.first
-        degrees = even(Fraction(0), 360, 1) if turns else stroke.positions(self.mechanism, told.stroke, 360)
+        degrees = even(Fraction(0), 360, 1) if turns else ram.positions(self.mechanism, told.stroke, 360)
         if not self.first or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))
@@ -217,7 +215,7 @@ class LinkageStudy:
         drive = self.form.drive
         if not self.mechanism.drive.turns:
             _ = self.first or self.assembly  # without one assembly no length is that of a position
-            return stroke.positions(self.mechanism, drive.stroke, drive.count - 1)
+            return ram.positions(self.mechanism, drive.stroke, drive.count - 1)
         if isinstance(drive.positions, tuple):
             return listed([Fraction(angle) for angle in drive.positions])
         if drive.first is not None:
@@ -247,7 +245,7 @@ class LinkageStudy:
         """Tell which crank angles the mechanism reaches from the position that the sketch shows."""
         if self.assembly.phi is None:
             return np.zeros(len(phi), dtype=bool)
-        return gaps.reached(phi, self.assembly.phi, self.barriers)
+        return reached(phi, self.assembly.phi, self.barriers)
 
     @cached_property
     def span(self) -> tuple[float, float]:
@@ -310,13 +308,13 @@ class LinkageStudy:
             return drawn
         drawn = drawn.own()
         gone = np.flatnonzero(lost).tolist()
-        named = gaps.of_positions(self.sweep, self.turn.part(gone), gone, self.assembly.phi, self.barriers)
+        named = gaps_of(self.sweep, self.turn.part(gone), gone, self.assembly.phi, self.barriers)
         for points in drawn.points.values():
             points.r[lost] = np.nan
         for links in drawn.links.values():
             links.angle[lost] = np.nan
-        gaps.forget(drawn, lost)
-        named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
+        forget(drawn, lost)
+        named += without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
         return drawn._replace(gaps=tuple(sorted(named, key=attrgetter("position"))))
 
 

@@ -10,8 +10,8 @@ import pytest
 from drawings.forces.lever_plan import hanging
 from drawings.linkage.vector_plan import diagram
 from plans.forces.quantities import compare_forces
-from plans.linkage.letters import Letters
 from plans.linkage.parts import Expected
+from plans.linkage.plan import Letters
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis, solve
-from plans.linkage.crank_positions import even, listed
+from plans.linkage.primary import even, listed
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import Mechanism, Output

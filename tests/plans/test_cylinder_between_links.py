@@ -12,8 +12,11 @@ import pytest
 
 from geometry.errors import DraftError
 from plans.forces import cylinder
-from plans.linkage.primaries import between, ram
+from plans.linkage import ram
+from plans.linkage.assembly_limits import at_angles
+from plans.linkage.primary import CrankPositions
 from plans.model.mechanism import Mechanism
+from plans.model.motion import Rates
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -75,18 +78,18 @@ def test_rates_are_the_slopes_of_places_over_time() -> None:
 
 
 FAULTS = {
-    "another angle": (between.Between, "positions", lambda true: lambda *given: _moved(true(*given))),
-    "another pace": (between.Between, "pace", lambda true: lambda *given: _quickened(true(*given))),
+    "another angle": (ram.Between, "positions", lambda true: lambda *given: _moved(true(*given))),
+    "another pace": (ram.Between, "pace", lambda true: lambda *given: _quickened(true(*given))),
     "a force on one link alone": (cylinder, "_ends", lambda true: lambda *given: iter([*true(*given)][:1] * 2)),
     "another force": (cylinder, "push", lambda true: lambda *given: 1.01 * true(*given)),
 }
 
 
-def _moved(turn: between.CrankPositions) -> between.CrankPositions:
-    return between.at_angles(turn.phi + 1e-9)
+def _moved(turn: CrankPositions) -> CrankPositions:
+    return at_angles(turn.phi + 1e-9)
 
 
-def _quickened(rates: between.Rates) -> between.Rates:
+def _quickened(rates: Rates) -> Rates:
     return rates._replace(epsilon=(1 + 1e-9) * rates.epsilon)
 
 
@@ -129,13 +132,13 @@ def test_a_cylinder_that_a_triangle_holds_is_the_same_by_the_plans_of_its_linkag
     mechanism = by_cylinder()["linkage"].mechanism
     other = as_between(mechanism)
     ways = np.linspace(0.45, 0.55, 7)
-    phi = ram.positions(mechanism, ways).phi
-    assert ram.positions(other, ways).phi == pytest.approx(phi, abs=4e-15)
-    for own, theirs in zip(ram.pace(other)(phi), ram.pace(mechanism)(phi), strict=True):
+    phi = ram.cylinder(mechanism).positions(ways).phi
+    assert ram.cylinder(other).positions(ways).phi == pytest.approx(phi, abs=4e-15)
+    for own, theirs in zip(ram.cylinder(other).pace(phi), ram.cylinder(mechanism).pace(phi), strict=True):
         assert own == pytest.approx(theirs, rel=1e-12)
-    assert ram.ways(other, phi) == pytest.approx(ways, rel=1e-14)
+    assert ram.cylinder(other).ways(phi) == pytest.approx(ways, rel=1e-14)
     motion = by_cylinder()["linkage"].motion(0)
-    assert ram.lever(other, motion) == pytest.approx(ram.lever(mechanism, motion), rel=1e-12)
+    assert ram.cylinder(other).lever(motion) == pytest.approx(ram.cylinder(mechanism).lever(motion), rel=1e-12)
 
 
 def as_between(mechanism: Mechanism) -> Mechanism:
@@ -143,7 +146,7 @@ def as_between(mechanism: Mechanism) -> Mechanism:
     own = mechanism.drive.ram
     assert own is not None
     loose = replace(mechanism, drive=mechanism.drive._replace(ram=own._replace(links=(0, 1))))
-    found = between.passage(loose)
+    found = ram.passage(loose)
     assert found is not None and loose.drive.ram is not None
     return replace(loose, drive=loose.drive._replace(ram=loose.drive.ram._replace(passage=found[0])))
 

@@ -10,7 +10,7 @@ import pytest
 
 from geometry.meet import dot
 from geometry.steps import Reading
-from plans.linkage.groups.kinds import KINDS
+from plans.linkage.dyads import KINDS
 from plans.linkage.margin import rate
 from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad

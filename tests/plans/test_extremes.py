@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.linkage.extreme import ExtremePositions
 from plans.linkage.study import NoExtreme
+from plans.linkage.travel import ExtremePositions
 from plans.model.mechanism import Mechanism
 from tests import parts
 from tests.plans import linkages

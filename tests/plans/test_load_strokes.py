@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.linkage.extreme import extremes
 from plans.linkage.study import LinkageStudy
+from plans.linkage.travel import extremes
 from plans.model.machine import Track
 from plans.model.mechanism import Output, Parting, StructureError
 from plans.model.motion import Extremes

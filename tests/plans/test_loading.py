@@ -12,8 +12,8 @@ from plans.analytic.kinematics import Analysis
 from plans.forces.loading import loading
 from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import Stroke, strokes
-from plans.linkage.extreme import extremes
 from plans.linkage.study import LinkageStudy
+from plans.linkage.travel import extremes
 from plans.model.kinetostatics import Loading
 from plans.model.machine import OUTPUT, Machine, Track
 from plans.model.mechanism import Output, StructureError

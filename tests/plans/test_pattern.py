@@ -12,10 +12,10 @@ from geometry.board import Mark
 from geometry.meet import EPS
 from geometry.precision import errors
 from plans.linkage import study as studies
-from plans.linkage.crank_positions import CrankPositions, even, listed
 from plans.linkage.margin import CLOSE, RUN, heading
 from plans.linkage.motion_plans import accelerations, velocities
 from plans.linkage.plan import Plan
+from plans.linkage.primary import CrankPositions, even, listed
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import Mechanism
 from tests.plans import linkages

@@ -11,10 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.errors import LimitError
+from plans.linkage.reading.fields import LineTable
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.guides import triangle
 from plans.linkage.reading.linkage import mechanism_of
-from plans.linkage.reading.stroke import LineTable
 from plans.model.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene.faults import SHOWN, Fault, SceneError
 from plans.scene.scene import parse_scene

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from plans.forces import cylinder
-from plans.linkage.primaries import ram
+from plans.linkage.ram import Triangle
 from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
@@ -167,8 +167,8 @@ def test_both_roads_agree_on_a_cylinder_and_hold_its_law(monkeypatch: pytest.Mon
         assert by_cylinder().comparison(part).agrees
     told = {one.name for one in by_cylinder().comparison("linkage").findings}
     assert {"s_EF", "v_EF", "a_EF"} <= told
-    true = ram.pace
-    monkeypatch.setattr(ram, "pace", lambda mechanism: lambda phi: true(mechanism)(phi)._replace(epsilon=0.0 * phi))
+    true = Triangle.pace
+    monkeypatch.setattr(Triangle, "pace", lambda drive, phi: true(drive, phi)._replace(epsilon=0.0 * phi))
     assert not Study(parse_scene(BOOM.format(drive=CYLINDER))).comparison("linkage").agrees
 
 

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.forces.primary import balancing_quantity
-from plans.linkage.primaries import ram, stroke
+from plans.linkage import ram
 from plans.linkage.primary import PRIMARIES
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
@@ -233,7 +233,7 @@ def test_a_law_is_straight_between_its_places_and_at_a_corner_the_line_ahead_cou
     for back, slope in ((False, -0.2 / half), (True, 0.3 / half)):
         way = replace(PUSH, speeds=LAW)
         mechanism = slider(stroke=way.back if back else way)["linkage"].mechanism
-        pace = stroke.pace(mechanism)
+        pace = ram.pace(mechanism)
         assert pace is not None
         rates = pace(np.array([middle / mechanism.drive.unit]))
         assert rates.epsilon[0] * mechanism.drive.unit == pytest.approx(0.4 * slope, rel=1e-9)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import permutations
 from pathlib import Path
@@ -14,12 +14,10 @@ import pytest
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.forces.equilibrium import LinkForce, balances
-from plans.linkage.groups import lead, rrr
-from plans.linkage.groups.kinds import KINDS, Kind
-from plans.linkage.groups.vectors import Vector
-from plans.linkage.letters import Letters
+from plans.linkage.dyads import KINDS
+from plans.linkage.leads import Kind
 from plans.linkage.parts import Expected, findings
-from plans.linkage.plan import Plan
+from plans.linkage.plan import Letters, Plan, Vector
 from plans.linkage.pressure import interval
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
@@ -53,6 +51,7 @@ def test_formula_of_the_shaper_for_any_order_of_tables(order, slides):
     assert mechanism_class(study.groups) == "II"
 
 
+RRR = KINDS["RRR"]
 # Each dyad, links 2 and 3: where its outer leads hang on the crank 1 and on the frame, or on the moving link 4.
 
 AXIS, ACROSS = Way(0j, 1 + 0j), Way(0j, 1j)
@@ -155,35 +154,32 @@ class Three(NamedTuple):
         return (*self.dyad.inner_pairs, Pair(self.dyad.links[1], self.plate, self.dyad.pin))
 
 
-def positions(plan: Plan, group: Three, side: Sizes) -> None:
-    rrr.positions(plan, group.dyad, side)
-    _weld(plan, group)
+class ThreeLinks(Kind[Three]):
+    """A dyad RRR, with a plate on its second link."""
 
+    def positions(self, plan: Plan, group: Three, side: Sizes) -> None:
+        RRR.positions(plan, group.dyad, side)
+        _weld(plan, group)
 
-def velocities(plan: Plan, group: Three) -> None:
-    rrr.velocities(plan, group.dyad)
-    _weld(plan, group)
+    def velocities(self, plan: Plan, group: Three) -> None:
+        RRR.velocities(plan, group.dyad)
+        _weld(plan, group)
 
+    def accelerations(self, plan: Plan, group: Three) -> None:
+        RRR.accelerations(plan, group.dyad)
+        _weld(plan, group)
 
-def accelerations(plan: Plan, group: Three) -> None:
-    rrr.accelerations(plan, group.dyad)
-    _weld(plan, group)
+    def meeting(self, plan: Plan, group: Three) -> Mark:
+        return RRR.meeting(plan, group.dyad)
 
+    def vectors(self, group: Three) -> Iterable[Vector]:
+        return RRR.vectors(group.dyad)
 
-def meeting(plan: Plan, group: Three) -> Mark:
-    return lead.meeting(plan, group.dyad)
+    def pressure(self, plan: Plan, group: Three) -> Floats:
+        return RRR.pressure(plan, group.dyad)
 
-
-def vectors(group: Three) -> Iterator[Vector]:
-    return rrr.vectors(group.dyad)
-
-
-def pressure(plan: Plan, group: Three) -> Floats:
-    return rrr.pressure(plan, group.dyad)
-
-
-def extremes(plan: Plan, group: Three, side: float) -> list[Mark]:
-    return rrr.extremes(plan, group.dyad, side)
+    def extremes(self, plan: Plan, group: Three, side: float) -> list[Mark]:
+        return RRR.extremes(plan, group.dyad, side)
 
 
 def _weld(plan: Plan, group: Three) -> None:
@@ -194,8 +190,7 @@ def _weld(plan: Plan, group: Three) -> None:
 
 @pytest.fixture(autouse=True)
 def row(monkeypatch: pytest.MonkeyPatch) -> None:
-    kind = Kind(positions, velocities, accelerations, 2, meeting, vectors, pressure, extremes=extremes)
-    monkeypatch.setitem(KINDS, "three", kind)
+    monkeypatch.setitem(KINDS, "three", ThreeLinks())
 
 
 def studied(plate: bool) -> LinkageStudy:

@@ -10,10 +10,10 @@ from math import ceil, log2
 import numpy as np
 
 from geometry.meet import cross
-from plans.linkage.primaries import between, ram
+from plans.linkage.ram import cylinder, passage
+from plans.linkage.reading.fields import LineTable, StrokeTable
 from plans.linkage.reading.form import SlideTable
 from plans.linkage.reading.guides import Spot, plain
-from plans.linkage.reading.stroke import LineTable, StrokeTable
 from plans.linkage.reading.survey import Survey
 from plans.linkage.sketch import SketchError
 from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Mechanism, Ram, Slide, StructureError
@@ -62,7 +62,7 @@ def between_links(survey: Survey, mechanism: Mechanism) -> Mechanism | None:
     if ram is None or ram.links is None or mechanism.mobility != 1:
         return mechanism
     try:
-        told = between.passage(mechanism)
+        told = passage(mechanism)
     except (StructureError, SketchError):
         return mechanism
     line = f"{ram.foot}{ram.point}"
@@ -82,8 +82,9 @@ def between_links(survey: Survey, mechanism: Mechanism) -> Mechanism | None:
 def _begun(whole: Mechanism, found: Ram) -> Drive:
     """Give the drive of a mechanism the crank's rates at the first length; where it rests there, halfway."""
     rests = dict(whole.drive.law).get(found.begin) == 0
-    first = ram.positions(whole, np.array([(found.begin + found.end) / 2 if rests else found.begin]))
-    omega, epsilon = ram.pace(whole)(first.phi).at(0)
+    drive = cylinder(whole)
+    first = drive.positions(np.array([(found.begin + found.end) / 2 if rests else found.begin]))
+    omega, epsilon = drive.pace(first.phi).at(0)
     return whole.drive._replace(omega=omega, epsilon=epsilon)
 
 

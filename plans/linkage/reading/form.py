@@ -8,7 +8,7 @@ from typing import Any
 
 from geometry.errors import LimitError
 from plans.linkage.reading import fields as g
-from plans.linkage.reading.stroke import LineTable, Place, StrokeTable
+from plans.linkage.reading.fields import LineTable, Place, StrokeTable
 from plans.model.machine import PARTINGS, STROKES
 from plans.model.mechanism import SLOWER, THROUGH
 from plans.scene import fields as f

@@ -9,9 +9,8 @@ from math import pi
 from typing import NamedTuple
 
 from geometry.meet import cross
-from plans.linkage.reading.fields import split_letters
+from plans.linkage.reading.fields import LineTable, split_letters
 from plans.linkage.reading.form import SlideTable
-from plans.linkage.reading.stroke import LineTable
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide, Way
 from plans.scene.faults import Path, suggestion

@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from plans.linkage.groups.guide import key
-from plans.linkage.groups.vectors import Turning
-from plans.linkage.letters import Letters
+from plans.linkage.leads import key
+from plans.linkage.plan import Letters, Turning
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion

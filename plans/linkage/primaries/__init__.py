@@ -1,1 +1,0 @@
-"""Primary links: the constructions from which all plans of a mechanism start (начальные звенья)."""
