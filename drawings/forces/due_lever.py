@@ -132,13 +132,26 @@ class _Lever:
             for start, end in (ends for ends in permutations(known.motion.points, 2) if "".join(ends) in lines):
                 run = bill.place(end) - bill.place(start)
                 if run:
-                    far, near = (QUARTER * bill.speed(link, bill.place(one)) for one in (end, start))
+                    bearer = self._bearer(link, start, end)
+                    far, near = (QUARTER * bill.speed(bearer, bill.place(point)) for point in (end, start))
                     line, force = f"{start}{end}", 1j * moment / run.conjugate()
                     written = f"{self.acting.letter(name)}/l_{{{line}}}"
                     alone = f"−{self.acting.name(name)}/{line}" not in self.said
                     if alone and abs(far) <= ABOUT * NOTHING * abs(near):  # at the pole nothing is drawn: the other is
                         force, far, near = -force, near, far
                     yield _Hung(f"{self.acting.name(name)}/{line}", written, force, far, moment * spin, near)
+
+    def _bearer(self, link: int, start: str, end: str) -> int:
+        """Find the link that bears a couple on a line: of all that turn alike one that has both points, or the first.
+
+        Links that slide in one another turn alike, as a rod does with the stone that it slides through.
+        """
+        mechanism, alike = self.acting.statics.study.mechanism, [link]
+        for turning in alike:  # it grows on the way
+            pairs = ({slide.slider, slide.owner} for slide in mechanism.slides)
+            alike += [other for pair in pairs if turning in pair for other in pair - {FRAME, *alike}]
+        owned = [mechanism.links[turning].points for turning in alike]
+        return alike[max(range(len(alike)), key=lambda k: (start in owned[k], end in owned[k]))]
 
     def forces(self) -> Iterator[Expected]:
         """Give the directions of the forces, and the arms."""
@@ -215,9 +228,7 @@ class _Lever:
             arm = marks.get(one.name, "".join(reversed(ends)))
             sign = "+ " if one.power > 0 else "− "
             text = Text(0j, f"{one.letter}·{arm}").plain
-            # A couple of which one force stands alone, off the pole, hangs on another link that turns alike.
-            alike = "/" in one.name and f"−{one.name}" not in self.said and "p" not in ends
-            allowed = math.inf if self._doubtful or alike or (one.name not in marks and not all(ends)) else 0.0
+            allowed = math.inf if self._doubtful or (one.name not in marks and not all(ends)) else 0.0
             row = Expected(Kind.LETTER, f"{EQUATION}-{self.acting.k}", one.letter, sign + text, allowed, may_lack=True)
             yield row._replace(value=text) if one is told[0] and one.power > 0 else row
 
