@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells, course, phrases
 from drawings.checks.hold import stated_keys
-from drawings.forces.due_acting import Acting, DueArm, forces_of, moments_of, named, unbraced
+from drawings.forces.due_acting import Acting, ExpectedArm, named, unbraced
 from drawings.forces.due_lever import lever
 from drawings.forces.due_loads import diagrams
 from drawings.lettering.words import word
@@ -21,7 +21,7 @@ from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Leaf, Text
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.bill import ActingForce, Bearing, ForceBill
-from plans.forces.cut import indices
+from plans.forces.cut import Cut, Equation, indices
 from plans.forces.friction_quantities import forces_by_hand
 from plans.forces.primary import balancing_quantity
 from plans.forces.quantities import ForceComparison
@@ -37,10 +37,10 @@ FAR, FAINT = 1e-9, 0.01  # of the greatest: no road is further off; a smaller or
 
 def curves(statics: Statics, comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expected]:
     """Give the graph of what balances the drive, and the hodographs of the reactions that are asked for."""
-    own = _Curves(statics, comparison, shown)
-    yield from (*own.ordinates(), own.graph())
+    found = _Curves(statics, comparison, shown)
+    yield from (*found.ordinates(), found.graph())
     for key in statics.form.sheet.hodographs:
-        yield from own.hodograph(key)
+        yield from found.hodograph(key)
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,8 @@ class _Curves:
         """What the two roads may differ by in what balances the drive."""
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
         found = self.comparison.analysis
-        bounds = [found.counted(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name)]
+        told = [force for force in self.comparison.of("forces") if force.name.startswith(name)]
+        bounds = [found.counted(force.allowed) for force in told]
         return 2 * float(max(map(np.nanmax, bounds))) + max(share * found.nothing[1], found.nothing[0])
 
     @cached_property
@@ -104,16 +105,16 @@ class _Curves:
 
     def hodograph(self, key: str) -> Iterator[Expected]:
         """Give the points of the positions and the vectors of the shown ones."""
-        plan, one = f"hodograph-{key}", self.comparison.analysis.reactions[key]
+        plan, reaction = f"hodograph-{key}", self.comparison.analysis.reactions[key]
         bounds = [np.nanmax(row.allowed) for row in self.comparison.of("forces") if row.unit == "N"]
         slack = 2 * float(np.nanmax(bounds))
-        for k, value in enumerate(one.force):
+        for k, value in enumerate(reaction.force):
             if np.isfinite(value):
                 yield Expected(Kind.POINT, plan, str(k), complex(value), slack, k, may_lack=True)
         for k in self.shown:
             acting = Acting(self.statics, self.comparison, k)
-            name = f"R_{indices(one.giver, one.taker)}"
-            value, letter = complex(one.force[k]), acting.letter(name)
+            name = f"R_{indices(reaction.giver, reaction.taker)}"
+            value, letter = complex(reaction.force[k]), acting.letter(name)
             yield Expected(Kind.VECTOR, plan, acting.name(name), value, slack, k, may_lack=True, letter=letter)
 
 
@@ -121,23 +122,21 @@ def notes(comparison: ForceComparison, shown: Sequence[int]) -> Iterator[Expecte
     """Give the powers and the efficiency in the shown positions, the efficiency over the cycle, the shares of wear."""
     if comparison.friction is None:
         return
-    found, slack = comparison.friction[1], {one.name: one.allowed for one in comparison.of("friction")}
+    found, slack = comparison.friction[1], {quantity.name: quantity.allowed for quantity in comparison.of("friction")}
     pairs = {key: indices(*map(int, key.split("-"))) for key in found.powers}
     none = NOTHING * max(float(np.nanmax(np.abs(row), initial=0.0)) for row in (found.lost, found.useful))
     for k in (k for k in shown if np.isfinite(found.lost[k])):
-        off = none + sum(float(slack[f"N_{own}"][k]) for own in pairs.values())
+        off = none + sum(float(slack[f"N_{index}"][k]) for index in pairs.values())
         useful = f"useful index {k}", float(found.useful[k]), none + float(slack["N_us"][k])
         yield from phrases(NOTES, [(f"friction index {k}", float(found.lost[k]), off), useful], 4)
         share = float(found.efficiency[k])
         yield from phrases(NOTES, [(f"η {k}", share, float(slack["η"][k]))], 3, may_lack=not math.isfinite(share))
-    told = [] if found.cycle is None else [("η", found.cycle, _one(slack, "η cycle"))]
-    wear = ((key, 100 * share, 100 * _one(slack, f"wear {pairs.get(key, key)}")) for key, share in found.wear.items())
-    told += [(f"wear {key}", share, off) for key, share, off in wear]
-    yield from phrases(NOTES, told, 3, may_lack=True)
-
-
-def _one(slack: Mapping[str, Floats], name: str) -> float:
-    return float(slack[name][0]) if name in slack else math.inf
+    whole = {"η": found.cycle} | {f"wear {key}": 100 * share for key, share in found.wear.items()}
+    names = {"η": "η cycle"} | {f"wear {key}": f"wear {pairs.get(key, key)}" for key in found.wear}
+    for name, value in whole.items():
+        bound = slack.get(names[name], np.array([math.inf]))
+        if value is not None:
+            yield from phrases(NOTES, [(name, value, float(bound[0]) * (1 if name == "η" else 100))], 3, may_lack=True)
 
 
 TABLE, MM, DIGITS = "values", 1000.0, 5
@@ -150,8 +149,8 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     comparison, statics = study.comparison("forces"), study.of(Statics)
     shown = tuple(dict.fromkeys(int(leaf.metadata["position"]) for leaf in leaves))
     for k in shown:
-        own = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]
-        scales, keys = own[0].metadata["scales"], [stated_keys(leaf) for leaf in own]
+        drawn = [leaf for leaf in leaves if int(leaf.metadata["position"]) == k]
+        scales, keys = drawn[0].metadata["scales"], [stated_keys(leaf) for leaf in drawn]
         sheet = _Sheet(Acting(statics, comparison, k), scales, frozenset(chain(*keys)))
         yield from chain(sheet.polygons(), sheet.schemes(), sheet.equations(), sheet.terms(), sheet.table())
         yield from lever(sheet.acting, scales, keys)
@@ -179,28 +178,26 @@ class _Sheet:
 
     def polygons(self) -> Iterator[Expected]:
         """Give the vectors of the force plans and of their details; parts may stand for a whole reaction."""
-        expected, groups = self.acting.expected, self.acting.statics.study.groups
         for label, bill in self.acting.bills.items():
-            parts, plan = expected.parts(bill.group), f"forces-{label}"
+            parts, plan = bill.parts, f"forces-{label}"
             details = {key[1] for key in self.keys if key[1].startswith(f"detail-{label}-")}
-            for name, value in {**parts, **expected.polygon(groups, bill.group)}.items():
+            for name, value in {**parts, **bill.sides}.items():
                 faint = abs(value) <= SEEN * self.scales.get(plan, 0.0) + self.floor
                 row = Expected(Kind.VECTOR, plan, name, value, self.acting.slack, self.k, name in parts or faint)
                 row = row._replace(letter=self.acting.letter(name))
                 yield row
-                yield from (row._replace(figure=one, may_lack=True) for one in details)
+                yield from (row._replace(figure=detail, may_lack=True) for detail in details)
 
     def schemes(self) -> Iterator[Expected]:
         """Give the forces, moments and arms on the loading schemes."""
         for label, bill in self.acting.bills.items():
             plan = f"scheme {label}"
-            driving = [] if bill.driving is None else [bill.driving]
-            yield from (self._arrow(plan, one) for one in (*bill.known, *driving))
-            yield from (self._sense(plan, one.name, one.moment) for one in bill.couples)
-            for one in bill.bearings:
-                yield from self._bearing(plan, one)
+            yield from (self._arrow(plan, force) for force in (*bill.known, *bill.driving))
+            yield from (self._sense(plan, couple.name, couple.moment) for couple in bill.couples)
+            for bearing in bill.bearings:
+                yield from self._bearing(plan, bearing)
             mu = self.scales.get(f"scheme-{label}", 0.0)
-            for arm in (one for one in self.acting.lettered_arms(label) if one.letter.startswith("h")):
+            for arm in (arm for arm in self.acting.lettered_arms(label) if arm.letter.startswith("h")):
                 row = self._arm(plan, arm, mu)
                 off = math.inf if self.acting.doubtful else 2 * self.acting.off
                 yield from (row, row._replace(kind=Kind.POINT, value=arm.pivot - self._zero(bill), allowed=off))
@@ -208,15 +205,15 @@ class _Sheet:
     def _zero(self, bill: ForceBill) -> complex:
         """Give the place from which those of a scheme are told: that of its first point."""
         links = self.acting.statics.study.mechanism.links
-        return bill.place(min(name for link in bill.links for name in links[link].points))
+        return self.acting.position.place(min(name for link in bill.links for name in links[link].points))
 
-    def _arrow(self, plan: str, one: ActingForce, lost: bool = False) -> Expected:
+    def _arrow(self, plan: str, force: ActingForce, lost: bool = False) -> Expected:
         """Give the direction of a force; of one that is none rounding decides."""
-        size = abs(one.value)
-        row = Expected(Kind.DIRECTION, plan, self.acting.name(one.name), 0j, math.inf, self.k, may_lack=True)
+        size = abs(force.value)
+        row = Expected(Kind.DIRECTION, plan, self.acting.name(force.name), 0j, math.inf, self.k, may_lack=True)
         if size <= self.floor:
             return row
-        return row._replace(value=one.value / size, allowed=TURNED + self.acting.slack / size, may_lack=lost)
+        return row._replace(value=force.value / size, allowed=TURNED + self.acting.slack / size, may_lack=lost)
 
     def _sense(self, plan: str, name: str, moment: float, lost: bool = False) -> Expected:
         none = abs(moment) <= self.acting.none[1]
@@ -224,31 +221,31 @@ class _Sheet:
         sense = math.copysign(1.0, moment)
         return Expected(Kind.DIRECTION, plan, self.acting.name(name), sense, allowed, self.k, may_lack=lost or none)
 
-    def _bearing(self, plan: str, one: Bearing) -> Iterator[Expected]:
+    def _bearing(self, plan: str, bearing: Bearing) -> Iterator[Expected]:
         """Give a reaction, whole or in parts, and of a guide how far it acts, or its moment."""
-        split = any(self._stands(plan, part.name) for part in one.parts)
-        yield self._arrow(plan, one.whole, split)
-        yield from (self._arrow(plan, part, True) for part in one.parts)
-        if one.along is not None:
-            far, shift = one.along * one.arm, self.acting.name(one.name.replace("R", "x", 1))
-            off = self.acting.none[1] / max(abs((one.along.conjugate() * one.value).imag), self.floor)
-            off = math.inf if not math.isfinite(abs(one.arm)) else off * (1 + abs(one.arm))
-            lost = not LEAST * self.scales.get(plan.replace(" ", "-"), 0.0) + off < abs(one.arm) < math.inf
-            apart = self._stands(plan, one.couple)
-            yield Expected(Kind.VECTOR, plan, shift, far, off, self.k, may_lack=lost or apart)
-            yield self._sense(plan, one.couple, one.moment, True)
+        whole, along, arm = bearing.whole, bearing.along, bearing.arm
+        split = any(self._stands(plan, part.name) for part in bearing.parts)
+        yield self._arrow(plan, whole, split)
+        yield from (self._arrow(plan, part, True) for part in bearing.parts)
+        if along is not None:
+            off = self.acting.none[1] / max(abs((along.conjugate() * whole.value).imag), self.floor)
+            off = math.inf if not math.isfinite(abs(arm)) else off * (1 + abs(arm))
+            lost = not LEAST * self.scales.get(plan.replace(" ", "-"), 0.0) + off < abs(arm) < math.inf
+            apart, shift = self._stands(plan, bearing.couple), self.acting.name(whole.name.replace("R", "x", 1))
+            yield Expected(Kind.VECTOR, plan, shift, along * arm, off, self.k, may_lack=lost or apart)
+            yield self._sense(plan, bearing.couple, bearing.moment, True)
 
     def _stands(self, plan: str, name: str) -> bool:
         return (Kind.DIRECTION, plan, self.acting.name(name), self.k) in self.keys
 
-    def _arm(self, plan: str, arm: DueArm, mu: float) -> Expected:
+    def _arm(self, plan: str, arm: ExpectedArm, mu: float) -> Expected:
         """Give an arm as it is drawn, from the point of moments to the foot on the line of action."""
         value, off = arm.foot - arm.pivot, self._off(arm)
         lost = self.acting.doubtful or arm.length <= LEAST * mu + off
         allowed = math.inf if self.acting.doubtful else off
         return Expected(Kind.VECTOR, plan, unbraced(arm.letter), value, allowed, self.k, lost, letter=arm.letter)
 
-    def _off(self, arm: DueArm) -> float:
+    def _off(self, arm: ExpectedArm) -> float:
         """Give how far off an arm may be, m: by its places and by the direction of its force."""
         return self.acting.off + abs(arm.force.at - arm.pivot) * self.acting.slack / abs(arm.force.value)
 
@@ -257,61 +254,57 @@ class _Sheet:
         for label, bill in self.acting.bills.items():
             row = Expected(Kind.PHRASE, f"equations-{label}-{self.k}", "", 0.0, position=None, digits=DIGITS)
             must = self._must(bill)
-            for name, force in forces_of(bill).items():
+            for name, force in bill.forces.items():
                 size, lost = abs(force.value), name not in must or abs(force.value) <= self.floor
                 yield row._replace(name=name, value=size, allowed=self.floor, may_lack=lost)
-            for name, moment in moments_of(bill).items():
+            for name, moment in bill.moments.items():
                 lost = name not in must or abs(moment) <= self.acting.none[1]
                 yield row._replace(name=name, value=moment, allowed=self.acting.none[1], may_lack=lost)
             for arm in self.acting.lettered_arms(label):
                 off = math.inf if self.acting.doubtful else MM * self._off(arm)
-                own = row._replace(value=MM * arm.length, allowed=off, may_lack=self.acting.doubtful)
-                yield own._replace(name=arm.letter)
+                yield row._replace(name=arm.letter, value=MM * arm.length, allowed=off, may_lack=self.acting.doubtful)
 
     def terms(self) -> Iterator[Expected]:
         """Give the terms of the equations of moments: sign, force and arm; what the equation gives stands first."""
-        drive = self.acting.statics.study.mechanism.drive
         for cut in self.acting.statics.drafts().plans.plan.cuts:
-            bill, figure = self.acting.bills[cut.label], f"equations-{cut.label}-{self.k}"
-            for one in cut.equations:
-                about, found = one.about.name, one.found.name
-                own = {load.name for load in one.loads} | {found}
-                arms = [arm for arm in self.acting.arms[cut.label] if arm.about == about and arm.force.name in own]
-                letters = [f"{self.acting.letter(arm.force.name)}·{arm.letter}" for arm in arms]
-                terms = {arm.force.name: (arm.moment, term) for arm, term in zip(arms, letters, strict=True)}
-                moments = moments_of(bill)
-                couples = {each.name: moments[each.name] for each in one.couples if each.name in moments}
-                terms |= {name: (moment, f"|{self.acting.letter(name)}|") for name, moment in couples.items()}
-                first = [] if cut.group is None and drive.ram is not None else [found]
-                terms = {name: terms.get(name, (1.0, self.acting.letter(name))) for name in (*first, *terms)}
-                least = self.acting.none[1]
-                alone = all(abs(moment) <= least for name, (moment, _) in terms.items() if name != found)
-                for name, (moment, product) in terms.items():
-                    sign = "+ " if moment > 0 else "− "
-                    sign = "" if sign == "+ " and name == next(iter(terms)) else sign
-                    none = abs(moment) <= least
-                    allowed = math.inf if self.acting.doubtful or none else 0.0
-                    text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
-                    lost = none or self.acting.doubtful or alone
-                    yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost)
+            for equation in cut.equations:
+                yield from self._terms(cut, equation)
+
+    def _terms(self, cut: Cut, equation: Equation) -> Iterator[Expected]:
+        acting, about, found = self.acting, equation.about.name, equation.found.name
+        least, moments = acting.none[1], acting.bills[cut.label].moments
+        armed = {load.name for load in equation.loads} | {found}
+        arms = [arm for arm in acting.arms[cut.label] if arm.about == about and arm.force.name in armed]
+        terms = {arm.force.name: (arm.moment, f"{acting.letter(arm.force.name)}·{arm.letter}") for arm in arms}
+        couples = (couple.name for couple in equation.couples if couple.name in moments)
+        terms |= {name: (moments[name], f"|{acting.letter(name)}|") for name in couples}
+        alone = all(abs(moment) <= least for name, (moment, _) in terms.items() if name != found)
+        if cut.group is not None or acting.position.mechanism.drive.ram is None:
+            terms = {found: (1.0, acting.letter(found))} | terms
+        for name, (moment, product) in terms.items():
+            sign = "− " if moment <= 0 else "" if name == next(iter(terms)) else "+ "
+            lost = abs(moment) <= least or acting.doubtful
+            text, key = sign + Text(0j, product).plain, f"{name} about {about} for {found}"
+            figure, allowed = f"equations-{cut.label}-{self.k}", math.inf if lost else 0.0
+            yield Expected(Kind.LETTER, figure, key, text, allowed, may_lack=lost or alone)
 
     def _must(self, bill: ForceBill) -> set[str]:
         """Name what the equations of a cut must tell: what is given, and the reactions from outside."""
-        own = [one.name for one in bill.known if one.name[0] != "R"]
-        own += [one.name for one in bill.couples if one.name[1:2] == "^"]
-        return {*own, *(one.name for one in bill.bearings)}
+        given = {force.name for force in bill.known if force.name[0] != "R"}
+        given |= {couple.name for couple in bill.couples if couple.name[1:2] == "^"}
+        return given | {bearing.whole.name for bearing in bill.bearings}
 
     def table(self) -> Iterator[Expected]:
         """Give the cells of the table: by plan, by analysis, by hand; what is none all the turn may lack."""
         comparison, language = self.acting.comparison, self.acting.statics.study.language
         nothing = dict(zip(("N", "N*m"), comparison.analysis.nothing_over, strict=True))
         slips = forces_by_hand(self.acting.statics, self.k, self.scales)
-        for letters, one in named(self.acting.statics, comparison):
-            head = f"{letters}, {word(language, one.unit)}"
-            told = np.abs(comparison.analysis.counted(one.analysis)) > 2 * nothing[one.unit] + one.allowed
-            found, slack = one.analysis[self.k], float(one.allowed[self.k])
+        for letters, quantity in named(self.acting.statics, comparison):
+            head = f"{letters}, {word(language, quantity.unit)}"
+            least = 2 * nothing[quantity.unit] + quantity.allowed
+            lost = not np.any(np.abs(comparison.analysis.counted(quantity.analysis)) > least)
+            found, slack = quantity.analysis[self.k], float(quantity.allowed[self.k])
             value = float(abs(found) if np.iscomplexobj(found) else found)
             size = (value, slack) if math.isfinite(value) else None
-            error = math.nan if size is None else slips.get((one.name, self.k), math.nan)
-            row = size, size, by_hand(error, one.largest)
-            yield from cells(TABLE, head, row, self.k, may_lack=not np.any(told))
+            error = math.nan if size is None else slips.get((quantity.name, self.k), math.nan)
+            yield from cells(TABLE, head, (size, size, by_hand(error, quantity.largest)), self.k, may_lack=lost)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -12,8 +12,8 @@ import numpy as np
 
 from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter, word
-from plans.forces.bill import ActingForce, ExpectedForces, ForceBill
-from plans.forces.cut import Cut, Equation, indices
+from plans.forces.bill import ActingForce, ForceBill, LoadedPosition
+from plans.forces.cut import Cut, Equation
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.motion import NOTHING, POSITIONS, VELOCITIES
@@ -25,7 +25,7 @@ ABOUT = 30.0  # times more or less: whether such a force or moment is none is de
 CENTRE = re.compile(r"S\d*'*")  # a mass centre by its letter: no arm ends there
 
 
-class DueArm(NamedTuple):
+class ExpectedArm(NamedTuple):
     """An arm in an equation of moments: its letter, the force and the point, the foot on the line of action, m."""
 
     letter: str
@@ -56,31 +56,30 @@ class Acting:
     k: int
 
     @cached_property
-    def expected(self) -> ExpectedForces:
-        """The forces of the position."""
+    def position(self) -> LoadedPosition:
+        """The machine in the position."""
         study, solved, machine = self.statics.study, self.comparison.motion.analysis, self.statics.machine
-        loads = self.statics.loading(solved)
-        return ExpectedForces(study.mechanism, machine, solved, loads, self.comparison.analysis, self.k)
+        loads, forces = self.statics.loading(solved), self.comparison.analysis
+        return LoadedPosition(study.mechanism, machine, study.groups, solved, loads, forces, self.k)
 
     @cached_property
     def bills(self) -> dict[str, ForceBill]:
         """What acts on each group, and on the primary link, by their links."""
-        groups = self.statics.study.groups
-        bills = (ForceBill(self.expected, groups, own) for own in (*groups, None))
-        return {"-".join(map(str, one.links)): one for one in bills}
+        bills = (ForceBill(self.position, group) for group in (*self.position.groups, None))
+        return {"-".join(map(str, bill.links)): bill for bill in bills}
 
     @cached_property
     def slack(self) -> float:
         """What the two roads may differ by in a force, N."""
-        own = (float(one.allowed[self.k]) for one in self.comparison.of("forces") if one.unit == "N")
-        return 2 * max(own, default=0.0)
+        bounds = (float(force.allowed[self.k]) for force in self.comparison.of("forces") if force.unit == "N")
+        return 2 * max(bounds, default=0.0)
 
     @cached_property
     def none(self) -> tuple[float, float]:
         """The force N and the moment N*m below which there may be none."""
         found = self.comparison.analysis
         force, moment = found.nothing_at(self.k)
-        sizes = [abs(one.value) for bill in self.bills.values() for one in forces_of(bill).values()]
+        sizes = [abs(force.value) for bill in self.bills.values() for force in bill.forces.values()]
         force = self.slack + max(force, NOTHING * max(sizes, default=0.0))
         return force, force * found.size + moment
 
@@ -95,9 +94,8 @@ class Acting:
         return self._off(VELOCITIES.plan)
 
     def _off(self, plan: str) -> float:
-        return 2 * max(
-            float(np.broadcast_to(one.allowed, one.analysis.shape)[self.k]) for one in self.comparison.motion.of(plan)
-        )
+        found = self.comparison.motion.of(plan)
+        return 2 * max(float(np.broadcast_to(point.allowed, point.analysis.shape)[self.k]) for point in found)
 
     def letter(self, name: str) -> str:
         """Write a force or a moment as a sheet does: R^t_34, or M^Φ_4/BD."""
@@ -108,29 +106,29 @@ class Acting:
         return unbraced(self.letter(name))
 
     @cached_property
-    def arms(self) -> dict[str, tuple[DueArm, ...]]:
+    def arms(self) -> dict[str, tuple[ExpectedArm, ...]]:
         """The arms of each cut, numbered through all of them; forces on one line of action have one."""
-        found, start = dict[str, tuple[DueArm, ...]](), 0
+        found, start = dict[str, tuple[ExpectedArm, ...]](), 0
         for cut in self.statics.drafts().plans.plan.cuts:
             found[cut.label] = tuple(self._arms(cut, start))
-            start += len({one.letter for one in found[cut.label] if one.letter.startswith("h")})
+            start += len({arm.letter for arm in found[cut.label] if arm.letter.startswith("h")})
         return found
 
-    def _arms(self, cut: Cut, start: int) -> Iterator[DueArm]:
-        bill, known = self.bills[cut.label], list[DueArm]()
+    def _arms(self, cut: Cut, start: int) -> Iterator[ExpectedArm]:
+        bill, known = self.bills[cut.label], list[ExpectedArm]()
         share = 1 / ABOUT if self.doubtful else 1.0  # all that rounding may have an arm for
         for equation in cut.equations:
             for force in self._forces(bill, equation):
-                pivot = bill.place(equation.about.name)
+                pivot = self.position.place(equation.about.name)
                 run = force.at - pivot
-                arm = DueArm("", force, equation.about.name, pivot, (run.conjugate() * force.value).imag)
+                arm = ExpectedArm("", force, equation.about.name, pivot, (run.conjugate() * force.value).imag)
                 least = share * NOTHING * abs(run * force.value)
                 if abs(force.value) > share * self._least and abs(arm.moment) > least:
                     arm = arm._replace(line=self._line(equation, arm))
                     known.append(arm._replace(letter=self._lettered(arm, known, start)))
         yield from known
 
-    def lettered_arms(self, label: str) -> Iterator[DueArm]:
+    def lettered_arms(self, label: str) -> Iterator[ExpectedArm]:
         """Give the arms of a cut; where rounding decides how they are lettered, with each letter that they may bear."""
         count = sum(map(len, self.arms.values())) if self.doubtful else 0
         for arm in self.arms[label]:
@@ -140,35 +138,35 @@ class Acting:
 
     @cached_property
     def _least(self) -> float:
-        known = (one for bill in self.bills.values() for one in (*bill.known, *(own.whole for own in bill.bearings)))
-        return NOTHING * max((abs(one.value) for one in known), default=0.0)
+        bills = self.bills.values()
+        known = (force for bill in bills for force in (*bill.known, *(bearing.whole for bearing in bill.bearings)))
+        return NOTHING * max((abs(force.value) for force in known), default=0.0)
 
     def _forces(self, bill: ForceBill, equation: Equation) -> Iterator[ActingForce]:
         """Give the forces of an equation, the one that it finds last."""
-        forces = forces_of(bill)
-        names = [load.name for load in equation.loads]
-        yield from (forces[name] for name in (*names, *([] if equation.line is None else [equation.found.name])))
+        names = [load.name for load in equation.loads] + ([] if equation.line is None else [equation.found.name])
+        return (bill.forces[name] for name in names)
 
-    def _line(self, equation: Equation, arm: DueArm) -> str:
+    def _line(self, equation: Equation, arm: ExpectedArm) -> str:
         """Letter an arm as the line to a point where its force acts, named as the lead there is; or not at all."""
         places, k = self.comparison.motion.analysis.points, self.k
         points = (arm.force.point, *self.statics.study.mechanism.links[arm.force.link].points)
-        spots = (one for one in points if one in places and not CENTRE.fullmatch(one))
+        spots = (point for point in points if point in places and not CENTRE.fullmatch(point))
         near = NOTHING * abs(arm.force.at - arm.pivot)
-        spot = next((one for one in spots if abs(places[one].r[k] - arm.force.at) <= near), "")
+        spot = next((point for point in spots if abs(places[point].r[k] - arm.force.at) <= near), "")
         ends, leads = arm.about + spot, () if equation.line is None else equation.line.step.inputs[1:]
         name = next((lead.name for lead in leads if sorted(lead.name) == sorted(ends)), ends)
         return f"l_{{{name}}}" if spot else ""
 
-    def _lettered(self, arm: DueArm, known: list[DueArm], start: int) -> str:
+    def _lettered(self, arm: ExpectedArm, known: list[ExpectedArm], start: int) -> str:
         """Letter an arm: as the line between two points where it is one; or number it."""
         run, way = arm.force.at - arm.pivot, arm.force.value / abs(arm.force.value)
         near = NOTHING * abs(run)
         if arm.line and abs((run * way.conjugate()).real) <= near:
             return arm.line
-        numbered = [one for one in known if one.letter.startswith("h")]
-        same = (one.letter for one in numbered if one.about == arm.about and abs(one.foot - arm.foot) <= near)
-        return next(same, f"h_{{{start + len({one.letter for one in numbered}) + 1}}}")
+        numbered = [other for other in known if other.letter.startswith("h")]
+        same = (other.letter for other in numbered if other.about == arm.about and abs(other.foot - arm.foot) <= near)
+        return next(same, f"h_{{{start + len({other.letter for other in numbered}) + 1}}}")
 
     @cached_property
     def doubtful(self) -> bool:
@@ -182,7 +180,7 @@ class Acting:
             for cut in cuts
             for equation in cut.equations
             for force in self._forces(self.bills[cut.label], equation)
-            for run in (force.at - self.bills[cut.label].place(equation.about.name),)
+            for run in (force.at - self.position.place(equation.about.name),)
         )
 
 
@@ -200,32 +198,10 @@ def lettered(statics: Statics, name: str) -> str:
 
 def named(statics: Statics, comparison: ForceComparison) -> Iterator[tuple[str, Quantity]]:
     """Give the findings of forces, each with what its row of the table is lettered: R_34, M_bal (by lever)."""
-    for one in comparison.of("forces"):
-        name, _, how = one.name.partition(" ")
+    for found in comparison.of("forces"):
+        name, _, how = found.name.partition(" ")
         by = f" ({word(statics.study.language, f'by {how}')})" if how else ""
-        yield f"{lettered(statics, name)}{by}", one
-
-
-def forces_of(bill: ForceBill) -> Mapping[str, ActingForce]:
-    """Give every force that may be told of a cut."""
-    driving = [] if bill.driving is None else [bill.driving]
-    bearings = [one for own in bill.bearings for one in (own.whole, *own.parts)]
-    inner = [one for own in bill.inner for one in (own.whole, opposite(own.whole))]
-    return {one.name: one for one in (*bill.known, *driving, *bearings, *inner)}
-
-
-def moments_of(bill: ForceBill) -> Mapping[str, float]:
-    """Give every moment that may be told of a cut."""
-    found = {one.name: one.moment for one in bill.couples}
-    found |= {one.couple: one.moment for one in (*bill.bearings, *bill.inner)}
-    return found | {opposite(one.whole).name.replace("R", "M", 1): -one.moment for one in bill.inner}
-
-
-def opposite(one: ActingForce) -> ActingForce:
-    """Give a reaction as the other link takes it."""
-    head, index = one.name.split("_")
-    giver, taker = index.split(",") if "," in index else tuple(index)
-    return one._replace(name=f"{head}_{indices(int(taker), int(giver))}", value=-one.value)
+        yield f"{lettered(statics, name)}{by}", found
 
 
 def unbraced(markup: str) -> str:

@@ -70,23 +70,23 @@ def _diagram(load: Force | Moment, stroke: Stroke) -> Iterator[Expected]:
         if share:
             yield Expected(Kind.VECTOR, figure, f"overrun_{k}", complex(share * length), KNOWN * length)
             yield Expected(Kind.PHRASE, figure, f"overrun_{k}", share, digits=4)
-    for one in branches(load):
-        path = one.shares * length + 1j * one.sizes
+    for branch in branches(load):
+        path = branch.shares * length + 1j * branch.sizes
         begin = [0j, complex(path[0].real)] if load.overrun[0] else []  # it jumps up and down at the overruns
         end = [complex(path[-1].real), complex(length)] if load.overrun[1] else []
         way = np.concatenate((begin, path, end))
         places = np.linspace(0, len(way) - 1, PIECES * (len(way) - 1) + 1)
         way = np.asarray(np.interp(places, np.arange(len(way)), way), dtype=np.complex128)
-        yield Expected(Kind.CURVE, figure, "back" if one.back else "out", way, KNOWN * length)
+        yield Expected(Kind.CURVE, figure, "back" if branch.back else "out", way, KNOWN * length)
     yield from _corners(figure, load)
 
 
 def _corners(figure: str, load: Force | Moment) -> Iterator[Expected]:
     """Give the ordinates of the corners that are not zero, lettered in the order of the motion."""
     found: dict[tuple[float, float], float] = {}
-    for one in branches(load):
-        rows = zip(one.shares.tolist(), one.sizes.tolist(), one.bends.tolist(), strict=True)
-        for share, size, bend in reversed([*rows]) if one.back else rows:
+    for branch in branches(load):
+        rows = zip(branch.shares.tolist(), branch.sizes.tolist(), branch.bends.tolist(), strict=True)
+        for share, size, bend in reversed([*rows]) if branch.back else rows:
             if size and bend > STRAIGHT / DOUBT:
                 found.setdefault((share, size), bend)
     doubtful = any(bend < STRAIGHT * DOUBT for bend in found.values())
