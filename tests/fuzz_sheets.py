@@ -23,13 +23,12 @@ from tempfile import TemporaryDirectory
 from drawings.commands import cli
 from drawings.commands.check import lines, plain
 from drawings.files.file_error import json_text
-from drawings.grading import told
-from drawings.grading.asked import EXACT, Allowances
+from drawings.grading import feedback as told
+from drawings.grading.allowance import EXACT, Allowances
 from drawings.grading.feedback import feedback, is_plain
 from drawings.grading.graded import grade
-from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask, sheet_task
-from drawings.grading.told import hints
+from drawings.grading.verdict import Marking
 from drawings.redrawn.originals import Originals
 from drawings.redrawn.sheet_check import check
 from tests.forgeries.chance_edits import CHANGES, HANDED_IN
@@ -73,15 +72,14 @@ def asked(own: Originals) -> SheetTask:
 def handed_in(own: Originals, name: str, source: bytes, _: Path) -> str:
     """Grade one sheet, and tell of it in every form; give how it ended."""
     task = asked(own)
-    steps = {key: one for plan in task.plans for key, one in hints(plan)}
     for by in (Allowances(), Allowances(EXACT)):
         graded = grade(source, task, by)
     for language in ("en", "ru"):
         json_text(told.plain(Path(name), graded, Marking(), language))
-        list(told.lines(Path(name), graded, Marking(), steps, language))
+        list(told.lines(Path(name), graded, Marking(), task.hints, language))
         told.row(Path(name), graded, Marking(), language)
         if graded.reason is None and is_plain(source):
-            feedback(Path(name), source, graded, steps, language)
+            feedback(Path(name), source, graded, task.hints, language)
     return f"grade: {graded.outcome}"
 
 

@@ -14,9 +14,9 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
+from drawings.grading.class_list import grade_all
 from drawings.grading.graded import grade
-from drawings.grading.roll import grade_all
 from drawings.grading.sheet_task import sheet_task
 from drawings.redrawn.originals import Originals
 from tests.gallery import GALLERY

@@ -109,7 +109,7 @@ ONLY_IN = {
     "pylinkage": ("plans/bench/peers.py",),
     "scipy": ("plans/analytic/dynamics/equation.py",),
     "mechanism": ("plans/bench/peers.py",),
-    "pytest": ("drawings/acceptance/plugin.py",),  # which is only loaded by it
+    "pytest": ("drawings/pytest_plugin/plugin.py",),  # which is only loaded by it
 }
 # Imported inside the function that needs them.
 LATE = ("mpmath", "scipy", "shapely", "matplotlib", "numba", "pylinkage", "mechanism")
@@ -243,7 +243,7 @@ ROOMS = (
     ("drawings.rotor", "drawings.cyclogram"),
     ("drawings.balance", "drawings.bank", "drawings.cam"),
     ("drawings.grading",),
-    ("drawings.bench", "drawings.gallery", "drawings.acceptance"),
+    ("drawings.bench", "drawings.gallery", "drawings.pytest_plugin"),
     ("drawings.commands",),
 )
 ROWS = {room: row for row, rooms in enumerate(ROOMS) for room in rooms}

@@ -65,7 +65,7 @@ def test_it_holds_the_gallery(wheel: zipfile.ZipFile) -> None:
 def test_it_installs_the_command_and_the_plugin_of_pytest(wheel: zipfile.ZipFile, info: str) -> None:
     lines = wheel.read(f"{info}entry_points.txt").decode().splitlines()
     assert "plandraft = drawings.commands.process:run" in lines
-    assert lines[lines.index("[pytest11]") + 1] == "plandraft = drawings.acceptance.plugin"
+    assert lines[lines.index("[pytest11]") + 1] == "plandraft = drawings.pytest_plugin.plugin"
 
 
 def test_it_holds_the_licence_and_says_what_it_needs(wheel: zipfile.ZipFile, info: str) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
-from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 from hashlib import sha256
@@ -15,14 +14,14 @@ from pathlib import Path
 from drawings.commands.stderr import tell
 from drawings.files.atomic_files import write
 from drawings.files.file_error import print_json
-from drawings.grading.asked import Allowances, ungraded
+from drawings.grading.allowance import Allowances, allowance
+from drawings.grading.asked import RECORDS, ungraded
+from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.curves.figure_records import FIGURES
-from drawings.grading.feedback import allowance, feedback, idle_keys, is_plain, written
+from drawings.grading.feedback import HEAD, feedback, is_plain, lines, plain, plain_name, row
 from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.marking import RECORDS, Marking, MarkingError, read_marking
-from drawings.grading.roll import grade_all, grade_own
-from drawings.grading.sheet_task import sheet_task
-from drawings.grading.told import HEAD, Hints, curve_hints, hints, lines, plain, plain_name, row
+from drawings.grading.sheet_task import Hints, idle_keys, sheet_task
+from drawings.grading.verdict import Marking, MarkingError, read_marking
 from drawings.paper.limits import SHEET_BYTES
 from drawings.redrawn.originals import Originals
 from geometry.regular_file import regular_bytes
@@ -46,62 +45,61 @@ def run(options: argparse.Namespace) -> int:
         return CODES[UNREAD]
     if idle := idle_keys(marking, task):
         tell(word(language, "grade.marks.idle", file=options.marks, names=idle))
-    own = grade_own(originals, task, by)
-    if own.outcome != PASS:
+    if grade_own(originals, task, by).outcome != PASS:
         tell(word(language, "grade.self"))
         return CODES[OURS]
     graded = list(grade_all(options.sheets, partial(grade, task=task, by=by)))
-    steps = dict(curve_hints(task.curves)) | {name: own for plan in task.plans for name, own in hints(plan)}
-    _print(options, graded, steps, marking, language)
+    _print(options, graded, task.hints, marking, language)
     if options.output:
-        write_feedback(options.output, graded, steps, language)
+        write_feedback(options.output, graded, task.hints, language)
     _tell_twins(graded, language)
     _tell_strangers(graded, originals.digest, language)
-    return next(code for outcome, code in CODES.items() if any(one.outcome == outcome for _, one in graded))
+    outcomes = {sheet.outcome for _, sheet in graded}
+    return next(code for outcome, code in CODES.items() if outcome in outcomes)
 
 
 def _allowances(options: argparse.Namespace, marking: Marking) -> Allowances:
-    own = {}
+    named = {}
     for name, text in marking.tolerance.items():
         read = allowance(text)
         if read is None:
             raise MarkingError(message("grade.marks.tolerance", file=options.marks, name=f"tolerance.{name}"))
-        own[name] = read
-    return Allowances(options.tolerance, own)
+        named[name] = read
+    return Allowances(options.tolerance, named)
 
 
 def _print(
     options: argparse.Namespace,
     graded: Sequence[tuple[Path, Graded]],
-    steps: Hints,
+    hints: Hints,
     marking: Marking,
     language: str,
 ) -> None:
     if options.json:
-        sheets = [plain(path, one, marking, language) for path, one in graded]
-        print_json({"tolerance": written(options.tolerance), "sheets": sheets})
+        sheets = [plain(path, sheet, marking, language) for path, sheet in graded]
+        print_json({"tolerance": str(options.tolerance.told), "sheets": sheets})
     elif options.csv:
         table = csv.writer(sys.stdout, lineterminator="\n")
-        table.writerows([HEAD, *(row(path, one, marking, language) for path, one in graded)])
+        table.writerows([HEAD, *(row(path, sheet, marking, language) for path, sheet in graded)])
     else:
-        for path, one in graded:
-            print("\n".join(lines(path, one, marking, steps, language)))
-        print(word(language, "grade.tolerance", tolerance=written(options.tolerance)))
+        for path, sheet in graded:
+            print("\n".join(lines(path, sheet, marking, hints, language)))
+        print(word(language, "grade.tolerance", tolerance=options.tolerance.told))
 
 
-def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], steps: Hints, language: str) -> None:
+def write_feedback(folder: Path, graded: Sequence[tuple[Path, Graded]], hints: Hints, language: str) -> None:
     """Write the feedback sheets of those that were graded, one for each file."""
     folder.mkdir(parents=True, exist_ok=True)
     taken = set[str]()
-    for path, one in graded:
-        if one.reason is not None:
+    for path, sheet in graded:
+        if sheet.reason is not None:
             continue
-        source = _again(path, one)
+        source = _again(path, sheet)
         if source is None or not is_plain(source):
             tell(word(language, "grade.packed" if source else "grade.changed", sheet=plain_name(path)))
             continue
         stem = _free(path.stem, taken)
-        write(folder / f"{stem}-feedback.svg", feedback(path, source, one, steps, language))
+        write(folder / f"{stem}-feedback.svg", feedback(path, source, sheet, hints, language))
 
 
 def _again(path: Path, graded: Graded) -> bytes | None:
@@ -123,13 +121,15 @@ def _free(stem: str, taken: set[str]) -> str:
 
 def _tell_twins(graded: Sequence[tuple[Path, Graded]], language: str) -> None:
     """Say which sheets are the same file under several names."""
-    times = Counter(one.digest for _, one in graded if one.digest)
-    for digest in (digest for digest, often in times.items() if often > 1):
-        names = tuple(plain_name(path) for path, one in graded if one.digest == digest)
-        tell(word(language, "grade.twins", names=names))
+    names: dict[str, list[str]] = {}
+    for path, sheet in graded:
+        names.setdefault(sheet.digest, []).append(plain_name(path))
+    for digest, twins in names.items():
+        if digest and len(twins) > 1:
+            tell(word(language, "grade.twins", names=tuple(twins)))
 
 
-def _tell_strangers(graded: Sequence[tuple[Path, Graded]], own: str, language: str) -> None:
+def _tell_strangers(graded: Sequence[tuple[Path, Graded]], scene: str, language: str) -> None:
     """Say which sheets were drawn of another scene, by their own data: a variant of somebody else's."""
-    if names := tuple(plain_name(path) for path, one in graded if one.scene not in ("", own)):
+    if names := tuple(plain_name(path) for path, sheet in graded if sheet.scene not in ("", scene)):
         tell(word(language, "grade.strangers", names=names))

@@ -131,7 +131,7 @@ def _grade(commands: Commands) -> None:
 
 
 def _tolerance(text: str) -> object:
-    from drawings.grading.feedback import allowance  # only this option asks for it
+    from drawings.grading.allowance import allowance
 
     if (found := allowance(text)) is None:
         raise argparse.ArgumentTypeError(f'{text} is no tolerance: write "0.2 mm", "2 %" or exact')

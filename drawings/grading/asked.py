@@ -1,29 +1,76 @@
-"""What a task asks for: vectors and points, their true values, constructions, allowances (задание)."""
+"""What a task asks for of a plan: its vectors and points, their true values and constructions (задание)."""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple, TypeAlias
 
-import numpy as np
-
 from drawings.checks.expected import Expected
 from drawings.checks.hold import MARKS
-from drawings.grading.marking import RECORDS, Found, Place, Record
-from drawings.paper.limits import QUANTUM
 from drawings.paper.statement import Key, Kind
 from drawings.paper.walk import groups
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.redrawn.originals import Original, Originals
-from geometry.board import Board, Mark
-from geometry.hand_error import EVEN, SlippingHand, Slopes, slopes
+from geometry.board import Board
 from geometry.steps import Span
-from plans.by_hand import SLIP
 from plans.techniques import named, technique_of
+from plans.words.words import Message, message
 
-Due: TypeAlias = Mapping[Key, Expected]
+Place: TypeAlias = tuple[str, int | None]  # a plan and its position
+Letters: TypeAlias = tuple[str, int | None, str, str]  # plan, position, and the letters of both ends
+
+
+class Slip(NamedTuple):
+    """A mistake that students make: its kind, what the vector is by it, and of which quantity the mistake is."""
+
+    kind: str
+    value: complex
+    of: str = ""
+
+
+class Found(NamedTuple):
+    """How a vector is found: its name, and the marks of the record that it lies between.
+
+    The side of a polygon has the corners of the polygon that it is laid between, and so has a diagonal; `slips` are
+    mistakes known of it, and `back` what it is to be turned round, if that has a name of its own.
+    """
+
+    name: str
+    span: Span
+    side: Span | None = None
+    diagonal: bool = False
+    slips: tuple[Slip, ...] = ()
+    back: str = ""
+
+
+class Record(NamedTuple):
+    """What a technique knows of how a sheet is drawn: how vectors are found, which plans it has to what scales.
+
+    The marks of a plan's `boards` bear the letters of its ends. `subjects` are those of the record under which plans
+    are drawn that have names of their own, `known` the known forces and moments that a plan shows by arrows that are
+    not to scale.
+    """
+
+    found: Mapping[Letters, Found]
+    plans: Mapping[str, Mapping[int | None, float]]
+    boards: Mapping[Place, Board] = MappingProxyType({})
+    subjects: Mapping[str, str] = MappingProxyType({})
+    known: Mapping[str, Collection[str]] = MappingProxyType({})
+
+
+# By technique: of a study and a leaf to the record of that sheet.
+RECORDS: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "linkage": "drawings.grading.techniques.forces:record_of_linkage",
+        "forces": "drawings.grading.techniques.forces:record_of_forces",
+        "balance": "drawings.grading.techniques.rotor:record_of_balance",
+        "bank": "drawings.grading.techniques.rotor:record_of_bank",
+        "rotor": "drawings.grading.techniques.rotor:record_of_rotor",
+    }
+)
 # By what the scale of a plan is lettered, where not by the quantity of its marks.
 SYMBOLS: Final = MappingProxyType({"r": "l", "h": "l"})
 
@@ -63,7 +110,8 @@ class PlanAsked(NamedTuple):
     """A plan that is asked for: which, on what sheet, its unit, its vectors, the scales of the plans that it rests on.
 
     The scales are true units a mm, by the subjects of the plans, its own among them; `board` is the subject of its own
-    record, and `symbol` letters its scale.
+    record, and `symbol` letters its scale. `ways` are those of known forces that are shown by arrows not to scale, of
+    moments that are shown by arcs 1.0 counter-clockwise or -1.0.
     """
 
     plan: str
@@ -74,8 +122,7 @@ class PlanAsked(NamedTuple):
     scales: Mapping[str, float]
     board: str = ""
     symbol: str = ""
-    senses: Mapping[str, complex] = {}  # of arrows that are not to scale; a process hands it on, as it does no proxy
-    turns: Mapping[str, int] = {}  # of arcs of moments: +1 counter-clockwise
+    ways: Mapping[str, complex] = {}  # a process hands it on, as it does no proxy
 
     @property
     def place(self) -> Place:
@@ -83,50 +130,45 @@ class PlanAsked(NamedTuple):
         return self.plan, self.position
 
     @property
-    def letters(self) -> frozenset[str]:
-        """The letters that stand at the ends of its vectors."""
-        return frozenset(letter for one in self.vectors if not one.letter for letter in one.letters if letter)
-
-    @property
     def lettered(self) -> bool:
         """Whether it can be found by its letters: a plan of points, or of arms on a scheme, by data alone."""
-        free = all(one.letter for one in self.vectors) and any(one.corners for one in self.vectors)
-        return free or any(one.start for one in self.vectors)
+        free = all(vector.letter for vector in self.vectors) and any(vector.corners for vector in self.vectors)
+        return free or any(vector.start for vector in self.vectors)
 
 
-def plans_asked(originals: Originals, kinds: Mapping[str, str] = RECORDS) -> tuple[PlanAsked, ...]:
+def plans_asked(originals: Originals) -> tuple[PlanAsked, ...]:
     """Give the plans that the sheets of a scene ask for."""
-    return tuple(plan for sheet in originals.sheets for plan in _of_sheet(originals, sheet, kinds))
+    return tuple(plan for sheet in originals.sheets for plan in _of_sheet(originals, sheet))
 
 
-def ungraded(originals: Originals, kinds: Mapping[str, str] = RECORDS) -> tuple[str, ...]:
-    """Give the kinds of sheets of a scene that are not graded yet."""
-    own = dict.fromkeys(sheet.kind for sheet in originals.sheets)
-    return tuple(kind for kind in own if technique_of(kind) not in kinds)
+def ungraded(originals: Originals, kinds: Collection[str]) -> tuple[str, ...]:
+    """Give the kinds of sheets of a scene that are of other techniques than some."""
+    sheets = dict.fromkeys(sheet.kind for sheet in originals.sheets)
+    return tuple(kind for kind in sheets if technique_of(kind) not in kinds)
 
 
-def _of_sheet(originals: Originals, sheet: Original, kinds: Mapping[str, str]) -> Iterator[PlanAsked]:
-    row = kinds.get(technique_of(sheet.kind))
+def _of_sheet(originals: Originals, sheet: Original) -> Iterator[PlanAsked]:
+    row = RECORDS.get(technique_of(sheet.kind))
     if row is None:
         return
-    marks, titles = dict[Place, list[MeasuredVector | MeasuredPoint]](), _titles(sheet)
+    figures, titles = dict[Place, list[MeasuredVector | MeasuredPoint]](), _titles(sheet)
     for mark in originals.seen(sheet).measured.marks:
-        marks.setdefault((mark.plan, mark.position), []).append(mark)
-    record, due = named(row)(originals.study, sheet.leaf), originals.due(sheet)
-    for place, own in marks.items():
-        plan, position = place
+        figures.setdefault((mark.plan, mark.position), []).append(mark)
+    record, expected = named(row)(originals.study, sheet.leaf), originals.due(sheet)
+    for (plan, position), marks in figures.items():
         if position in record.plans.get(plan, ()):
-            vectors = tuple(_asked(one, record, due, titles) for one in own)
-            subject, symbol = record.subjects.get(plan, plan), SYMBOLS.get(own[0].quantity, own[0].quantity)
-            scales = {name: own[position] for name, own in record.plans.items() if position in own}
-            senses, turns = (_ways(names.get(plan, ()), place, due) for names in (record.arrows, record.arcs))
-            arcs = {name: int(way.real) for name, way in turns.items()}
-            scales |= {plan: own[0].scale}
-            yield PlanAsked(*place, sheet.name, own[0].unit, vectors, scales, subject, symbol, senses, arcs)
+            vectors = tuple(_asked(mark, record, expected, titles) for mark in marks)
+            quantity, unit, scale = marks[0].quantity, marks[0].unit, marks[0].scale
+            scales = {name: mu[position] for name, mu in record.plans.items() if position in mu} | {plan: scale}
+            board, symbol = record.subjects.get(plan, plan), SYMBOLS.get(quantity, quantity)
+            ways = dict(_ways(record.known.get(plan, ()), (plan, position), expected))
+            yield PlanAsked(plan, position, sheet.name, unit, vectors, scales, board, symbol, ways)
 
 
-def _asked(mark: MeasuredVector | MeasuredPoint, record: Record, due: Due, titles: Mapping[Key, str]) -> Asked:
-    """Ask for what a mark of our own sheet shows: its true value is due, its construction is the record's."""
+def _asked(
+    mark: MeasuredVector | MeasuredPoint, record: Record, expected: Mapping[Key, Expected], titles: Mapping[Key, str]
+) -> Asked:
+    """Ask for what a mark of our own sheet shows: its true value is expected, its construction is the record's."""
     place, (start, end) = (mark.plan, mark.position), ends_of(mark)
     kind = Kind.VECTOR if isinstance(mark, MeasuredVector) else Kind.POINT
     key = kind, mark.plan, mark.name, mark.position
@@ -134,22 +176,24 @@ def _asked(mark: MeasuredVector | MeasuredPoint, record: Record, due: Due, title
     if found is None and isinstance(board, Board) and start in board and end in board:
         found = Found(mark.name, Span(board[start], board[end]))
     name, title = mark.name if found is None else found.name, titles.get(key, mark.name)
-    return Asked(name, start, end, due[key].vector, found, title if is_free(mark) else "", title)
+    return Asked(name, start, end, expected[key].vector, found, title if is_free(mark) else "", title)
 
 
-def _ways(names: Collection[str], place: Place, due: Due) -> dict[str, complex]:
-    """Give the ways that arrows have, or 1 and -1 by how arcs turn, of those that rounding does not decide."""
-    rows = {name: due.get((Kind.DIRECTION, place[0], name, place[1])) for name in names}
-    return {name: row.vector for name, row in rows.items() if row is not None and math.isfinite(row.allowed)}
+def _ways(names: Collection[str], place: Place, expected: Mapping[Key, Expected]) -> Iterator[tuple[str, complex]]:
+    """Give the ways of arrows and the senses of arcs, of those that rounding does not decide."""
+    for name in names:
+        row = expected.get((Kind.DIRECTION, place[0], name, place[1]))
+        if row is not None and isinstance(row.value, complex | float) and math.isfinite(row.allowed):
+            yield name, row.value
 
 
 def _titles(sheet: Original) -> dict[Key, str]:
     """Give what is written beside the vectors and points of a sheet."""
     return {
-        (MARKS[one.data["kind"]], one.data["plan"], one.data["name"], position): one.title
-        for one in groups(sheet.leaf.groups)
-        if one.data.get("kind") in MARKS and one.title
-        for position in (int(one.data["position"]) if "position" in one.data else None,)
+        (MARKS[group.data["kind"]], group.data["plan"], group.data["name"], position): group.title
+        for group in groups(sheet.leaf.groups)
+        if group.data.get("kind") in MARKS and group.title
+        for position in (int(group.data["position"]) if "position" in group.data else None,)
     }
 
 
@@ -166,64 +210,40 @@ def ends_of(mark: MeasuredVector | MeasuredPoint) -> tuple[str, str]:
     return start, end
 
 
-# Of ten thousand vectors that a fair hand draws one may be refused: a sheet has some forty.
-REFUSED = 1e-4
-DEVIATIONS = math.sqrt(-2 * math.log(REFUSED))  # of a vector whose ends are spread evenly about the true one
+# By what the data of a figure are called: the key of its name, and what of it is a part of that.
+_NAMED: Final = tuple(
+    (re.compile(pattern), key)
+    for pattern, key in (
+        (r"velocities", "velocities"),
+        (r"accelerations", "accelerations"),
+        (r"positions", "positions"),
+        (r"forces-(?P<of>\d+)", "forces_of_link"),
+        (r"forces-(?P<of>.+)", "forces_of_group"),
+        (r"scheme (?P<of>\d+)", "scheme_of_link"),
+        (r"scheme (?P<of>.+)", "scheme_of_group"),
+        (r"diagrams-(?P<of>\w+)", "diagram"),
+        (r"load_diagram-(?P<of>.+)", "load"),
+        (r"circle", "rings"),
+        (r"law-(?P<cam>.+)-(?P<of>\w+)", "law"),
+        (r"order_(?P<of>forces|moments)-(?P<order>\d+)", "order"),
+        (r"order_(?P<of>forces|moments)-(?P<order>\d+)-back", "order_back"),
+        (r"compensator-(?P<order>\d+)", "compensator"),
+    )
+)
 
 
-class Allowance(NamedTuple):
-    """What a hand may slip by, mm, and the share of the largest vector of a plan that is allowed instead, if any."""
+def plan_named(plan: str) -> Message:
+    """Name a plan as a draughtsman does; one that has no name of its own by the words for figures.
 
-    slip: float = SLIP
-    share: float | None = None
-
-
-EXACT = Allowance(QUANTUM)
-
-
-class Allowances(NamedTuple):
-    """What is allowed to all quantities, and to some by their names or by how their letters begin."""
-
-    by: Allowance = Allowance()
-    own: Mapping[str, Allowance] = MappingProxyType({})
-
-    def of(self, plan: PlanAsked, drawn: Mapping[str, float], coarse: float) -> dict[tuple[str, str], float]:
-        """Give what each vector of a plan may be out, true units, by its letters."""
-        kinds = {by: allowed(plan, drawn, by, coarse) for by in {self.by, *self.own.values()}}
-        return {one.letters: kinds[self.to(one.name)][one.letters] for one in plan.vectors}
-
-    def to(self, name: str) -> Allowance:
-        """Give what is allowed to a quantity."""
-        return self.own.get(name, self.own.get(name.partition("_")[0], self.by))
-
-
-def allowed(
-    plan: PlanAsked, drawn: Mapping[str, float], by: Allowance, coarse: float = QUANTUM
-) -> dict[tuple[str, str], float]:
-    """Give what each vector of a plan may be out, true units, by its letters; NaN: slips tell nothing of it.
-
-    `drawn` are the scales of the student's plans, true units a mm, by their subjects; `coarse` is how finely his sheet
-    is written, mm.
+    >>> str(plan_named("forces-4-5")), str(plan_named("loop"))
+    ('force plan of group 4-5', "Wittenbauer's loop")
     """
-    scales = {**plan.scales, **drawn}
-    if by.share is not None:
-        most = max((abs(one.true) for one in plan.vectors), default=0.0)
-        return {one.letters: by.share * most for one in plan.vectors}
-    slip = max(by.slip, coarse)
-    hand = SlippingHand(slip, {name: np.array([mu]) for name, mu in scales.items()})
-    found = slopes(hand, *(mark for one in plan.vectors if one.found for mark in one.found.span))
-    own = EVEN * slip * scales[plan.plan] * np.array([1, 1j, 1, 1j])[:, None]  # of both ends of the arrow itself
-    return {one.letters: DEVIATIONS * _deviation(np.concatenate([_moved(one, found), own])) for one in plan.vectors}
+    for pattern, key in _NAMED:
+        if (found := pattern.fullmatch(plan)) is not None:
+            return message(f"grade.named.{key}", **found.groupdict())
+    return message("grade.named.other", of=plan)
 
 
-def _moved(one: Asked, found: Mapping[Mark, Slopes]) -> Slopes:
-    if one.found is None:
-        return np.zeros((0, 1), dtype=np.complex128)
-    start, end = one.found.span
-    return np.asarray(found[end] - found[start])
-
-
-def _deviation(moved: Slopes) -> float:
-    """Give the standard deviation along the line on which slips spread an end most."""
-    total, lean = (np.abs(moved) ** 2).sum(), abs((moved**2).sum())
-    return float(np.sqrt((total + lean) / 2))
+def plan_told(plan: str, position: int | str | None) -> Message:
+    """Name a plan, with its position if it has one."""
+    return message("grade.plan" if position is not None else "grade.figure", plan=plan_named(plan), position=position)

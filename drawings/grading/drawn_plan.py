@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import NamedTuple
@@ -14,6 +14,8 @@ from drawings.paper.limits import SEEN
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.reading.measure import Measured
 from drawings.reading.transform import Affine
+from geometry.board import Mark
+from plans.linkage.plan import POLES
 
 
 class Arrow(NamedTuple):
@@ -199,3 +201,40 @@ def _chained(sides: Sequence[_Side], near: float) -> bool:
 def _joined(one: _Side, other: _Side, near: float) -> bool:
     gap = other.arrow.start - one.arrow.end
     return any(side.fits([gap], near) for side in (one, other) if side.length) or abs(gap) <= near
+
+
+def own_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
+    """Give where a student has the marks of the record, from the poles, true units."""
+    found: dict[Mark, complex] = {}
+    for plan in plans:
+        for one in plan.asked.vectors:
+            if one.found is not None and one.letter:
+                value = plan.value(one.letters)
+                found |= {} if value is None else {one.found.span.end: value}
+            elif one.found is not None:
+                found |= _of(plan, one.found.span.start, one.start)
+                found |= _of(plan, one.found.span.end, one.end)
+    return found
+
+
+def scales_of(plan: DrawnPlan, beside: Iterable[DrawnPlan]) -> dict[str, float]:
+    """Give the scales of a student's plans by their names and by their boards, whose coarsest counts; its own last."""
+    found: dict[str, float] = {}
+    for one in beside:
+        board = one.asked.board or one.asked.plan
+        found[board] = max(one.scale, found.get(board, 0.0))
+    return found | {plan.asked.plan: plan.scale}
+
+
+def left_out(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
+    """Give the free vectors that a student has left out: to him they are nothing."""
+    own = ((plan, one) for plan in plans for one in plan.lacking)
+    return {one.found.span.end: 0j for _, one in own if one.found is not None and one.letter}
+
+
+def _of(plan: DrawnPlan, mark: Mark, letter: str) -> dict[Mark, complex]:
+    """Give the place of a mark; the pole is where it is, and nothing is measured from anywhere else."""
+    pole = POLES.get(plan.asked.plan, "")
+    pole = pole if pole in plan.places else ""  # on the plan of positions no arrow goes from the datum
+    place = plan.between(pole, letter)
+    return {} if place is None or letter == pole else {mark: place}

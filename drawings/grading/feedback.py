@@ -1,88 +1,128 @@
-"""The feedback sheet: a student's own sheet, what is wrong marked in red, and beside it where to look again (рецензия).
+"""What is told of graded sheets: lines and tables for a teacher, and a student's feedback sheet (рецензия).
 
-It tells no value of what is asked for. His sheet is a picture in it: nothing of it is written anew, or runs.
+The feedback sheet tells no value of what is asked for. The student's own is a picture in it: nothing of it runs.
 """
 
 from __future__ import annotations
 
 import base64
-import re
 import textwrap
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
 
 from drawings.grading import verdict
-from drawings.grading.asked import EXACT, Allowance, PlanAsked
-from drawings.grading.cells.asked_table import TableAsked
-from drawings.grading.curves.figure_records import FigureAsked
-from drawings.grading.graded import Graded
-from drawings.grading.marking import OTHERS, Marking, keys_of
-from drawings.grading.seeing.units import shown
-from drawings.grading.sheet_task import SheetTask
-from drawings.grading.told import Hints, gathered, plain_name, without_values
-from drawings.grading.verdict import RIGHT, Verdict
-from plans.words.words import word
+from drawings.grading.asked import plan_told
+from drawings.grading.cells.seen_table import frames
+from drawings.grading.graded import UNREAD, Graded
+from drawings.grading.sheet_task import Hints
+from drawings.grading.units import shown
+from drawings.grading.verdict import FOLLOWS, MISSING, RIGHT, TABLE, Marking, Verdict, points_of
+from plans.words.words import Message, message, word
+
+_FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # by which a spreadsheet knows a formula
+HEAD = ("sheet", "outcome", "points", "of", "right", "follows", "mistakes", "what")
 
 
-def idle_keys(marking: Marking, task: SheetTask) -> tuple[str, ...]:
-    """Give the keys of points and of tolerances that are of no quantity of a task, as their tables have them."""
-    drawn, cells = list(_drawn(task.plans, task.curves)), list(_cells(task.tables))
-    points = {key for one in (*drawn, *cells) for key in keys_of(one)} | {OTHERS}
-    read = {key for table in task.tables for cell in table.cells.values() for key in _names(cell.quantity)}
-    slips = {key for one in drawn for key in _names(one.name)} | read
-    idle = [f"points.{key}" for key in marking.points if key not in points]
-    return (*idle, *(f"tolerance.{key}" for key in marking.tolerance if key not in slips))
+def lines(path: Path, graded: Graded, marking: Marking, hints: Hints, language: str) -> Iterator[str]:
+    """Tell of one sheet, line by line."""
+    yield f"{plain_name(path)}: {_heading(graded, marking).worded(language)}"
+    yield from (f"  {with_values(said, hints, language)}" for said in gathered(graded.verdicts) if not said.good)
+    if follow := tuple(_placed(said) for said in graded.verdicts if said.kind == FOLLOWS):
+        yield f"  {word(language, 'grade.follow', names=follow)}"
 
 
-def _names(name: str) -> tuple[str, str]:
-    return name, name.partition("_")[0]
+def _placed(said: Verdict) -> str:
+    """Name a quantity with its position, if it has one."""
+    return said.name if said.position is None else f"{said.name} ({said.position})"
 
 
-def _drawn(plans: Sequence[PlanAsked], curves: Sequence[FigureAsked]) -> Iterator[Verdict]:
-    """Give a verdict on each quantity that is drawn."""
-    for plan in plans:
-        names = (*(one.name for one in plan.vectors), *plan.senses, *plan.turns)
-        yield from (Verdict(plan.plan, plan.position, name, RIGHT) for name in names)
-    for curve in curves:
-        yield from (Verdict(curve.plan, None, one.called, RIGHT) for one in curve.items)
+def gathered(verdicts: Sequence[Verdict]) -> Iterator[Verdict]:
+    """Give verdicts with those of a plan, or of a table, that is not there at all as one."""
+    figures: dict[str, dict[int | None, list[Verdict]]] = {}
+    for said in verdicts:
+        place = said.plan if said.plan.startswith(TABLE) else f"{said.plan} {said.position}"
+        figures.setdefault(place, {}).setdefault(said.position, []).append(said)
+    for positions in figures.values():
+        every = [said for plan in positions.values() for said in plan]
+        if every[0].plan.startswith(TABLE) and all(said.kind == MISSING for said in every):
+            cells = [cell for said in every for cell in said.frames]
+            yield every[0]._replace(name="", position=None, frames=frames(cells))
+            continue
+        for plan in positions.values():
+            yield from [plan[0]._replace(name="")] if all(said.kind == MISSING for said in plan) else plan
 
 
-def _cells(tables: Sequence[TableAsked]) -> Iterator[Verdict]:
-    for table in tables:
-        yield from (Verdict(table.name, cell.position, cell.name, RIGHT) for cell in table.cells.values())
+def plain_name(path: Path) -> str:
+    """Write the name of a file that may hold anything: without signs that a terminal obeys."""
+    return "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in str(path))
 
 
-_WRITTEN = re.compile(r"(\d+(?:[.,]\d+)?)\s*(mm|%)?")
-MOST = 5.0  # mm: a hand that slips by more draws nothing
+def _heading(graded: Graded, marking: Marking) -> Message:
+    if graded.reason is not None:
+        key = "grade.refusal" if graded.outcome == UNREAD else f"grade.outcome.{graded.outcome}"
+        return message(key, reason=graded.reason)
+    won, most = points_of(graded.verdicts, marking)
+    return message(f"grade.outcome.{graded.outcome}", won=f"{won:g}", most=f"{most:g}")
 
 
-def allowance(text: str) -> Allowance | None:
-    """Read a tolerance; None of what is none.
-
-    >>> allowance("0.5 mm"), allowance("2 %").share, allowance("much")
-    (Allowance(slip=0.5, share=None), 0.02, None)
-    """
-    if text.strip() == "exact":
-        return EXACT
-    match = _WRITTEN.fullmatch(text.strip())
-    if match is None:
-        return None
-    size = float(match[1].replace(",", "."))
-    if match[2] == "%":
-        return Allowance(share=size / 100) if 0 < size <= 100 else None
-    return Allowance(size) if 0 < size <= MOST else None
+def with_values(said: Verdict, hints: Hints, language: str) -> str:
+    """Tell what is wrong, by how much of what is allowed, and which step to look at again."""
+    told = _told(said, language)
+    if said.off is not None and said.allowed is not None:
+        off, allowed = f"{said.off:.3g}", f"{said.allowed:.2g}"
+        told = word(language, "grade.off", told=told, off=off, allowed=allowed, unit=said.unit)
+    return _again(said, told, hints, language)
 
 
-def written(by: Allowance) -> str:
-    """Write a tolerance as it is read.
+def without_values(said: Verdict, hints: Hints, language: str) -> str:
+    """Tell what is wrong and which step to look at again, and nothing from which the right value can be had."""
+    return _again(said, _told(said, language), hints, language)
 
-    >>> written(Allowance(0.2)), written(Allowance(share=0.02)), written(EXACT)
-    ('0.2 mm', '2 %', 'exact')
-    """
-    if by == EXACT:
-        return "exact"
-    return f"{by.slip:g} mm" if by.share is None else f"{100 * by.share:g} %"
+
+def _told(said: Verdict, language: str) -> str:
+    kind = word(language, f"grade.kind.{said.kind}")
+    kind = word(language, "grade.of", kind=kind, of=said.of) if said.of else kind
+    where = plan_told(said.plan, said.position)
+    return word(language, "grade.vector" if said.name else "grade.whole", where=where, name=said.name, kind=kind)
+
+
+def _again(said: Verdict, told: str, hints: Hints, language: str) -> str:
+    steps = hints.get(said.name)
+    return word(language, "grade.again", told=told, steps=steps) if steps else told
+
+
+def plain(path: Path, graded: Graded, marking: Marking, language: str) -> dict[str, object]:
+    """Give one sheet as plain data."""
+    won, most = points_of(graded.verdicts, marking)
+    return {
+        "sheet": str(path),
+        "outcome": graded.outcome,
+        "reason": None if graded.reason is None else graded.reason.worded(language),
+        "points": won if graded.reason is None else None,
+        "of": most if graded.reason is None else None,
+        "digest": graded.digest,
+        "verdicts": [_plain(said) for said in graded.verdicts],
+    }
+
+
+def _plain(said: Verdict) -> dict[str, object]:
+    return {
+        "plan": said.plan, "position": said.position, "quantity": said.name, "verdict": said.kind,
+        "of": said.of, "off": said.off, "allowed": said.allowed, "unit": said.unit,
+    }  # fmt: skip
+
+
+def row(path: Path, graded: Graded, marking: Marking, language: str) -> list[str]:
+    """Give one sheet as a row of the class's table; nothing in it is a formula to a spreadsheet."""
+    won, most = points_of(graded.verdicts, marking)
+    points = [f"{won:g}", f"{most:g}"] if graded.reason is None else ["", ""]
+    counts = [str(sum(said.kind == kind for said in graded.verdicts)) for kind in (RIGHT, FOLLOWS)]
+    lost = (said for said in gathered(graded.verdicts) if said in graded.wrong or not said.name)
+    reason = graded.reason
+    what = "; ".join(_told(said, language) for said in lost) if reason is None else reason.worded(language)
+    cells = [plain_name(path), graded.outcome, *points, *counts, str(len(graded.wrong)), what]
+    return [f"'{cell}" if cell.startswith(_FORMULAS) else cell for cell in cells]
 
 
 MARGIN, LETTERS = 6.0, 62  # mm beside the notes, and letters of a line of them
@@ -95,11 +135,12 @@ _GZIP = b"\x1f\x8b"
 def feedback(path: Path, source: bytes, graded: Graded, hints: Hints, language: str) -> bytes:
     """Draw the feedback sheet of a graded one."""
     width, height = graded.paper
-    wrong = [one for one in gathered(graded.verdicts) if not one.good and one.kind not in (verdict.DEAD, verdict.SMALL)]
+    small = (verdict.DEAD, verdict.SMALL)
+    wrong = [said for said in gathered(graded.verdicts) if not said.good and said.kind not in small]
     notes = list(_notes(path, wrong, hints, language))
     size = max(SIZE, height / SHARE)
     tall = max(height, 2 * MARGIN + LEADING * size * (len(notes) + 1))
-    marks = "".join(_mark(number, one, height) for number, one in enumerate(wrong, 1) if one.at is not None)
+    marks = "".join(_mark(number, said, height) for number, said in enumerate(wrong, 1))
     rows = "".join(
         f'<text x="{width + MARGIN:.2f}" y="{MARGIN + LEADING * size * (k + 1):.2f}">{safe(line)}</text>'
         for k, line in enumerate(notes)
@@ -122,19 +163,21 @@ def is_plain(source: bytes) -> bool:
 
 def _notes(path: Path, wrong: Sequence[Verdict], hints: Hints, language: str) -> Iterator[str]:
     yield plain_name(Path(path.name))
-    for number, one in enumerate(wrong, 1):
-        line = f"{number}. {without_values(one, hints, language)}"
+    for number, said in enumerate(wrong, 1):
+        line = f"{number}. {without_values(said, hints, language)}"
         yield from textwrap.wrap(line, LETTERS, subsequent_indent="    ")
     if not wrong:
         yield word(language, "grade.nothing_wrong")
 
 
-def _mark(number: int, one: Verdict, height: float) -> str:
-    assert one.at is not None  # asked of what has a place
-    if one.frames and not one.name:
-        return "".join(f'<polygon points="{_points(frame, height)}"/>' for frame in one.frames)
-    (start, end), round_ = one.at, one.kind in verdict.OF_DRAWING
-    if round_ or start == end:
+def _mark(number: int, said: Verdict, height: float) -> str:
+    """Mark what is wrong at a place: with a line along it, about it, or with the frames of cells."""
+    if said.at is None:
+        return ""
+    if said.frames and not said.name:
+        return "".join(f'<polygon points="{_points(frame, height)}"/>' for frame in said.frames)
+    start, end = said.at
+    if said.kind in verdict.OF_DRAWING or start == end:
         return f'<circle cx="{end.real:.3f}" cy="{height - end.imag:.3f}" r="{2 * RADIUS}"/>'
     return (
         f'<line id="wrong-{number}" x1="{start.real:.3f}" y1="{height - start.imag:.3f}" '
@@ -148,7 +191,7 @@ def _points(frame: Sequence[complex], height: float) -> str:
 
 def _numbers(wrong: Sequence[Verdict], height: float) -> str:
     """Write each mark's number beside the middle of its arrow."""
-    spots = ((number, (one.at[0] + one.at[1]) / 2) for number, one in enumerate(wrong, 1) if one.at is not None)
+    spots = ((number, (said.at[0] + said.at[1]) / 2) for number, said in enumerate(wrong, 1) if said.at is not None)
     return "".join(
         f'<text x="{spot.real + RADIUS:.2f}" y="{height - spot.imag - RADIUS:.2f}" font-weight="bold">{number}</text>'
         for number, spot in spots

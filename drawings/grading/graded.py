@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.grading import verdict
-from drawings.grading.asked import Allowances, PlanAsked
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import PlanAsked
 from drawings.grading.cells.graded_tables import Drawn, Shown, alone, answered, table_verdicts, tables_drawn
 from drawings.grading.curves.drawn_figure import DrawnFigure
-from drawings.grading.curves.form.form_figure import empty_axes, every_axes
-from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts, figures_drawn
-from drawings.grading.drawing_faults import drawing_faults, figures, segments, written_scale
-from drawings.grading.drawn_plan import DrawnPlan, from_marks
-from drawings.grading.form_places import form_places, left_out, own_places, scales_of
+from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts, figures_drawn
+from drawings.grading.curves.form_figure import empty_axes, every_axes
+from drawings.grading.drawing_faults import drawing_faults, written_scale
+from drawings.grading.drawn_plan import DrawnPlan, from_marks, left_out, own_places, scales_of
 from drawings.grading.judgement import Judge
-from drawings.grading.plans_on_form import plans_on_form, redrawn
-from drawings.grading.scheme_arrows import arc_verdicts, arrow_verdicts, once
-from drawings.grading.seeing.onlooker import Onlooker, legible, spelled_labels
-from drawings.grading.seeing.units import in_millimetres
+from drawings.grading.onlooker import Onlooker, figures, legible, segments, spelled_labels
+from drawings.grading.plans_on_form import form_places, plans_on_form, redrawn
+from drawings.grading.scheme_arrows import arrow_verdicts, once
+from drawings.grading.units import in_millimetres
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SheetRefused
 from drawings.paper.walk import texts
@@ -31,39 +30,6 @@ from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from drawings.grading.sheet_task import SheetTask
-
-# By what the data of a figure are called: the key of its name, and what of it is a part of that.
-_NAMED: Final = tuple(
-    (re.compile(pattern), key)
-    for pattern, key in (
-        (r"velocities", "velocities"),
-        (r"accelerations", "accelerations"),
-        (r"positions", "positions"),
-        (r"forces-(?P<of>\d+)", "forces_of_link"),
-        (r"forces-(?P<of>.+)", "forces_of_group"),
-        (r"scheme (?P<of>\d+)", "scheme_of_link"),
-        (r"scheme (?P<of>.+)", "scheme_of_group"),
-        (r"diagrams-(?P<of>\w+)", "diagram"),
-        (r"load_diagram-(?P<of>.+)", "load"),
-        (r"circle", "rings"),
-        (r"law-(?P<cam>.+)-(?P<of>\w+)", "law"),
-        (r"order_(?P<of>forces|moments)-(?P<order>\d+)", "order"),
-        (r"order_(?P<of>forces|moments)-(?P<order>\d+)-back", "order_back"),
-        (r"compensator-(?P<order>\d+)", "compensator"),
-    )
-)  # fmt: skip
-
-
-def plan_named(plan: str) -> Message:
-    """Name a plan as a draughtsman does; one that has no name of its own by the words for figures.
-
-    >>> str(plan_named("forces-4-5")), str(plan_named("loop"))
-    ('force plan of group 4-5', "Wittenbauer's loop")
-    """
-    for pattern, key in _NAMED:
-        if (found := pattern.fullmatch(plan)) is not None:
-            return message(f"grade.named.{key}", **found.groupdict())
-    return message("grade.named.other", of=plan)
 
 
 # Right, with mistakes, not read, by an error of ours. What is not read somebody has to look at himself.
@@ -209,5 +175,4 @@ def _judged(seen: SeenSheet, drawn: Sequence[DrawnPlan], by: Allowances) -> Iter
         may = by.of(plan.asked, scales_of(plan, beside), seen.measured.quantum)
         yield from Judge(plan, may, own_places(beside), left_out(beside)).verdicts()
         yield from arrow_verdicts(seen, plan, by)
-        yield from arc_verdicts(seen, plan)
         yield from drawing_faults(seen.leaf, labels, plan)

@@ -10,9 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from drawings.grading import verdict
-from drawings.grading.asked import Asked
+from drawings.grading.asked import Asked, Slip
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.marking import Slip
 from drawings.grading.verdict import Verdict
 from geometry.board import Board, Mark
 from geometry.errors import DraftError

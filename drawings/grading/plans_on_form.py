@@ -8,12 +8,14 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from drawings.checks.letters import Label, along, distance, off
-from drawings.grading.asked import Asked, PlanAsked
-from drawings.grading.drawing_faults import JOINED, Segment, scales_written
+from drawings.grading.asked import Asked, Place, PlanAsked
+from drawings.grading.drawing_faults import scales_written
 from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
-from drawings.grading.form_places import FormPlace, place_of
-from drawings.grading.seeing.onlooker import spelled
-from drawings.paper.strokes import Box, Text
+from drawings.grading.onlooker import JOINED, Segment, spelled
+from drawings.lettering.extent import bounds
+from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Text
+from drawings.paper.walk import groups
+from drawings.reading.pathdata import number
 
 FAR = 25.0  # mm: a letter that is farther from an arrow does not name it
 HEADING = 80.0  # mm: and a scale from its plan
@@ -202,3 +204,66 @@ def _exchange(
     while here:
         owner[here] = owner[before[here]]
         here = before[here]
+
+
+KIND = "place"  # of the data of a group that is the place of a figure
+BESIDE = 25.0  # mm: arrows that lie farther from a place are not of it
+CORNERS = 8  # lines, two to a corner, with which such a group begins
+
+
+class FormPlace(NamedTuple):
+    """The place of a plan on a form: its pole, if it has one, and its corners, mm; its scale, true units a mm."""
+
+    plan: Place
+    pole: complex | None
+    low: complex
+    high: complex
+    scale: float = 1.0
+
+    def away(self, text: Text) -> float:
+        """Give how far a text is from the middle of its upper edge, over which its heading stands; none within it."""
+        left, low, right, high = box = bounds(text)
+        within = self.holds([complex(left + right, low + high) / 2])
+        return 0.0 if within else off(complex((self.low.real + self.high.real) / 2, self.high.imag), box)
+
+    def off(self, spot: complex) -> float:
+        """Give how far a spot is from the place, mm; none within it."""
+        return off(spot, (self.low.real, self.low.imag, self.high.real, self.high.imag))
+
+    def holds(self, spots: Sequence[complex]) -> bool:
+        """Tell whether most of some spots lie within its corners."""
+        return 2 * sum(self.off(one) == 0 for one in spots) > len(spots)
+
+
+def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
+    """Give the places of a form; none of a sheet that is none."""
+    return tuple(_places(leaf))
+
+
+def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace | None:
+    """Give the place in which arrows were drawn: at whose pole one ends, else within whose corners, or hard by them."""
+    begun = [(min(abs(one - place.pole) for one in spots), place) for place in places if place.pole is not None]
+    away, nearest = min(begun, key=lambda one: one[0], default=(JOINED + 1.0, None))
+    if away <= JOINED:
+        return nearest
+    middle = sum(spots) / len(spots)
+    beside = min(places, key=lambda one: (not one.holds(spots), one.off(middle)), default=None)
+    return beside if beside is not None and (beside.holds(spots) or beside.off(middle) <= BESIDE) else None
+
+
+def _places(leaf: Leaf) -> Iterator[FormPlace]:
+    for group in groups(leaf.groups):
+        lines = tuple(one for one in group.strokes if isinstance(one, Line))[:CORNERS]
+        if group.data.get("kind") != KIND or not lines:
+            continue
+        left, low, right, high = bounds(Group(lines))
+        poles = [one for one in groups(group.strokes) if one.data.get("kind") == "pole"]
+        own = (poles[0] if poles else group).data
+        plan = own.get("plan", ""), _position(own.get("position", ""))
+        pole = next((one.centre for one in (poles[0].strokes if poles else ()) if isinstance(one, Circle)), None)
+        scale = number(group.data.get("scale", "1"))
+        yield FormPlace(plan, pole, complex(left, low), complex(right, high), scale)
+
+
+def _position(text: str) -> int | None:
+    return int(text) if text.isascii() and text.removeprefix("-").isdigit() else None

@@ -1,8 +1,18 @@
-"""Verdicts: what is said of one vector, of one plan and of how it is drawn (оценка)."""
+"""Verdicts and marks: what is said of a vector, a plan, its drawing, and what that costs (оценка, шкала баллов)."""
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
 from typing import Final, NamedTuple
+
+from drawings.paper.limits import TEXT_LENGTH
+from geometry.errors import DraftError
+from geometry.regular_file import regular_bytes
+from plans.words.words import message
 
 RIGHT, FOLLOWS = "right", "follows"
 MISSING, REVERSED, WRONG = "missing", "reversed", "wrong"
@@ -72,3 +82,104 @@ class Verdict(NamedTuple):
     def good(self) -> bool:
         """Whether nothing is lost by it."""
         return self.kind in GOOD
+
+    @property
+    def aside(self) -> bool:
+        """Whether it is of no quantity: of a plan, of how it is drawn, or not graded."""
+        return self.kind in (*OF_DRAWING, *UNGRADED) or not self.name
+
+
+TABLE = "table"  # by which the points of a cell are told from those of the vector that it tells of
+OTHERS = "default"  # the key of the points that all other quantities have
+# What a fault of a whole plan, and one of how it is drawn, costs where the table does not say.
+PLAN_COST, DRAWING_COST = 1.0, 0.0
+MOST = 1e6  # points of a quantity: nobody has more, and sums of such keep their third decimal
+CELL = 0.25  # of what any other quantity has: a table tells once more what the drawing shows, in many cells
+# The tables of marks: how large their numbers may be, if they have any, and which kinds of mistakes are their keys.
+TABLES: Final[Mapping[str, tuple[float, tuple[str, ...]]]] = {
+    "points": (MOST, ()),
+    "keeps": (1.0, OF_QUANTITIES),
+    "costs": (MOST, (*OF_PLANS, *OF_DRAWING)),
+    "tolerance": (0.0, ()),
+}
+
+
+class MarkingError(DraftError, ValueError):
+    """A table of marks that is wrong, with what to write instead."""
+
+    exit_code = 3
+
+
+@dataclass(frozen=True)
+class Marking:
+    """Points by quantity, the share that a kind of mistake keeps, and what faults of plans and of drawing cost.
+
+    A quantity is named as it is ("v_B"), or by how its letters begin ("a^k"), or all others by "default"; a
+    cell of a table so too, with "table" before ("table v_B", "table v", "table"), or with its table ("table values"):
+    of which nothing is said, it has a quarter of the others.
+    """
+
+    points: Mapping[str, float] = field(default_factory=dict)
+    keeps: Mapping[str, float] = field(default_factory=dict)
+    costs: Mapping[str, float] = field(default_factory=dict)
+    tolerance: Mapping[str, str] = field(default_factory=dict)
+
+    def most(self, said: Verdict) -> float:
+        """Give the points of a quantity; faults of a plan or of drawing have none."""
+        if said.aside:
+            return 0.0
+        other = self.points.get(OTHERS, 1.0) * (CELL if said.plan.startswith(TABLE) else 1.0)
+        return next((self.points[key] for key in keys_of(said) if key in self.points), other)
+
+    def won(self, said: Verdict) -> float:
+        """Give the points that a verdict wins, or loses."""
+        if said.aside:
+            return -self.costs.get(said.kind, PLAN_COST if said.kind in OF_PLANS else DRAWING_COST)
+        return self.most(said) * (1.0 if said.good else self.keeps.get(said.kind, 0.0))
+
+
+def keys_of(said: Verdict) -> Iterator[str]:
+    """Give by what the points of a quantity may be told, the nearest first."""
+    if said.plan.startswith(TABLE):
+        name = said.name.partition(" (")[0]
+        yield from (f"{TABLE} {key}" for key in (name, name.partition("_")[0]))
+        yield from (said.plan, TABLE)
+    else:
+        yield from (said.name, said.name.partition("_")[0])
+
+
+def read_marking(path: Path) -> Marking:
+    """Read a table of marks."""
+    source = regular_bytes(path, TEXT_LENGTH + 1)
+    if len(source) > TEXT_LENGTH:
+        raise MarkingError(message("grade.marks.long", file=path, limit=TEXT_LENGTH))
+    try:
+        tables = tomllib.loads(source.decode("utf-8"))
+    except (ValueError, RecursionError) as error:  # also the plain ValueError of an integer with thousands of digits
+        raise MarkingError(message("grade.marks.toml", file=path, error=str(error))) from None
+    for name, table in tables.items():
+        if name not in TABLES or not isinstance(table, dict):
+            raise MarkingError(message("grade.marks.table", file=path, name=name, names=tuple(TABLES)))
+        for key, value in table.items():
+            _held(path, name, key, value)
+    return Marking(**{name: tables.get(name, {}) for name in TABLES})
+
+
+def _held(path: Path, table: str, key: str, value: object) -> None:
+    """Hold a row of a table of marks to what it may say."""
+    name, (most, kinds) = f"{table}.{key}", TABLES[table]
+    if kinds and key not in kinds:
+        raise MarkingError(message("grade.marks.kind", file=path, name=name, names=kinds))
+    if not most and not isinstance(value, str):
+        raise MarkingError(message("grade.marks.tolerance", file=path, name=name))
+    if most and (not isinstance(value, int | float) or isinstance(value, bool) or not 0 <= value <= most):
+        raise MarkingError(message("grade.marks.number", file=path, name=name, most=f"{most:.0f}"))
+
+
+def points_of(verdicts: Sequence[Verdict], marking: Marking) -> tuple[float, float]:
+    """Give the points that are won, none below zero, and those that there are, to the third decimal."""
+    won, most = (
+        sum((Fraction(str(round(points(said), 6))) for said in verdicts), Fraction())
+        for points in (marking.won, marking.most)
+    )
+    return round(float(max(won, Fraction())), 3), round(float(most), 3)

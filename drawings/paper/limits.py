@@ -58,6 +58,8 @@ SWEEP_ENTRIES = 10_000
 class SheetRefused(DraftError):  # noqa: N818  (the verdict's own word)
     """A sheet that cannot be measured, with the reason in words that its author can act on, by its key."""
 
+    exit_code = 7  # it cannot be read
+
     def __init__(self, key: str, /, **parts: object) -> None:
         self.reason = message(f"unreadable.{key}", **parts)
         super().__init__(self.reason)

@@ -10,9 +10,8 @@ from xml.sax.saxutils import escape
 from drawings.form.blank_file import SEAL
 from drawings.form.task import table_of
 from drawings.grading.asked import PlanAsked
-from drawings.grading.cells.asked_table import Key, SeenCell, TableAsked, tables_seen
-from drawings.grading.cells.frames import ruling
-from drawings.grading.cells.own_tables import tables_asked
+from drawings.grading.cells.asked_table import TableAsked, tables_asked
+from drawings.grading.cells.seen_table import Key, SeenCell, ruling, tables_seen
 from drawings.paper.strokes import Group, Leaf, Stroke
 from drawings.paper.walk import texts
 from drawings.pens.svg import svg

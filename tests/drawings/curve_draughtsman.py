@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.dynamics_figures import CHORDS
+from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts
 from drawings.grading.curves.figure_records import BEARINGS, LENGTHS, ORDINATES, FigureAsked, Sizes, Values
-from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.verdict import Verdict
 from geometry.board import Board

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.grading.curves.arm_figures import arm_at
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Values, figures_asked
+from drawings.grading.curves.radial_figures import arm_at
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.redrawn.originals import Original, Originals

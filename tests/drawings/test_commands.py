@@ -131,6 +131,12 @@ def test_a_file_that_cannot_be_read_ends_with_7_and_its_name(run: Run, tmp_path:
         assert len(err.splitlines()) == 1
 
 
+def test_a_file_that_is_no_sheet_ends_with_7(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "sheet.svg").write_bytes(b"%PDF-1.7")
+    code, out, err = run("measure", tmp_path / "sheet.svg")
+    assert (code, out) == (7, "") and "sheet.svg: this is a PDF" in err
+
+
 @pytest.mark.parametrize("folder", ["taken", "taken/below"])
 def test_a_folder_that_cannot_be_made_ends_with_7(run: Run, tmp_path: Path, folder: str) -> None:
     (tmp_path / "taken").write_text("a file")

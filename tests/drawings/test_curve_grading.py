@@ -14,16 +14,16 @@ import pytest
 from drawings.forces.due_loads import Branch, branches
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
-from drawings.grading.asked import EXACT, Allowance, Allowances
+from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure
+from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts
 from drawings.grading.curves.figure_records import Values, figures_asked
-from drawings.grading.curves.form.form_figure import axes
-from drawings.grading.curves.graded_figures import allowed_of, figure_verdicts
+from drawings.grading.curves.form_figure import axes
 from drawings.grading.drawn_plan import Arrow
+from drawings.grading.feedback import lines
 from drawings.grading.graded import PASS, UNREAD, grade
-from drawings.grading.marking import Marking
 from drawings.grading.sheet_task import SheetTask
-from drawings.grading.told import lines
+from drawings.grading.verdict import Marking
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
 from drawings.reading.sheet import see

@@ -18,15 +18,14 @@ import pytest
 from drawings.commands import cli
 from drawings.commands import grade as commanded
 from drawings.commands.grade import write_feedback
-from drawings.grading import roll
-from drawings.grading.asked import Allowances, ungraded
+from drawings.grading import class_list
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import RECORDS, ungraded
 from drawings.grading.curves.figure_records import FIGURES
-from drawings.grading.feedback import feedback, idle_keys
+from drawings.grading.feedback import feedback, gathered, row
 from drawings.grading.graded import FAIL, OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.marking import RECORDS, Marking, MarkingError, points_of, read_marking
-from drawings.grading.sheet_task import SheetTask
-from drawings.grading.told import gathered, row
-from drawings.grading.verdict import OF_QUANTITIES, Verdict
+from drawings.grading.sheet_task import SheetTask, idle_keys
+from drawings.grading.verdict import OF_QUANTITIES, Marking, MarkingError, Verdict, points_of, read_marking
 from drawings.sheets.table import SHEETS
 from plans.techniques import technique_of
 from tests.drawings.students import TABLED, task
@@ -91,11 +90,11 @@ HALTED = {"bug": (OURS, "grade.bug"), "memory": (UNREAD, "grade.memory"), "time"
 def test_a_bug_of_ours_is_told_as_one_and_stops_nobody(
     names: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(roll, "SECONDS", 0.0)  # of work, rounded up to one
+    monkeypatch.setattr(class_list, "SECONDS", 0.0)  # of work, rounded up to one
     paths = [tmp_path / name for name in (*names, "good")]
     for path in paths:
         path.write_bytes(path.name.encode())
-    graded = [one for _, one in roll.grade_all(paths, broken)]
+    graded = [one for _, one in class_list.grade_all(paths, broken)]
     told = [(one.outcome, one.reason and one.reason.key) for one in graded]
     assert told == [*map(HALTED.__getitem__, names), (PASS, None)]
 
@@ -111,11 +110,11 @@ def waits(source: bytes) -> Graded:
 
 @pytest.mark.rest  # the seconds of patience go by in it, though nothing works
 def test_a_sheet_that_had_to_wait_is_tried_once_more_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(roll, "PATIENCE", 2.0)
+    monkeypatch.setattr(class_list, "PATIENCE", 2.0)
     paths = [tmp_path / name for name in ("busy.svg", "never.svg", "again.svg")]
     for path, before in zip(paths, ("one.busy", "two.never", "three.busy"), strict=True):
         path.write_bytes(str(tmp_path / before).encode())
-    graded = [one for _, one in roll.grade_all(paths, waits, workers=3)]
+    graded = [one for _, one in class_list.grade_all(paths, waits, workers=3)]
     assert [one.outcome for one in graded] == [PASS, UNREAD, PASS]
     assert graded[1].reason is not None and graded[1].reason.key == "grade.late"
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import UNREAD, grade
 from drawings.grading.sheet_task import SheetTask

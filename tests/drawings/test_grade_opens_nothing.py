@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
+from drawings.grading.class_list import answered, grade_all
 from drawings.grading.graded import PASS, UNREAD, Graded, grade
-from drawings.grading.roll import answered, grade_all
 from drawings.grading.sheet_task import SheetTask
 from tests.drawings.students import Task, drawn, task, true_places
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from drawings.grading.asked import EXACT, Allowance, Allowances
+from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.graded import PASS, grade
 from drawings.grading.sheet_task import SheetTask, sheet_task
 from drawings.redrawn.originals import Original, Originals
@@ -65,7 +65,7 @@ def due(task: SheetTask, sheet: Original) -> int:
     """Count what a sheet is asked for."""
     drawn = [plan for plan in task.plans if plan.sheet == sheet.name]
     cells = [cell for table in task.tables for cell in table.cells.values() if cell.sheet == sheet.name]
-    shown = sum(len(plan.vectors) + len(plan.senses) + len(plan.turns) for plan in drawn)
+    shown = sum(len(plan.vectors) + len(plan.ways) for plan in drawn)
     return shown + len(cells) + sum(len(one.items) for one in task.curves if one.sheet == sheet.name)
 
 

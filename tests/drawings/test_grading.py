@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 
 from drawings.checks.expected import Expected
-from drawings.grading.asked import Allowance, Allowances, PlanAsked, plans_asked
+from drawings.grading.allowance import Allowance, Allowances
+from drawings.grading.asked import PlanAsked, plans_asked
 from drawings.grading.graded import FAIL, PASS, UNREAD, grade
 from drawings.grading.judgement import turned_over
 from drawings.grading.sheet_task import SheetTask

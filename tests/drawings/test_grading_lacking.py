@@ -8,20 +8,19 @@ from pathlib import Path
 
 import pytest
 
-from drawings.acceptance.assertions import assert_close_to_analysis
-from drawings.acceptance.assignment import Assignment
-from drawings.acceptance.handed_sheet import HandedSheet
 from drawings.form.form import form_of
 from drawings.form.task import table_of
 from drawings.grading import verdict
-from drawings.grading.asked import Allowances
-from drawings.grading.curves.form.form_figure import empty_axes
+from drawings.grading.allowance import Allowances
+from drawings.grading.curves.form_figure import empty_axes
 from drawings.grading.graded import FAIL, PASS, UNREAD, Graded, grade
-from drawings.grading.marking import Marking, points_of
 from drawings.grading.sheet_task import SheetTask
-from drawings.grading.verdict import Verdict
+from drawings.grading.verdict import Marking, Verdict, points_of
 from drawings.paper.strokes import Group, Text
 from drawings.pens.svg import svg
+from drawings.pytest_plugin.assertions import assert_close_to_analysis
+from drawings.pytest_plugin.assignment import Assignment
+from drawings.pytest_plugin.handed_sheet import HandedSheet
 from drawings.reading.alphabet import folded
 from drawings.reading.sheet import see
 from tests.drawings.cell_students import key_of, table_task, tables_of, written

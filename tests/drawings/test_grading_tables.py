@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 from drawings.form.form import form_of
-from drawings.grading.asked import Allowances
-from drawings.grading.cells.own_tables import tables_asked
+from drawings.grading.allowance import Allowances
+from drawings.grading.cells.asked_table import tables_asked
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import FAIL, UNREAD, grade
-from drawings.grading.marking import points_of, read_marking
 from drawings.grading.sheet_task import SheetTask
+from drawings.grading.verdict import points_of, read_marking
 from drawings.paper.strokes import Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
 from tests.drawings.cell_students import TableTask, both, cells_of, key_of, made, table_task, tables_of, written

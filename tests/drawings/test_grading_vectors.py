@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.grading.asked import Allowances, PlanAsked
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import PlanAsked
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.grading.verdict import UNGROUPED
@@ -172,6 +173,6 @@ def test_the_arrows_of_a_scheme_that_was_taken_apart_are_not_graded() -> None:
     own = task("shaper-loaded")
     sheet = own.originals.sheets[0]
     graded = grade(re.sub(rb' id="(scheme|lever)-[^"]*"', b"", own.originals.drawn(sheet)), SheetTask(own.plans), HAND)
-    figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.senses}
+    figures = {(one.plan, one.position) for one in own.plans if one.sheet == sheet.name and one.ways}
     assert graded.wrong == ()
     assert {(one.plan, one.position) for one in graded.verdicts if one.kind == UNGROUPED} == figures

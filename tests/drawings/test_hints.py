@@ -7,7 +7,7 @@ import re
 import pytest
 
 from drawings.grading.curves.figure_records import figures_asked
-from drawings.grading.told import Hint, curve_hints, hints, told
+from drawings.grading.sheet_task import SheetTask
 from tests.drawings.students import task
 from tests.gallery import SCENES
 from tests.rows import over
@@ -16,14 +16,11 @@ from tests.rows import over
 ENGLISH = re.compile(r"(?<![\w_^{])[a-z]{3,}", re.ASCII)
 
 
-def own_hints(scene: str) -> dict[str, tuple[Hint, ...]]:
-    own = task(scene)
-    return dict(curve_hints(figures_asked(own.originals))) | dict(one for plan in own.plans for one in hints(plan))
-
-
 def in_russian(scene: str) -> set[str]:
     """Give the hints of a scene, told in Russian."""
-    return {one.worded("ru") for own in own_hints(scene).values() for one in told(own)}
+    asked = task(scene)
+    hints = SheetTask(asked.plans, figures_asked(asked.originals)).hints
+    return {hint.worded("ru") for steps in hints.values() for hint in steps}
 
 
 def test_a_hint_has_no_word_of_another_language() -> None:

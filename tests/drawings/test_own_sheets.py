@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from drawings.commands import cli
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
+from drawings.grading.class_list import grade_own
 from drawings.grading.graded import FAIL, PASS
-from drawings.grading.roll import grade_own
 from drawings.grading.sheet_task import SheetTask
 from drawings.redrawn.originals import Original, Originals
 from tests.drawings import (

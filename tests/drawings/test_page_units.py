@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
 from drawings.grading.feedback import feedback
 from drawings.grading.graded import PASS, grade
-from drawings.grading.seeing.units import stated
 from drawings.grading.sheet_task import SheetTask
+from drawings.grading.units import stated
 from drawings.reading.transform import PIXEL, viewport
 from tests import parts
 from tests.drawings.students import Task, task

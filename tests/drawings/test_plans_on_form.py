@@ -5,11 +5,9 @@ from __future__ import annotations
 import pytest
 
 from drawings.grading.asked import Asked, PlanAsked
-from drawings.grading.drawing_faults import Segment
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.form_places import FormPlace
-from drawings.grading.plans_on_form import plans_on_form
-from drawings.grading.seeing.onlooker import spelled_labels
+from drawings.grading.onlooker import Segment, spelled_labels
+from drawings.grading.plans_on_form import FormPlace, plans_on_form
 from drawings.paper.strokes import Text
 
 SPOTS = {"π": 0j, "a": 60 + 0j, "n_BA": 60 + 0.6j, "b": 30 + 40j}  # mm from the pole: n_BA is hardly off a

@@ -10,19 +10,19 @@ from types import ModuleType
 
 import pytest
 
-from drawings.acceptance import assignment
+from drawings.pytest_plugin import assignment
 from tests.drawings.students import task
 from tests.drawings.test_grading import MISTAKES, made
 from tests.gallery import GALLERY
 
 pytest_plugins = ["pytester"]
-MODULE = "drawings.acceptance.plugin"
+MODULE = "drawings.pytest_plugin.plugin"
 # Where plandraft is installed its plugin is there by itself.
 LOADED = [] if entry_points(group="pytest11", name="plandraft") else ["-p", MODULE]
 ALONE = ["-p", "no:cacheprovider", "-p", "no:xdist"]
 SET = f"--plandraft-scene={GALLERY / 'shaper.toml'}"
 TEST = """
-from drawings.acceptance.assertions import assert_close_to_analysis
+from drawings.pytest_plugin.assertions import assert_close_to_analysis
 
 def test_values(sheet, scene):
     assert_close_to_analysis(sheet, scene, tolerance="2 %")
@@ -155,7 +155,7 @@ def test_who_does_not_use_it_pays_nothing(pytester: pytest.Pytester) -> None:
 
         def test_nothing_is_imported():
             own = {name for name in sys.modules if name.split(".")[0] in ("drawings", "plans", "geometry", "numpy")}
-            assert own == {"drawings", "drawings.acceptance", "drawings.acceptance.plugin"}
+            assert own == {"drawings", "drawings.pytest_plugin", "drawings.pytest_plugin.plugin"}
         """
     )
     result = pytester.runpytest_subprocess(*ALONE, "-p", "no:hypothesispytest", *LOADED)

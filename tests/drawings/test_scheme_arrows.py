@@ -7,20 +7,21 @@ from types import MappingProxyType
 
 import pytest
 
-from drawings.grading.asked import Allowance, Allowances, PlanAsked
-from drawings.grading.drawing_faults import segments
+from drawings.grading.allowance import Allowance, Allowances
+from drawings.grading.asked import PlanAsked
 from drawings.grading.drawn_plan import DrawnPlan
+from drawings.grading.onlooker import segments
 from drawings.grading.scheme_arrows import arrow_verdicts
 from drawings.paper.strokes import Group, Leaf, Line
 from drawings.pens.svg import svg
 from drawings.reading.sheet import see
 
-SHARE, OWN = Allowances(Allowance(share=0.02)), Allowances(own=MappingProxyType({"G": Allowance(1.0)}))
+SHARE, OWN = Allowances(Allowance(share=0.02)), Allowances(named=MappingProxyType({"G": Allowance(1.0)}))
 
 
 def kind(force: str, turned: float, by: Allowances) -> str:
     """Draw an arrow of 20 mm turned by an angle, rad, and give what is said of it."""
-    asked = PlanAsked("scheme 2-3", 9, "forces", "N", (), {}, senses={force: -1j})
+    asked = PlanAsked("scheme 2-3", 9, "forces", "N", (), {}, ways={force: -1j})
     start = 100 + 100j
     arrow = Group((Line(start, start - 20j * cmath.rect(1.0, turned)),), data={"kind": "force", "name": force})
     rod = Line(start, start + 40)

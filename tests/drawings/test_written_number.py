@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
-from drawings.grading.asked import Allowances
-from drawings.grading.cells.asked_table import TableAsked, number
+from drawings.grading.allowance import Allowances
+from drawings.grading.cells.asked_table import TableAsked
 from drawings.grading.graded import grade
 from drawings.grading.sheet_task import SheetTask
+from drawings.grading.written_number import number
 from drawings.paper.strokes import Text
 from tests.drawings.cell_students import key_of, table_task, tables_of, written
 from tests.rows import over

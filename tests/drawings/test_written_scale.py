@@ -6,10 +6,10 @@ import math
 
 import pytest
 
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
 from drawings.grading.graded import grade
-from drawings.grading.seeing.onlooker import stated_scales
 from drawings.grading.sheet_task import SheetTask
+from drawings.grading.written_number import stated_scales
 from drawings.paper.strokes import Group, Stroke, Text
 from tests.drawings.curve_students import curve_task
 from tests.drawings.students import drawn, task, true_places

@@ -8,9 +8,9 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from drawings.grading.asked import Allowances, Asked, PlanAsked
-from drawings.grading.drawn_plan import Arrow, DrawnPlan, places_of
-from drawings.grading.form_places import left_out, own_places, scales_of
+from drawings.grading.allowance import Allowances
+from drawings.grading.asked import Asked, PlanAsked
+from drawings.grading.drawn_plan import Arrow, DrawnPlan, left_out, own_places, places_of, scales_of
 from drawings.grading.judgement import Judge
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import QUANTUM

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from drawings.grading import asked
+from drawings.grading import allowance
 from tests.gallery import SCENES
 from tests.hands.trial import of_scene
 from tests.parts import first
@@ -31,5 +31,5 @@ def test_every_scene_is_graded_as_the_tolerance_says(scene: str) -> None:
 )
 def test_another_tolerance_is_seen(monkeypatch: pytest.MonkeyPatch, other: tuple[float, str]) -> None:
     times, told = other
-    monkeypatch.setattr(asked, "DEVIATIONS", times * asked.DEVIATIONS)
+    monkeypatch.setattr(allowance, "DEVIATIONS", times * allowance.DEVIATIONS)
     assert any(told in fault for one in of_scene(SMALL) for fault in one.faults)

@@ -3,197 +3,30 @@
 from __future__ import annotations
 
 import math
-import re
-from bisect import bisect
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
-from drawings.grading.asked import DEVIATIONS, Allowance, Allowances
-from drawings.grading.cells.frames import Box, Ruling
+from drawings.checks.expected import Expected
+from drawings.checks.plain import plain
+from drawings.form.laid import BESIDE
+from drawings.form.task import table_of
+from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
+from drawings.grading.cells.seen_table import Key, SeenTable, ruling, tables_seen
 from drawings.grading.curves.figure_records import PRICKED
-from drawings.grading.seeing.units import in_unit
+from drawings.grading.written_number import SURE, number
+from drawings.lettering.words import word
 from drawings.paper.strokes import Text
+from drawings.paper.walk import groups, stated, texts
 from drawings.reading.alphabet import folded
-from drawings.reading.letters import UNREAD
+from drawings.reading.transform import Affine
+from drawings.redrawn.originals import Original, Originals
 from geometry.hand_error import POINT
 from geometry.steps import Reading
 from plans.by_hand import SLIP
-
-SURE = 3  # digits: a number of as many is rounded, and one of fewer is rough
-_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺"
-_LEVEL = str.maketrans(_RAISED, "0123456789-+")
-_POWERS = re.compile(f"[{_RAISED}]+")
-_SIGNS = str.maketrans({"−": "-", "–": "-", "—": "-", "‐": "-", "‑": "-", "µ": "μ", "∙": "·", "⋅": "·", "*": "·"})
-_GAPS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?!\d)")  # thousands, and no two numbers
-_POWER = r"\s*\(?(?P<{}>[-+]?\d{{1,2}})\)?"
-NUMBER = (
-    r"(?P<sign>[-+]?)\s*(?P<digits>\d+(?:[.,]\d*)?|[.,]\d+)"
-    rf"(?:\s*[·×xх]\s*10\s*\^?{_POWER.format('power')}"
-    rf"|\s+10\s*\^{_POWER.format('apart')}"
-    r"|[eEеЕ](?P<exponent>[-+]?\d{1,2}))?"
-)
-_WRITTEN = re.compile(rf"[=≈~±]?\s*{NUMBER}\s*(?P<unit>.*)")
-# What follows a number is no unit if it begins as another number does, or holds one.
-_ANOTHER = re.compile(r"(?!1/[^\W\d])[-+\d.,/×:^·]|.*\s[-+]?\d")
-_ANGLE = re.compile(r"(?P<sign>-?)\s*(?P<degrees>\d+)\s*°\s*(?P<minutes>\d{1,2}(?:[.,]\d+)?)\s*['′’]")
-MINUTE = 1 / 60  # of a degree
-
-
-class Written(NamedTuple):
-    """A number that is written in a cell: its value in the column's unit, and what half of its last digit is worth.
-
-    The value is NaN where the unit that is written is not understood.
-    """
-
-    value: float
-    rounding: float
-
-    @property
-    def understood(self) -> bool:
-        """Whether its unit is."""
-        return not math.isnan(self.value)
-
-
-def is_read(texts: Sequence[Text]) -> bool:
-    """Tell whether all letters of a cell are read."""
-    return not any(UNREAD in text.plain for text in texts)
-
-
-def number(texts: Sequence[Text], unit: str = "") -> Written | None:
-    """Read the number of a cell; None where there is none, or more than one.
-
-    >>> number([Text(0j, "−1,52·10^{3} mm/s")], "m/s")
-    Written(value=-1.52, rounding=0.005)
-    >>> number([Text(0j, "1.5")]).rounding, number([Text(0j, "2 of 3")]), number([Text(0j, "5 ells")], "m").understood
-    (0.0, None, False)
-    >>> number([Text(0j, "30°15'")], "°"), number([Text(0j, "0.0000 9.99")])
-    (Written(value=30.25, rounding=0.008333333333333333), None)
-    """
-    plain = plainly(" ".join(map(levelled, texts)))
-    if (angle := _ANGLE.fullmatch(plain)) is not None:
-        return _angle(angle, unit)
-    found = _WRITTEN.fullmatch(plain)
-    if found is None or _ANOTHER.match(found["unit"]):
-        return None
-    times = in_unit(found["unit"], unit)
-    value, half = value_of(found)
-    if not math.isfinite(value):
-        return None
-    if times is None:
-        return Written(math.nan, 0.0)
-    return Written(value * times, half * times)
-
-
-def plainly(text: str) -> str:
-    """Write a text with one sign for each that is written in several ways, and powers after a ^."""
-    signed = _POWERS.sub(lambda one: f"^{one[0].translate(_LEVEL)}", text.translate(_SIGNS))
-    return _GAPS.sub(lambda one: re.sub(r"\s", "", one[0]), signed).strip()
-
-
-def value_of(found: re.Match[str]) -> tuple[float, float]:
-    """Give the value of a number that was found, and what half of its last digit is worth if it is rounded."""
-    digits = found["digits"].replace(",", ".")
-    times = math.pow(10.0, int(found["power"] or found["apart"] or found["exponent"] or 0))
-    sure = len(digits.replace(".", "").lstrip("0")) >= SURE
-    half = 0.5 * math.pow(10.0, -len(digits.partition(".")[2])) * times
-    return float(f"{found['sign']}{digits}") * times, half if sure else 0.0
-
-
-def _angle(found: re.Match[str], unit: str) -> Written:
-    """Read an angle in degrees and minutes."""
-    minutes = found["minutes"].replace(",", ".")
-    value = float(found["degrees"]) + MINUTE * float(minutes)
-    half = 0.5 * math.pow(10.0, -len(minutes.partition(".")[2])) * MINUTE
-    times = in_unit("°", unit)
-    times = math.nan if times is None else times
-    return Written((-value if found["sign"] else value) * times, half * times)
-
-
-def levelled(text: Text) -> str:
-    """Write a text with a ^ before what is raised over a ten."""
-    return "".join(f"^{run.text}" if run.level > 0 and "10" in text.plain else run.text for run in text.runs)
-
-
-Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen
-_NUMBER = re.compile(r"\d+")
-
-
-class SeenCell(NamedTuple):
-    """A cell: its texts from left to right, whether other ink is in it, and where it is, mm, as upright a sheet."""
-
-    texts: tuple[Text, ...]
-    inked: bool
-    box: Box
-
-
-class SeenTable(NamedTuple):
-    """A table, or a part of one: the text in its corner, the headings of its columns, its rows, its cells."""
-
-    corner: Text
-    heads: Mapping[str, Text]  # by what is seen of them
-    labels: Mapping[str, Text]
-    cells: Mapping[Key, SeenCell]
-
-
-def tables_seen(sheet: Ruling, corners: Collection[str]) -> Iterator[SeenTable]:
-    """Give the tables of a sheet in whose corners one of some words stands, as they are seen."""
-    for spot, text in sheet.texts:
-        if folded(text.plain) in corners and (box := sheet.around(spot)) is not None:
-            found = _table(sheet, text, box)
-            if found is not None:
-                yield found
-
-
-def _table(sheet: Ruling, corner: Text, box: Box) -> SeenTable | None:
-    whole = Box(box.left, sheet.below(box), sheet.right_of(box), box.high)
-    inside = [(spot, text) for spot, text in sheet.texts if whole.holds(spot)]
-    edges = [x for x in sheet.columns(box.low) if box.left <= x <= whole.right + 1e-9]
-    floors = [y for y in sheet.rows((box.left + box.right) / 2) if whole.low - 1e-9 <= y <= box.low + 1e-9]
-    columns = _columns([one for one in inside if one[0].imag > box.low and one[0].real > box.right], edges)
-    if not columns or len(floors) < 2:
-        return None
-    heads = {folded(head.plain): head for head, _ in columns if head is not None}
-    cells, labels = dict[Key, SeenCell](), dict[str, Text]()
-    for low, high in pairwise(floors):
-        row = [_cell(sheet, inside, Box(left, low, right, high)) for left, right in pairwise(edges)]
-        if not row[0].texts:
-            continue
-        label = folded(" ".join(text.plain for text in row[0].texts))
-        labels.setdefault(label, row[0].texts[0])
-        for (head, position), cell in zip(columns, row[1:], strict=True):
-            if head is not None:
-                cells.setdefault((label, position, folded(head.plain)), cell)
-    return SeenTable(corner, heads, labels, cells)
-
-
-def _cell(sheet: Ruling, inside: Sequence[tuple[complex, Text]], box: Box) -> SeenCell:
-    own = sorted((spot.real, k) for k, (spot, _) in enumerate(inside) if box.holds(spot))
-    return SeenCell(tuple(inside[k][1] for _, k in own), any(box.holds(spot) for spot in sheet.ink), box)
-
-
-def _columns(heads: Sequence[tuple[complex, Text]], edges: Sequence[float]) -> list[tuple[Text | None, int | None]]:
-    """Give the heading and the position of each column: where there are positions, they stand in a row above."""
-    count = len(edges) - 2
-    heights = [spot.imag for spot, _ in heads]
-    if count < 1 or not heights:
-        return []
-    middle = (min(heights) + max(heights)) / 2
-    titled = max(heights) - min(heights) > min(text.size for _, text in heads)
-    low = [(spot, text) for spot, text in heads if not titled or spot.imag < middle]
-    names: list[Text | None] = [None] * count
-    for spot, text in low:
-        k = bisect(edges, spot.real) - 2
-        if 0 <= k < count:
-            names[k] = text
-    titles = sorted((spot.real, text.plain) for spot, text in heads if titled and spot.imag > middle)
-    numbers = [_NUMBER.search(plain) for _, plain in titles]
-    if not titles or count % len(titles) or not all(numbers):
-        return [(name, None) for name in names]
-    each = count // len(titles)
-    return [(name, int(found[0])) for k, name in enumerate(names) if (found := numbers[k // each]) is not None]
-
+from plans.model.motion import ORDERS
+from plans.study import Study
+from plans.words.words import term
 
 Sought: TypeAlias = tuple[str, str, int | None]  # a kind of sheet, a table of it, the cam that the sheet is of
 
@@ -255,3 +88,190 @@ class TableAsked:
     def name(self) -> str:
         """What it is called."""
         return f"table {self.sought[1]}"
+
+
+Rates: TypeAlias = Mapping[tuple[str, int | None], Reading]  # by the letter of a rate as it is seen, and its position
+PLANS = ("kinematics",)  # kinds of sheets that the plans stand on
+
+
+def rates_of(study: Study, kind: str, positions: Collection[int | None]) -> Rates:
+    """Give what the rates of some positions are read off."""
+    if kind not in PLANS:
+        return {}
+    plans = (
+        (k, order, study["linkage"].drafts([k]).plan(order.number))
+        for k in positions
+        if k is not None
+        for order in ORDERS[1:]
+    )
+    return {
+        (folded(Text(0j, f"{order.link.symbol}_{{{link}}}").plain), k): reading
+        for k, order, plan in plans
+        for link, reading in plan.readings.items()
+    }
+
+
+READ_OFF = ("kinematics", "dynamics")  # kinds of sheets on which what has no error by hand is read off graphs
+POSITIONS = ("output", "positions")  # tables whose rows are positions
+COURSES = (*POSITIONS, "radii", "coordinates")  # tables that tell how a quantity goes on from row to row
+CAM = "cam"  # what the data of a sheet say that its table is of
+ROUNDED = 1e-9  # of a value: what is printed at the middle between two numbers may be either
+MARKS = {-1: "_", 0: "", 1: "^"}
+
+
+class _Cell(NamedTuple):
+    """A cell of our own: how it is written, what is due in it, the sheet that it stands on."""
+
+    plain: str
+    due: Expected
+    sheet: Original
+
+
+class _Part(NamedTuple):
+    """A table or a part of one: the sheet that it stands on, and those of its cells in which something is due."""
+
+    sheet: Original
+    table: SeenTable
+    cells: Mapping[Key, _Cell]
+
+
+def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
+    """Give the tables of a scene's sheets whose cells a form leaves empty."""
+    found: dict[Sought, list[_Part]] = {}
+    for sheet in originals.sheets:
+        for name, part in _of_sheet(originals, sheet):
+            found.setdefault((sheet.kind, name, sheet.leaf.metadata.get(CAM)), []).append(part)
+    return tuple(_Own(originals, sought, parts).asked() for sought, parts in found.items())
+
+
+def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Part]]:
+    leaf, due = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
+    bands = ((table_of(sheet.kind, one.name), next(texts((one,)), None)) for one in groups(leaf.groups) if one.name)
+    corners = [(text, name) for name, text in bands if name and text is not None]
+    if not corners:
+        return
+    own = ((one.states.key, one) for one in stated(leaf.groups) if one.states is not None)
+    told = {id(text): due[key] for key, one in own if key in due for text in texts((one,))}
+    for table in tables_seen(ruling(leaf, Affine()), {folded(text.plain) for text, _ in corners}):
+        cells = {
+            key: _Cell(" ".join(text.plain for text in cell.texts), told[id(cell.texts[0])], sheet)
+            for key, cell in table.cells.items()
+            if cell.texts and id(cell.texts[0]) in told
+        }
+        yield from ((name, _Part(sheet, table, cells)) for text, name in corners if text is table.corner)
+
+
+class _Own:
+    """One table as our own sheets have it, in all its parts."""
+
+    def __init__(self, originals: Originals, sought: Sought, parts: Sequence[_Part]) -> None:
+        self.originals, self.sought, self.parts = originals, sought, parts
+        self.labels = {label: text for part in parts for label, text in part.table.labels.items()}
+        self.heads = {head: text for part in parts for head, text in part.table.heads.items()}
+        self.cells = {key: cell for part in parts for key, cell in part.cells.items()}
+        self.plan, *self.beside = (folded(word(originals.language, key)) for key in ("by plan", *BESIDE))
+        heads = [head for head in self.heads if head not in self.beside]
+        self.across = 2 * sum(", " in text.plain for text in map(self.heads.__getitem__, heads)) > len(heads)
+        self.rates: Rates = rates_of(originals.study, sought[0], {key[1] for key in self.cells})
+
+    def asked(self) -> TableAsked:
+        """Give what is asked for: all cells in which a number is due."""
+        values = {key: value for key in self.cells if (value := self._value(key)) is not None}
+        asked = {key: value for key, value in values.items() if key[2] not in self.beside}
+        most: dict[tuple[str, str], float] = {}
+        for key, value in asked.items() if self.sought[1] in COURSES else ():
+            most[self._told(key)] = max(abs(value), most.get(self._told(key), 0.0))
+        scales = {part.sheet.name: dict(self._scales(part.sheet)) for part in self.parts}
+        cells = {key: self._cell(key, value, most.get(self._told(key), abs(value))) for key, value in asked.items()}
+        for key, cell in cells.items():
+            cells[key] = cell._replace(coarse=scales[cell.sheet].get(folded(cell.unit), 0.0))
+        sheets = tuple(dict.fromkeys(part.sheet.name for part in self.parts))
+        corner = folded(self.parts[0].table.corner.plain)
+        titles = frozenset(part.sheet.leaf.title for part in self.parts)
+        return TableAsked(self.sought, sheets, titles, corner, cells, self.originals.language)
+
+    def _cell(self, key: Key, value: float, largest: float) -> CellAsked:
+        label, position, head = key
+        quantity, unit = self._told(key)
+        read = tuple(map(folded, _bare(self.labels[label].plain).split(" = "))) if head == self.plan else ()
+        hand = self._value((label, position, self.beside[0]))
+        name, place = self._called(key, quantity)
+        return CellAsked(
+            name,
+            quantity,
+            place,
+            value,
+            self._printed(key, value),
+            unit,
+            largest,
+            hand,
+            told=hand is not None or self._is_told(key),
+            position=int(place) if self.sought[1] in POSITIONS and place.isdigit() else position,
+            read=read,
+            reading=next((self.rates[one, position] for one in read if (one, position) in self.rates), None),
+            sheet=self.cells[key].sheet.name,
+        )
+
+    def _printed(self, key: Key, value: float) -> float:
+        """Give how far what is printed may be from the value: by its last digit, and by what both roads differ by."""
+        plain, due, _ = self.cells[key]
+        written = number((Text(0j, plain),))
+        off = abs(written.value - value) if written is not None and value else 0.0
+        rough = off <= 0.5 * 10.0 ** (math.floor(math.log10(abs(value) or 1.0)) + 1 - SURE)
+        return max(_half(plain), off if rough else 0.0) + due.allowed + ROUNDED * abs(value)
+
+    def _called(self, key: Key, quantity: str) -> tuple[str, str]:
+        """Give what a cell is called beside its position, and its place among those of its quantity."""
+        label, position, head = key
+        if not self.across:
+            column = self.heads[head].plain
+            return f"{quantity} ({column})", column if position is None else str(position)
+        row = self.labels[label].plain
+        return (quantity if self.sought[1] in POSITIONS else f"{quantity} ({row})"), row
+
+    def _told(self, key: Key) -> tuple[str, str]:
+        """Give the quantity of a cell and its unit."""
+        label, head = self.labels[key[0]], self.heads[key[2]]
+        named = head if self.across else label
+        unit = next((own for one in (head, label) if (own := _unit(one.plain))), "")
+        return _marked(named), unit
+
+    def _value(self, key: Key) -> float | None:
+        """Give the number that is due in a cell; of a text, and of what rounding decides, none."""
+        due = self.cells[key].due if key in self.cells else None
+        if due is None or not isinstance(due.value, int | float | complex) or not math.isfinite(due.allowed):
+            return None
+        return abs(due.value) if isinstance(due.value, complex) else float(due.value)
+
+    def _is_told(self, key: Key) -> bool:
+        """Tell whether a value of which no error by hand is told has none anywhere, and not by a dead centre."""
+        return self.sought[1] != "values" or "(" in self.labels[key[0]].plain
+
+    def _scales(self, sheet: Original) -> Iterator[tuple[str, float]]:
+        """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
+        if sheet.kind in READ_OFF:
+            for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda one: one.scale):
+                yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
+
+
+def _bare(plain: str) -> str:
+    """Give the name of a quantity without its unit."""
+    return plain.rpartition(", ")[0] if ", " in plain else plain
+
+
+def _unit(plain: str) -> str:
+    return plain.rpartition(", ")[2] if ", " in plain else ""
+
+
+def _marked(text: Text) -> str:
+    """Write the name of a quantity with its indices as verdicts do.
+
+    >>> _marked(Text(0j, "a^{n}_{BA}, m/s^2"))
+    'a^n_BA'
+    """
+    return _bare("".join(MARKS[run.level] + run.text for run in text.runs))
+
+
+def _half(plain: str) -> float:
+    """Give half of the last digit of a number that we have written."""
+    return 0.5 * 10.0 ** -len(plain.replace(",", ".").partition(".")[2])

@@ -11,24 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.grading import verdict
-from drawings.grading.asked import Allowances
-from drawings.grading.cells.asked_table import (
-    CellAsked,
-    Key,
-    SeenCell,
-    SeenTable,
-    TableAsked,
-    Written,
-    is_read,
-    number,
-    tables_seen,
-)
-from drawings.grading.cells.frames import ruling
+from drawings.grading.allowance import Allowances
+from drawings.grading.cells.asked_table import CellAsked, TableAsked
+from drawings.grading.cells.seen_table import Key, SeenCell, SeenTable, ruling, tables_seen
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_records import ORDINATES
-from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.form_places import own_places
+from drawings.grading.drawn_plan import DrawnPlan, own_places
 from drawings.grading.verdict import Verdict
+from drawings.grading.written_number import Written, is_read, number
 from drawings.lettering.words import letter
 from drawings.paper.strokes import Text
 from drawings.paper.walk import texts

@@ -16,6 +16,7 @@ from drawings.cam.size_view import NAME as SIZES
 from drawings.cyclogram.due_rows import cam_rows
 from drawings.grading import verdict
 from drawings.grading.curves.cam_courses import DIAGRAM, POINTS, PRESSURE, CamCourses
+from drawings.grading.curves.diagram_figures import bars, rings
 from drawings.grading.curves.dynamics_figures import chords_by_hand
 from drawings.grading.curves.figure_judge import SHORT
 from drawings.grading.curves.figure_records import (
@@ -28,7 +29,6 @@ from drawings.grading.curves.figure_records import (
     Sizes,
     by_number,
 )
-from drawings.grading.curves.load_figures import bars, rings
 from plans.cyclogram.rows import EVERY
 from plans.study import Study
 from plans.words.words import because

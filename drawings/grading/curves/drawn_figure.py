@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.grading.curves.figure_records import CHAIN, ORDINATES, FigureAsked, Paper, Sizes, Values
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.seeing.onlooker import stated_scales
+from drawings.grading.written_number import stated_scales
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Curve, Line, Polyline, Stroke
 from drawings.paper.walk import flat, group_named, texts

@@ -13,6 +13,7 @@ import numpy as np
 from drawings.dynamics.due import LOOP, SEGMENTS, TANGENTS
 from drawings.dynamics.due_graphs import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Turn
 from drawings.grading import verdict
+from drawings.grading.curves.diagram_figures import load_diagrams
 from drawings.grading.curves.figure_records import (
     BEARINGS,
     ORDINATES,
@@ -25,7 +26,6 @@ from drawings.grading.curves.figure_records import (
     Values,
     by_number,
 )
-from drawings.grading.curves.load_figures import load_diagrams
 from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
 from geometry.board import Board
 from geometry.calculus import integral

@@ -270,10 +270,10 @@ def by_number(marks: Mapping[int, MeasuredVector], places: Mapping[int, int] | N
 FIGURES: Final[Mapping[str, str]] = MappingProxyType(
     {
         "dynamics": "drawings.grading.curves.dynamics_figures:figures_of",
-        "bank": "drawings.grading.curves.arm_figures:figures_of",
-        "forces": "drawings.grading.curves.load_figures:figures_of_loads",
-        "linkage": "drawings.grading.curves.load_figures:figures_of_diagrams",
-        "cyclogram": "drawings.grading.curves.load_figures:figures_of_cyclogram",
+        "bank": "drawings.grading.curves.diagram_figures:figures_of_arms",
+        "forces": "drawings.grading.curves.diagram_figures:figures_of_loads",
+        "linkage": "drawings.grading.curves.diagram_figures:figures_of_diagrams",
+        "cyclogram": "drawings.grading.curves.diagram_figures:figures_of_cyclogram",
         "cam": "drawings.grading.curves.cam_figures:figures_of",
     }
 )

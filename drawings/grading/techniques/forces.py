@@ -9,8 +9,8 @@ from drawings.forces.lever_layout import PLAN as LEVER
 from drawings.forces.lever_layout import leverages
 from drawings.forces.lever_plan import balance, hanging
 from drawings.grading import verdict
-from drawings.grading.marking import Found, Letters, Place, Record, Slip
-from drawings.grading.scheme_arrows import arcs_on, arrows_on
+from drawings.grading.asked import Found, Letters, Place, Record, Slip
+from drawings.grading.scheme_arrows import arrows_on
 from drawings.linkage.due import mass_centres
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
@@ -71,12 +71,11 @@ def record_of_forces(study: Study, leaf: Leaf) -> Record:
         acting = (one.name for one in (*cut.loads, *cut.couples) if one.name != BALANCING)
         known[plan] = [plain_name(letter_of(name, drafting)) for name in acting]
     found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, drafting)}
-    known[LEVER] = [name for own in known.values() for name in own]
-    arrows = {plan: arrows_on(leaf, plan, k).keys() & own for plan, own in known.items()}
-    arcs = {plan: arcs_on(leaf, plan, k).keys() & own for plan, own in known.items()}
+    known[LEVER] = [name for names in known.values() for name in names]
+    shown = {plan: arrows_on(leaf, plan, k).keys() & names for plan, names in known.items()}
     scales, boards = _scales(leaf)
     plans: dict[str, Mapping[int | None, float]] = {name: {k: mu} for name, mu in scales.items()}
-    return Record(found, plans, subjects=boards, arrows=arrows, arcs=arcs)
+    return Record(found, plans, subjects=boards, known=shown)
 
 
 def _scales(leaf: Leaf) -> tuple[dict[str, float], dict[str, str]]:

@@ -16,7 +16,7 @@ from drawings.bank.polygon import plan_of
 from drawings.bank.star import fanned
 from drawings.forces.report import drafting_of_forces
 from drawings.grading import verdict
-from drawings.grading.marking import Found, Letters, Record, Slip
+from drawings.grading.asked import Found, Letters, Record, Slip
 from drawings.lettering.vector_letters import CENTRE, RESULT
 from drawings.lettering.vector_letters import FORCE as FORCE_LETTER
 from drawings.paper.strokes import Leaf

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from drawings.acceptance.assignment import Assignment
-    from drawings.acceptance.handed_sheet import HandedSheet
+    from drawings.pytest_plugin.assignment import Assignment
+    from drawings.pytest_plugin.handed_sheet import HandedSheet
 
 ASKED = "sheet"  # the fixture that is one after another each sheet that is handed in
 ANSWERED = "plandraft_sheet"  # the property of a test's report that says which sheet it answers for
@@ -81,7 +81,7 @@ def read_sheet(request: pytest.FixtureRequest) -> Callable[..., HandedSheet]:
 
 
 def _handed(request: pytest.FixtureRequest, path: Path, scene: Assignment | None) -> HandedSheet:
-    from drawings.acceptance.handed_sheet import HandedSheet
+    from drawings.pytest_plugin.handed_sheet import HandedSheet
 
     options = request.config.option
     report = options.plandraft_report and Path(options.plandraft_report)
@@ -95,7 +95,7 @@ def _scene(config: pytest.Config) -> Assignment | None:
 
 
 def _assignment(path: Path) -> Assignment:
-    from drawings.acceptance.assignment import assignment
+    from drawings.pytest_plugin.assignment import assignment
 
     return assignment(path)
 

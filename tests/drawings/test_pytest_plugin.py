@@ -12,15 +12,15 @@ from xml.etree import ElementTree
 
 import pytest
 
-from drawings.acceptance.assertions import (
+from drawings.pytest_plugin.assertions import (
     Spot,
     assert_close_to_analysis,
     assert_sheet_matches,
     assert_well_drawn,
     picture,
 )
-from drawings.acceptance.assignment import AcceptanceError, Assignment
-from drawings.acceptance.handed_sheet import HandedSheet, NotDrawnError, handed
+from drawings.pytest_plugin.assignment import AcceptanceError, Assignment
+from drawings.pytest_plugin.handed_sheet import HandedSheet, NotDrawnError, handed
 from tests.drawings.students import TABLED, drawn, task, true_places
 from tests.drawings.test_grading import MISTAKES, made
 from tests.parts import first

@@ -1,17 +1,20 @@
-"""The frames about the cells of a table that nobody has filled in, of each of its parts on paper (рамка таблицы)."""
+"""Tables as they are ruled on a sheet: their cells, what is written in them, frames about them (таблица на листе)."""
 
 from __future__ import annotations
 
 import cmath
 import math
+import re
 from bisect import bisect
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from drawings.lettering.extent import bounds
 from drawings.paper.strokes import Leaf, Line, Polyline, Run, Stroke, Text
 from drawings.paper.walk import flat
+from drawings.reading.alphabet import folded
 from drawings.reading.transform import Affine
 
 LEVEL = 0.2  # mm: a line that is out by more is no line of a table, and two that are nearer are one
@@ -169,3 +172,84 @@ def _apart(one: Box, other: Box) -> float:
     """Give how far two boxes are from one another, across or up."""
     across = max(one.left - other.right, other.left - one.right, 0.0)
     return max(across, one.low - other.high, other.low - one.high)
+
+
+Key: TypeAlias = tuple[str, int | None, str]  # a row, the position of a column, and its heading, as they are seen
+
+
+_NUMBER = re.compile(r"\d+")
+
+
+class SeenCell(NamedTuple):
+    """A cell: its texts from left to right, whether other ink is in it, and where it is, mm, as upright a sheet."""
+
+    texts: tuple[Text, ...]
+    inked: bool
+    box: Box
+
+
+class SeenTable(NamedTuple):
+    """A table, or a part of one: the text in its corner, the headings of its columns, its rows, its cells."""
+
+    corner: Text
+    heads: Mapping[str, Text]  # by what is seen of them
+    labels: Mapping[str, Text]
+    cells: Mapping[Key, SeenCell]
+
+
+def tables_seen(sheet: Ruling, corners: Collection[str]) -> Iterator[SeenTable]:
+    """Give the tables of a sheet in whose corners one of some words stands, as they are seen."""
+    for spot, text in sheet.texts:
+        if folded(text.plain) in corners and (box := sheet.around(spot)) is not None:
+            found = _table(sheet, text, box)
+            if found is not None:
+                yield found
+
+
+def _table(sheet: Ruling, corner: Text, box: Box) -> SeenTable | None:
+    whole = Box(box.left, sheet.below(box), sheet.right_of(box), box.high)
+    inside = [(spot, text) for spot, text in sheet.texts if whole.holds(spot)]
+    edges = [x for x in sheet.columns(box.low) if box.left <= x <= whole.right + 1e-9]
+    floors = [y for y in sheet.rows((box.left + box.right) / 2) if whole.low - 1e-9 <= y <= box.low + 1e-9]
+    columns = _columns([one for one in inside if one[0].imag > box.low and one[0].real > box.right], edges)
+    if not columns or len(floors) < 2:
+        return None
+    heads = {folded(head.plain): head for head, _ in columns if head is not None}
+    cells, labels = dict[Key, SeenCell](), dict[str, Text]()
+    for low, high in pairwise(floors):
+        row = [_cell(sheet, inside, Box(left, low, right, high)) for left, right in pairwise(edges)]
+        if not row[0].texts:
+            continue
+        label = folded(" ".join(text.plain for text in row[0].texts))
+        labels.setdefault(label, row[0].texts[0])
+        for (head, position), cell in zip(columns, row[1:], strict=True):
+            if head is not None:
+                cells.setdefault((label, position, folded(head.plain)), cell)
+    return SeenTable(corner, heads, labels, cells)
+
+
+def _cell(sheet: Ruling, inside: Sequence[tuple[complex, Text]], box: Box) -> SeenCell:
+    own = sorted((spot.real, k) for k, (spot, _) in enumerate(inside) if box.holds(spot))
+    return SeenCell(tuple(inside[k][1] for _, k in own), any(box.holds(spot) for spot in sheet.ink), box)
+
+
+def _columns(heads: Sequence[tuple[complex, Text]], edges: Sequence[float]) -> list[tuple[Text | None, int | None]]:
+    """Give the heading and the position of each column: where there are positions, they stand in a row above."""
+    count = len(edges) - 2
+    heights = [spot.imag for spot, _ in heads]
+    if count < 1 or not heights:
+        return []
+    middle = (min(heights) + max(heights)) / 2
+    titled = max(heights) - min(heights) > min(text.size for _, text in heads)
+    low = [(spot, text) for spot, text in heads if not titled or spot.imag < middle]
+    names: list[Text | None] = [None] * count
+    for spot, text in low:
+        k = bisect(edges, spot.real) - 2
+        if 0 <= k < count:
+            names[k] = text
+    titles = sorted((spot.real, text.plain) for spot, text in heads if titled and spot.imag > middle)
+    numbers = [_NUMBER.search(plain) for _, plain in titles]
+    if not titles or count % len(titles) or not all(numbers):
+        return [(name, None) for name in names]
+    each = count // len(titles)
+    return [(name, int(found[0])) for k, name in enumerate(names) if (found := numbers[k // each]) is not None]

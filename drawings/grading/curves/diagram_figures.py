@@ -1,4 +1,4 @@
-"""The records of load diagrams, of kinematic diagrams, of charts of a cyclogram (диаграммы)."""
+"""The records of load diagrams, kinematic diagrams, charts of a cyclogram and arms of compensators (диаграммы)."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.bank.compensators import COMPENSATOR
+from drawings.bank.due import Bank, Body
 from drawings.cyclogram.due_rows import BARS, machine_rows
 from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
 from drawings.forces.due_loads import branches
@@ -20,6 +22,7 @@ from drawings.grading.curves.figure_records import (
     CHAIN,
     LENGTHS,
     ORDINATES,
+    POINTS,
     PRICKED,
     FigureAsked,
     Item,
@@ -29,11 +32,14 @@ from drawings.grading.curves.figure_records import (
     Values,
     by_number,
 )
+from drawings.grading.curves.radial_figures import arm_at, written
 from drawings.paper.strokes import Circle
 from drawings.paper.walk import flat, group_named
 from drawings.reading.marks import MeasuredVector
+from plans.bank.harmonics import FORCE, letters
 from plans.diagrams.quantities import DiagramsComparison
 from plans.forces.statics import Statics
+from plans.model.balance.bank import Compensator
 from plans.model.cyclogram import Row
 from plans.model.diagrams import TURN
 from plans.model.machine import Force, Moment
@@ -229,3 +235,68 @@ def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:
             k, m = names.index(one), names.index(other)
             values[k], values[m] = complex(true[other].real, true[one].imag), complex(true[one].real, true[other].imag)
             yield Mistake(verdict.EXCHANGED, values)
+
+
+def figures_of_arms(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+    """Give the arms of a bank's compensators (row of the table of records)."""
+    expected = Bank(study["bank"].task, study.comparison("bank"))
+    for one in expected.analysis.compensators:
+        layout = _Layout(own, f"{COMPENSATOR}-{one.asked.order}", expected, one)
+        bodies = list(expected.bodies(one))
+        yield from layout.arms("", [body for body in bodies if not body.coupled])
+        yield from layout.arms(" couple", [body for body in bodies if body.coupled])
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """The layout of compensators of one order on our own sheet."""
+
+    own: OwnSheet
+    plan: str
+    expected: Bank
+    found: Compensator
+
+    def arms(self, part: str, bodies: list[Body]) -> Iterator[FigureAsked]:
+        """Give the arms of some masses: to scale where their masses are given, else by their directions."""
+        drawn = {body.name: arm_at(self.own.leaf, self.plan, written(body.name)) for body in bodies}
+        shown = [body for body in bodies if drawn[body.name] is not None]
+        scales = self.own.scales(self.plan)
+        if not shown or "l" not in scales:
+            return
+        scaled = not part and not self.expected.nominal(self.found, not self.own.marks(self.plan))
+        true = np.array([body.way * self._long(body, drawn, scaled) for body in shown])
+        names = tuple(letters(FORCE, body.turns) for body in shown)
+        yield FigureAsked(
+            self.plan + part, self.plan, self.own.name, "m" if scaled else "mm", {"l": scales["l"]},
+            tuple(Item(body.name, None, k, body.name) for k, body in enumerate(shown)), true, np.zeros(len(true)),
+            np.full(len(true), PRICKED), POINTS if scaled else BEARINGS, why=because("compensator_arm"),
+            on_paper=not scaled, arms=tuple(written(body.name) for body in shown),
+            mistakes=(Mistake(verdict.HEAVY, -true), Mistake(verdict.EXCHANGED, true[::-1])),
+            behind=() if part else names, course=None if part else self._course(names, true),
+        )  # fmt: skip
+
+    def _long(self, body: Body, drawn: Mapping[str, tuple[complex, complex] | None], scaled: bool) -> float:
+        """Give how long an arm is, m; of one that is not to scale, mm on our own sheet."""
+        if scaled and self.found.asked.mass:
+            return body.moment / self.found.asked.mass
+        start, end = drawn[body.name] or (0j, 1 + 0j)
+        return abs(end - start)
+
+    def _course(self, names: tuple[str, ...], true: Values) -> Against:
+        harmonic = self.expected.analysis.forces[self.found.asked.order]
+        turn = self.expected.turn
+        forces = np.array([(harmonic.back if "-" in name else harmonic.ahead) * turn for name in names])
+        return Against(names, forces, true)
+
+
+@dataclass(frozen=True)
+class Against:
+    """The arms of masses against the forces of an order, as these are drawn."""
+
+    names: tuple[str, ...]
+    forces: Values
+    true: Values
+
+    def __call__(self, own: Mapping[str, Values]) -> Values:
+        """Lay each arm off against its force."""
+        return np.asarray(self.true * np.array([own[name][0] for name in self.names]) / self.forces)

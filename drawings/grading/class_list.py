@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from drawings.files.file_error import of_system
-from drawings.grading.asked import Allowances
+from drawings.grading.allowance import Allowances
 from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
 from drawings.grading.sheet_task import SheetTask
 from drawings.paper.limits import SHEET_BYTES

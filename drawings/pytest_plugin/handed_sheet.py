@@ -10,11 +10,12 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from drawings.acceptance.assignment import FAIR_HAND, Assignment, FilePath, alone, assignment, by_its_marks
+from drawings.grading.allowance import Allowance
+from drawings.grading.asked import plan_named, plan_told
 from drawings.grading.drawn_plan import DrawnPlan
-from drawings.grading.graded import Graded, plan_named
-from drawings.grading.seeing.onlooker import spelled
-from drawings.grading.told import plan_told
+from drawings.grading.graded import Graded
+from drawings.grading.onlooker import spelled
+from drawings.pytest_plugin.assignment import Assignment, FilePath, alone, assignment, by_its_marks
 from geometry.errors import DraftError
 from plans.words.words import ENGLISH, Message, languages, message, term
 
@@ -185,4 +186,4 @@ def handed(sheet: HandedSheet | FilePath) -> HandedSheet:
 @cache
 def _read(path: Path, changed: int, scene: Assignment | None) -> Graded:
     """Read a sheet, once as long as it is not changed: of a known scene by its letters too, else by its marks alone."""
-    return alone(path, by_its_marks) if scene is None else scene.graded(path, FAIR_HAND)
+    return alone(path, by_its_marks) if scene is None else scene.graded(path, Allowance())

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import lru_cache
+from itertools import pairwise
 from types import MappingProxyType
+from typing import NamedTuple
 
 from drawings.checks.letters import Label, labels_of
-from drawings.grading.cells.asked_table import NUMBER, levelled, plainly, value_of
-from drawings.grading.seeing.units import boxed_in, in_system, in_unit, stated
+from drawings.grading.units import boxed_in, stated
 from drawings.lettering.lettering import UnknownLetter, lacking, text_width
 from drawings.lettering.vector_letters import with_index
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import Leaf, Run, Stroke, Text
-from drawings.paper.walk import flat, texts
+from drawings.paper.strokes import Fill, Leaf, Line, Polyline, Run, Stroke, Text
+from drawings.paper.walk import flat, groups, texts
 from drawings.reading.alphabet import folded
 from drawings.reading.ink import Ink, length
 from drawings.reading.pathdata import number
@@ -43,73 +44,6 @@ def spelled_labels(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
     for letter, labels in labels_of(strokes).items():
         found.setdefault(spelled(letter), []).extend(labels)
     return found
-
-
-LENGTHS = "l"  # what a scale of lengths is lettered
-METRE = 1000.0  # mm
-_STATED = re.compile(
-    r"(?<![^\W\d_])(?P<kind>μ|mu|K|К)[_\s]?[{(]?(?P<letter>[^\s=:≈{}()]{1,6}?)[})]?\s*[=:≈]\s*"
-    rf"{NUMBER}(?:\s*/\s*(?P<under>\d+(?:[.,]\d+)?))?(?=(?P<rest>[^;=,]*))"
-)
-_RATIO = re.compile(r"\(?(?:M|М|[Ss]cale|[Мм]асштаб)?\s*(\d+(?:[.,]\d+)?)\s*:\s*(\d+(?:[.,]\d+)?)\)?")
-
-
-def stated_scales(texts: Iterable[Text], due: Mapping[str, str]) -> dict[str, float]:
-    """Give the scales that texts state, true units a mm, by the letters that are due with their units; the first goes.
-
-    >>> stated_scales([Text(0j, "μ_{v} = 10 (mm/s)/mm, K_M=2.5·10^{-4} mm/(N·m)")], {"v": "m/s", "M": "N*m"})
-    {'v': 0.01, 'M': 4000.0}
-    """
-    found: dict[str, float] = {}
-    for text in texts:
-        own = ((letter, next(scales_of(text, letter, unit), None)) for letter, unit in due.items())
-        found = {letter: mu for letter, mu in own if mu is not None} | found
-    return found
-
-
-def scales_of(text: Text, letter: str, unit: str) -> Iterator[float]:
-    """Give the scales of one letter that a text states, true units a mm; one of lengths may be a ratio.
-
-    >>> [*scales_of(Text(0j, "μl = 0.0025 m/mm (1:2.5)"), "l", "m")], [*scales_of(Text(0j, "M 1:2"), "l", "m")]
-    ([0.0025], [0.002])
-    """
-    plain = plainly(levelled(text))
-    for found in _STATED.finditer(plain):
-        under = float((found["under"] or "1").replace(",", "."))
-        if folded(found["letter"]) == folded(letter) and (value := value_of(found)[0]) and under:
-            mu = value / under * _worth(found["rest"], unit, found["kind"] in "KК")
-            yield 1 / mu if found["kind"] in "KК" else mu
-    if letter == LENGTHS and (ratio := _RATIO.fullmatch(plain)):
-        paper, true = (float(one.replace(",", ".")) for one in ratio.groups())
-        if paper and true:
-            yield true / paper / METRE
-
-
-def _worth(rest: str, unit: str, inverse: bool) -> float:
-    """Give by what a number is multiplied whose unit stands before other words; by nothing where it has none.
-
-    A unit of another quantity is taken as it is: it is the number that tells a plan by its scale.
-    """
-    words = re.split(r"\(\d", rest)[0].split()
-    for count in range(len(words), 0, -1):
-        times = _times(" ".join(words[:count]), unit, inverse)
-        if times is not None:
-            return times
-    return 1.0
-
-
-def _times(own: str, unit: str, inverse: bool) -> float | None:
-    """Give what a unit is worth in that which is due, or in that of the system where none is known.
-
-    Where it has no mm in it, it is of what one mm shows.
-    """
-    if unit:
-        told = in_unit(own, f"mm/({unit})" if inverse else f"({unit})/mm")
-        return in_unit(own, unit) if told is None and not inverse else told
-    worth = in_system(own)
-    if worth is None or not re.search("mm|мм", own):
-        return worth
-    return worth * METRE if inverse else worth / METRE
 
 
 def legible(leaf: Leaf) -> Leaf:
@@ -183,3 +117,78 @@ def _heads(attributes: Mapping[str, str]) -> frozenset[str]:
         return frozenset()
     own = {**attributes, **declarations(said(attributes))}
     return frozenset(name for name in (BEGIN, END) if own.get(name, "none") != "none")
+
+
+FORCE = "force"  # the kind of marks that are not to scale
+
+
+TIP = 1.0  # mm: how far the tip of an arrowhead may be from the end of its line
+
+
+HEAD = 12.0  # mm: a larger filled figure is no arrowhead
+
+
+JOINED = 2.0  # mm: ends of arrows that are nearer to each other are at one place
+
+
+class Segment(NamedTuple):
+    """A straight line, and whether it has an arrowhead, to which it goes."""
+
+    start: complex
+    end: complex
+    headed: bool = False
+
+
+def segments(leaf: Leaf, heads: Mapping[int, Collection[str]]) -> list[Segment]:
+    """Give the straight lines of a sheet; one with an arrowhead goes to it, with two both ways, another as drawn.
+
+    Our own arrows of forces are left out: they are not to scale, and no side of a polygon that bears their letters.
+    """
+    own = list(flat(leaf.groups))
+    tips = [spot for one in own for spot in _tips(one)]
+    unscaled = {id(one) for group in groups(leaf.groups) if group.data.get("kind") == FORCE for one in group.strokes}
+    straight = [one for one in own if (isinstance(one, Line) or _straight(one)) and id(one) not in unscaled]
+    double = [one for one in straight if {BEGIN, END} <= set(heads.get(id(one), ()))]
+    back = (Segment(end, start, True) for start, end, _ in (_segment(one, heads, tips) for one in double))
+    return [*(_segment(one, heads, tips) for one in straight), *back]
+
+
+def _straight(one: Stroke) -> bool:
+    return isinstance(one, Polyline) and len(one.points) == 2 and one.style.colour != "none"
+
+
+def _tips(one: Stroke) -> Iterator[complex]:
+    """Give the corners of what may be an arrowhead: a small filled figure of three or four of them."""
+    points = one.points if isinstance(one, Fill | Polyline) else ()
+    if isinstance(one, Polyline) and one.style.fill == "none":
+        return
+    if 3 <= len(points) <= 5 and max(abs(a - b) for a, b in pairwise((*points, points[0]))) <= HEAD:
+        yield from points
+
+
+def _segment(one: Stroke, heads: Mapping[int, Collection[str]], tips: Sequence[complex]) -> Segment:
+    start, end = (one.start, one.end) if isinstance(one, Line) else one.points  # type: ignore[union-attr]
+    marked = heads.get(id(one), ())
+    at_end = END in marked or _near(end, tips)
+    at_start = BEGIN in marked or _near(start, tips)
+    if at_start and not at_end:
+        return Segment(end, start, True)
+    return Segment(start, end, at_end)
+
+
+def _near(spot: complex, tips: Sequence[complex]) -> bool:
+    return any(abs(spot - tip) <= TIP for tip in tips)
+
+
+def figures(own: Sequence[Segment]) -> list[list[Segment]]:
+    """Put together the segments with arrowheads that hang together by their ends."""
+    found: list[list[Segment]] = []
+    for one in (one for one in own if one.headed):
+        touched = [figure for figure in found if any(_touch(one, other) for other in figure)]
+        found = [figure for figure in found if figure not in touched]
+        found.append([one, *(part for figure in touched for part in figure)])
+    return found
+
+
+def _touch(one: Segment, other: Segment) -> bool:
+    return any(abs(a - b) <= JOINED for a in (one.start, one.end) for b in (other.start, other.end))

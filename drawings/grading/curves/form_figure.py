@@ -10,8 +10,8 @@ import numpy as np
 from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, Frame, away, chains, foot, heights
 from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Sizes, Values
 from drawings.grading.drawn_plan import Arrow
-from drawings.grading.form_places import form_places
-from drawings.grading.seeing.onlooker import stated_scales
+from drawings.grading.plans_on_form import form_places
+from drawings.grading.written_number import stated_scales
 from drawings.paper.strokes import Group, Line
 from drawings.paper.walk import flat, groups, texts
 from drawings.reading.sheet import SeenSheet

@@ -8,14 +8,12 @@ from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import NamedTuple, TypeAlias, TypeVar
 
-from drawings.grading.asked import Allowance, Allowances, Asked, PlanAsked, ends_of
+from drawings.grading.allowance import Allowance, Allowances, allowance
+from drawings.grading.asked import Asked, Place, PlanAsked, ends_of
+from drawings.grading.class_list import grade_all, grade_own
 from drawings.grading.drawn_plan import from_marks
-from drawings.grading.feedback import allowance
 from drawings.grading.graded import OURS, PASS, UNREAD, Graded, grade
-from drawings.grading.marking import Place
-from drawings.grading.roll import grade_all, grade_own
 from drawings.grading.sheet_task import SheetTask, sheet_task
-from drawings.grading.told import Hints, hints
 from drawings.paper.limits import SheetRefused
 from drawings.reading.measure import Measured, measure
 from drawings.reading.sheet import see
@@ -75,8 +73,14 @@ def _stated(measured: Measured) -> list[PlanAsked]:
     return [PlanAsked(*place, "", units[place], tuple(own), {}) for place, own in places.items()]
 
 
-FAIR_HAND = "0.2 mm"  # what a fair hand slips by, which is allowed where nothing else is said
 FilePath: TypeAlias = str | os.PathLike[str]
+
+
+def tolerated(tolerance: str) -> Allowance:
+    """Read a tolerance."""
+    if (found := allowance(tolerance)) is None:
+        raise AcceptanceError(message("accept.tolerance", tolerance=tolerance))
+    return found
 
 
 class Assignment:
@@ -96,16 +100,8 @@ class Assignment:
         """What the sheets ask for."""
         return sheet_task(self.originals)
 
-    @cached_property
-    def hints(self) -> Hints:
-        """The steps by which each quantity is found, by its name."""
-        return {name: own for plan in self.task.plans for name, own in hints(plan)}
-
-    def graded(self, path: Path, tolerance: str) -> Graded:
+    def graded(self, path: Path, by: Allowance) -> Graded:
         """Grade a sheet; one that cannot be read is rejected with the reason."""
-        by = allowance(tolerance)
-        if by is None:
-            raise AcceptanceError(message("accept.tolerance", tolerance=tolerance))
         self._try_own(by)
         return alone(path, partial(grade, task=self.task, by=Allowances(by)))
 

@@ -9,15 +9,15 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from drawings.acceptance.assignment import FAIR_HAND, AcceptanceError, Assignment, FilePath, OnPaper
-from drawings.acceptance.handed_sheet import HandedSheet, ReadVector, handed
 from drawings.files.atomic_files import write
 from drawings.grading import verdict
-from drawings.grading.feedback import RADIUS, RED, WIDTH, is_plain, safe
+from drawings.grading.allowance import Allowance
+from drawings.grading.feedback import RADIUS, RED, WIDTH, gathered, is_plain, safe, with_values, without_values
 from drawings.grading.graded import Graded
-from drawings.grading.told import gathered, with_values, without_values
 from drawings.grading.verdict import Verdict
 from drawings.paper.limits import SHEET_BYTES
+from drawings.pytest_plugin.assignment import AcceptanceError, Assignment, FilePath, OnPaper, tolerated
+from drawings.pytest_plugin.handed_sheet import HandedSheet, ReadVector, handed
 from geometry.regular_file import regular_bytes
 from plans.words.words import Message, message
 
@@ -91,7 +91,7 @@ TOLD = 30  # lines of what is wrong in one message
 
 
 def assert_close_to_analysis(
-    sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None, tolerance: str = FAIR_HAND
+    sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None, tolerance: str = "0.2 mm"
 ) -> None:
     """Fail if a vector, a value or a number is not what the analysis gives, or cannot be read.
 
@@ -99,16 +99,17 @@ def assert_close_to_analysis(
     """
     __tracebackhide__ = True
     own = handed(sheet).of(scene)
-    graded = _scene(own).graded(own.path, tolerance)
+    by = tolerated(tolerance)
+    graded = _scene(own).graded(own.path, by)
     wrong = [one for one in (*graded.wrong, *graded.unseen) if one.kind not in verdict.OF_DRAWING]
-    _assert_none(own, graded, wrong, message("accept.off", sheet=own.path.name, tolerance=tolerance))
+    _assert_none(own, graded, wrong, message("accept.off", sheet=own.path.name, tolerance=by.told))
 
 
 def assert_well_drawn(sheet: HandedSheet | FilePath, scene: Assignment | FilePath | None = None) -> None:
     """Fail if a scale is not written, arrows do not meet, or letters are missing or swapped."""
     __tracebackhide__ = True
     own = handed(sheet).of(scene)
-    graded = _scene(own).graded(own.path, FAIR_HAND)
+    graded = _scene(own).graded(own.path, Allowance())
     wrong = [one for one in graded.wrong if one.kind in verdict.OF_DRAWING]
     _assert_none(own, graded, wrong, message("accept.ill_drawn", sheet=own.path.name))
 
@@ -152,7 +153,7 @@ def _assert_none(own: HandedSheet, graded: Graded, wrong: Sequence[Verdict], hea
 
 def _lines(own: HandedSheet, graded: Graded, one: Verdict) -> Iterator[str]:
     """Tell of a verdict, and what is drawn and what the analysis gives."""
-    hints = _scene(own).hints
+    hints = _scene(own).task.hints
     yield (without_values if own.silent else with_values)(one, hints, own.language)
     plan = next((plan for plan in graded.drawn if plan.asked.place == (one.plan, one.position)), None)
     if own.silent or plan is None:

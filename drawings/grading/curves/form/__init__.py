@@ -1,1 +1,0 @@
-"""Figures without marks, which a student drew in their places on our form (на бланке)."""
