@@ -30,7 +30,7 @@ class Nothing(NamedTuple):
 
 def nothing(states: Iterable[State], size: float) -> Nothing:
     """Tell what is nothing in all states of a mechanism of some size, m: by its largest forces in any of them."""
-    largest = max(one.forces.largest for one in states)
+    largest = max(state.forces.largest for state in states)
     return Nothing(NOTHING * largest, NOTHING * largest * size, NOTHING * size)
 
 
@@ -52,34 +52,38 @@ def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, draft
         f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
-    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
+    lines = [
+        TableRow(counterweight(weight.link, drafting.language), _weight(weight, mechanism, drafting))
+        for weight in weights
+    ]
     return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
 
 
-def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
-    if not one.needed:
+def _weight(weight: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
+    if not weight.needed:
         return "0", "0", *(NONE for _ in range(6))
-    place, number = one.place, drafting.number
-    sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
+    place, number = weight.place, drafting.number
+    sizes = (MILLIMETRES * size for size in (weight.outer, place.thickness))
     return (
-        number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
-        number(MILLIMETRES * one.distance, DIGITS), number(degrees(one, mechanism), DIGITS), shape(one, drafting),
+        number(abs(weight.moment), DIGITS), number(weight.mass, DIGITS), weight.begin,
+        number(MILLIMETRES * weight.distance, DIGITS), number(degrees(weight, mechanism), DIGITS),
+        shape(weight, drafting),
         *(number(size, DIGITS) for size in sizes),
     )  # fmt: skip
 
 
-def degrees(one: Counterweight, mechanism: Mechanism) -> float:
+def degrees(weight: Counterweight, mechanism: Mechanism) -> float:
     """Give the direction of a counterweight from its link's line in degrees, without noise about 0 and 180."""
-    moment = one.moment / line_of(mechanism, one.link, one.begin)
+    moment = weight.moment / line_of(mechanism, weight.link, weight.begin)
     angle = math.degrees(cmath.phase(moment))
     return abs(angle) if abs(moment.imag) <= NOTHING * abs(moment) else angle
 
 
-def shape(one: Counterweight, drafting: Drafting) -> str:
+def shape(weight: Counterweight, drafting: Drafting) -> str:
     """Say what shape a counterweight has."""
-    if one.place.shape == DISC:
+    if weight.place.shape == DISC:
         return drafting.word("disc")
-    return drafting.word("sector", angle=drafting.number(math.degrees(2 * one.place.half_angle)))
+    return drafting.word("sector", angle=drafting.number(math.degrees(2 * weight.place.half_angle)))
 
 
 class Quantity(NamedTuple):
@@ -100,7 +104,7 @@ def costs(before: State, after: State | None, none: Nothing, drafting: Drafting,
     heads = ("before column", "after column", "change column")
     told = quantities(before, none, drafting, shaft)
     words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
-    lines = [TableRow(one.name, cells(one, before, after, drafting)) for one in told]
+    lines = [TableRow(cost.name, cells(cost, before, after, drafting)) for cost in told]
     heading = drafting.word("largest value", count=before.count)
     return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
 
@@ -110,16 +114,16 @@ def quantities(
 ) -> Iterator[Quantity]:
     """List what is told of a state, every pair's reaction among it; lengths by a unit and how many make a metre."""
     word, (unit, parts) = drafting.word, length
-    yield Quantity(word("path of S", unit=word(unit)), lambda one: parts * one.path, parts * none.way)
-    yield Quantity(f"{FORCE}, {word('N')}", lambda one: one.shaking, none.force)
+    yield Quantity(word("path of S", unit=word(unit)), lambda state: parts * state.path, parts * none.way)
+    yield Quantity(f"{FORCE}, {word('N')}", lambda state: state.shaking, none.force)
     moment = word("moment about", letter=MOMENT, point=shaft, unit=word("N*m"))
-    yield Quantity(moment, lambda one: one.rocking, none.moment)
+    yield Quantity(moment, lambda state: state.rocking, none.moment)
     for key, pair in state.forces.reactions.items():
         letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
         yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
     balancing = f"{letter_of(BALANCING, drafting)}, {word('N*m')}"
-    yield Quantity(balancing, lambda one: one.balancing, none.moment)
-    yield Quantity(word("moving mass", unit=word("kg")), lambda one: one.centre.mass)
+    yield Quantity(balancing, lambda state: state.balancing, none.moment)
+    yield Quantity(word("moving mass", unit=word("kg")), lambda state: state.centre.mass)
 
 
 def _reaction(key: str, state: State) -> float:
@@ -127,13 +131,13 @@ def _reaction(key: str, state: State) -> float:
 
 
 def cells(
-    one: Quantity, before: State, after: State | None, drafting: Drafting, digits: int = DIGITS
+    quantity: Quantity, before: State, after: State | None, drafting: Drafting, digits: int = DIGITS
 ) -> tuple[str, ...]:
     """Write a quantity before and after, and how it changes."""
-    was = one.value(before)
+    was = quantity.value(before)
     if after is None:
         return (drafting.number(was, digits),)
-    now = one.value(after)
+    now = quantity.value(after)
     return drafting.number(was, digits), drafting.number(now, digits), change(was, now, drafting)
 
 

@@ -96,7 +96,7 @@ class Balanced:
     @cached_property
     def none(self) -> Nothing:
         """What is nothing on the sheets."""
-        largest = max(one.forces.largest for one in self.states.values())
+        largest = max(state.forces.largest for state in self.states.values())
         return Nothing(VANISHING * largest, VANISHING * largest * self.reach, VANISHING * self.reach)
 
     @cached_property
@@ -107,7 +107,7 @@ class Balanced:
 
     def weights(self, state: str) -> list[Counterweight]:
         """List the counterweights that are on in a state."""
-        return [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
+        return [weight for weight in self.balance.counterweights if weight.needed] if state == AFTER else []
 
     def solid(self, state: str) -> list[Body]:
         """List what has mass in a state, each counterweight by itself."""
@@ -123,7 +123,9 @@ class Balanced:
     def points(self) -> dict[str, complex]:
         """The places of the points of all links, the fixed ones among them, and of mass centres that no point names."""
         fixed, moving = self.mechanism.links[FRAME].points, self.comparison.motion.analysis.points
-        found = dict(fixed) | {name: complex(one.r[self.shown]) for name, one in moving.items() if name not in fixed}
+        found = dict(fixed) | {
+            name: complex(point.r[self.shown]) for name, point in moving.items() if name not in fixed
+        }
         for link, body in self.own.machine.bodies.items():
             if f"S{link}" not in found and self._is_apart(link, body.centre):
                 found[f"S{link}"] = self.at(link, body.centre)
@@ -145,7 +147,7 @@ class Balanced:
     def chain(self, state: str) -> Iterator[Side]:
         """Lay the main-point vectors end to end: of the frame's hinges, of the links, along guides."""
         solid, end = self.solid(state), 0j
-        mass = sum(one.mass for one in solid)
+        mass = sum(body.mass for body in solid)
         for name, value in self._sides(state, solid, mass):
             if abs(value) > KNOWN * self.reach:
                 yield Side(name, end, value)
@@ -153,18 +155,18 @@ class Balanced:
 
     def _sides(self, state: str, solid: list[Body], mass: float) -> Iterator[tuple[str, complex]]:
         tree, motion = self.own.tree, self.comparison.motion.analysis
-        behind = {one.link: sum(b.mass for b in solid if b.link in set(tree.behind(one.link))) for one in tree.stems}
-        yield "h_0", sum((behind[one.link] * one.at for one in tree.rooted), 0j) / mass
+        behind = {stem.link: sum(b.mass for b in solid if b.link in set(tree.behind(stem.link))) for stem in tree.stems}
+        yield "h_0", sum((behind[stem.link] * stem.at for stem in tree.rooted), 0j) / mass
         for link, own in self.vectors(state).items():
             yield f"h_{link}", own * cmath.exp(1j * float(motion.links[link].angle[self.shown]))
-        for one in tree.variable:
-            along = self.at(one.link, one.origin) - self.at(one.parent, one.at)
-            yield f"u_{one.link}", behind[one.link] * along / mass
+        for stem in tree.variable:
+            along = self.at(stem.link, stem.origin) - self.at(stem.parent, stem.at)
+            yield f"u_{stem.link}", behind[stem.link] * along / mass
 
     def moments(self) -> Iterator[Side]:
         """Lay the static moments kg*m of the links end to end."""
         end = 0j
-        told = {one.link: one for one in self.solid(BEFORE)}
+        told = {body.link: body for body in self.solid(BEFORE)}
         for stem in self.own.tree.stems:
             if stem.link in told:
                 value = told[stem.link].mass * self.at(stem.link, told[stem.link].centre)
@@ -173,7 +175,7 @@ class Balanced:
 
     def slack(self, name: str, plan: str = "centre", position: int | None = None) -> float:
         """Give twice what the two roads may differ by in a quantity, in a position or in any."""
-        rows = [one.allowed for one in self.comparison.of(plan) if one.name == name]
+        rows = [quantity.allowed for quantity in self.comparison.of(plan) if quantity.name == name]
         told = [float(np.nanmax(row)) if position is None else float(row[min(position, len(row) - 1)]) for row in rows]
         return 2 * max(told, default=0.0)
 
@@ -209,33 +211,35 @@ class _Sheet:
         for state in own.states:
             plan, slack = SCHEME + state, own.slack(f"r_S{PRIMES[state]}", position=k) + KNOWN * own.reach
             places = {name: spot for name, spot in own.points.items() if name != own.mechanism.drive.pivot}
-            places |= {f"m_cw{one.link}": own.at(one.link, one.centre) for one in own.weights(state)}
+            places |= {f"m_cw{weight.link}": own.at(weight.link, weight.centre) for weight in own.weights(state)}
             places[CENTRE] = own.centre(state)
             for name, place in places.items():
                 yield Expected(Kind.POINT, plan, name, place, slack, k)
-            yield from (Expected(Kind.VECTOR, plan, one.name, one.value, slack, k, True) for one in own.chain(state))
+            yield from (
+                Expected(Kind.VECTOR, plan, vector.name, vector.value, slack, k, True) for vector in own.chain(state)
+            )
 
     def polygon(self) -> Iterator[Expected]:
         """Give the static moments and their sum, but for what is nothing beside all of them."""
         own, sides = self.own, list(self.own.moments())
-        size, mass = sum(abs(one.value) for one in sides), own.balance.before.centre.mass
+        size, mass = sum(abs(side.value) for side in sides), own.balance.before.centre.mass
         slack = own.slack("Σmr/m", position=own.shown) * mass + KNOWN * size
-        for name, value in (*((one.name, one.value) for one in sides), (RESULT, sum(one.value for one in sides))):
+        for name, value in (*((side.name, side.value) for side in sides), (RESULT, sum(side.value for side in sides))):
             if abs(value) > KNOWN * size:
                 yield Expected(Kind.VECTOR, MOMENTS, name, value, slack, own.shown)
 
     def shaking(self) -> Iterator[Expected]:
         """Give the main vectors: their ends at all positions, and themselves in the one shown."""
         own = self.own
-        largest = max(one.shaking for one in own.states.values())
+        largest = max(machine.shaking for machine in own.states.values())
         slack = max(own.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + KNOWN * largest
-        for state, one in own.states.items():
-            if one.shaking > own.none.force:
-                known = ((k, complex(value)) for k, value in enumerate(one.centre.force) if cmath.isfinite(value))
+        for state, machine in own.states.items():
+            if machine.shaking > own.none.force:
+                known = ((k, complex(value)) for k, value in enumerate(machine.centre.force) if cmath.isfinite(value))
                 for k, value in known:
-                    lacks = k not in own.told or _spread(one) < largest
+                    lacks = k not in own.told or _spread(machine) < largest
                     yield Expected(Kind.POINT, SHAKING, f"{state} {k}", value, slack, k, lacks)
-                value = complex(one.centre.force[own.shown])
+                value = complex(machine.centre.force[own.shown])
                 if cmath.isfinite(value):
                     name = f"{FORCE}{PRIMES[state]}"
                     yield Expected(Kind.VECTOR, SHAKING, name, value, slack, own.shown, abs(value) < 0.1 * largest)
@@ -243,14 +247,14 @@ class _Sheet:
     def rocking(self) -> Iterator[Expected]:
         """Give the ordinates of the main moment at the positions, those of the state that is told last."""
         own = self.own
-        largest = max(one.rocking for one in own.states.values())
+        largest = max(state.rocking for state in own.states.values())
         slack = max(own.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + KNOWN * largest
         values = list(own.states.values())[-1].centre.moment
         for k, value in enumerate(np.where(np.abs(values) <= own.none.moment, 0.0, values).tolist()):
             yield Expected(Kind.VECTOR, ROCKING, str(k), 1j * value, slack, k, may_lack=True)
         names = ("last, before", "last") if len(own.states) > 1 else ("last",)
-        for name, one in zip(names, own.states.values(), strict=True):
-            around = one.around
+        for name, state in zip(names, own.states.values(), strict=True):
+            around = state.around
             if own.whole and not np.isnan(around.moment).any():
                 moments = np.where(np.abs(around.moment) <= own.none.moment, 0.0, around.moment)
                 points = course(np.degrees(own.own.linkage.sense * (around.phi - around.phi[0])), moments)
@@ -263,35 +267,35 @@ class _Sheet:
         if found is None:
             return
         best = {"force": found.least_force, "reaction": found.least_reaction}
-        for kind, one in best.items():
-            value = _value(one, kind)
+        for kind, choice in best.items():
+            value = _value(choice, kind)
             yield Expected(Kind.VECTOR, SHARES, kind, 1j * value, KNOWN * value, may_lack=True)
             row = sorted((each.share, _value(each, kind)) for each in (*found.curve, *best.values()))
             x, y = np.array([share for share, _ in row]), np.array([value for _, value in row])
             points = course(x, y)
             yield Expected(Kind.CURVE, SHARES, kind, points, KNOWN * float(y.max()), ends=(float(x[0]), float(x[-1])))
-            told = (f"least {kind}", value, KNOWN * value), (f"share {kind}", one.share, KNOWN * abs(one.share))
+            told = (f"least {kind}", value, KNOWN * value), (f"share {kind}", choice.share, KNOWN * abs(choice.share))
             yield from phrases(SHARES, told, digits=4)
 
     def weights(self) -> Iterator[Expected]:
         """Give the cells of the table of counterweights."""
-        for one in self.own.balance.counterweights:
-            row = counterweight(one.link, self.own.drafting.language)
-            told = self._weight(one) if one.needed else ["0", "0", *[None] * 6]
+        for weight in self.own.balance.counterweights:
+            row = counterweight(weight.link, self.own.drafting.language)
+            told = self._weight(weight) if weight.needed else ["0", "0", *[None] * 6]
             yield from cells(WEIGHTS, row, told, digits=DIGITS)
 
-    def _weight(self, one: Counterweight) -> Sequence[Cell]:
+    def _weight(self, weight: Counterweight) -> Sequence[Cell]:
         own, word = self.own, self.own.drafting.word
-        slacks = [own.slack(f"{letter}{one.link}", WEIGHTS) for letter in ("U_", "m_cw", "r_cw")]
-        turned = one.moment / line_of(own.mechanism, one.link, one.begin)
-        loose = math.degrees(slacks[0] / abs(one.moment) + KNOWN)
-        sector = own.drafting.number(math.degrees(2 * one.place.half_angle))
-        outer = MILLIMETRES * one.outer
+        slacks = [own.slack(f"{letter}{weight.link}", WEIGHTS) for letter in ("U_", "m_cw", "r_cw")]
+        turned = weight.moment / line_of(own.mechanism, weight.link, weight.begin)
+        loose = math.degrees(slacks[0] / abs(weight.moment) + KNOWN)
+        sector = own.drafting.number(math.degrees(2 * weight.place.half_angle))
+        outer = MILLIMETRES * weight.outer
         return [
-            (abs(one.moment), slacks[0]), (one.mass, slacks[1]), with_index(one.begin),
-            (MILLIMETRES * one.distance, MILLIMETRES * slacks[2]), (math.degrees(cmath.phase(turned)), loose, TURN),
-            word("disc") if one.place.shape == DISC else word("sector", angle=sector),
-            (outer, outer * slacks[1] / one.mass), (MILLIMETRES * one.place.thickness, 0.0),
+            (abs(weight.moment), slacks[0]), (weight.mass, slacks[1]), with_index(weight.begin),
+            (MILLIMETRES * weight.distance, MILLIMETRES * slacks[2]), (math.degrees(cmath.phase(turned)), loose, TURN),
+            word("disc") if weight.place.shape == DISC else word("sector", angle=sector),
+            (outer, outer * slacks[1] / weight.mass), (MILLIMETRES * weight.place.thickness, 0.0),
         ]  # fmt: skip
 
     def costs(self) -> Iterator[Expected]:
@@ -302,7 +306,7 @@ class _Sheet:
         for row, value in was.items():
             both = [value, now[row]] if row in now else [value]
             change = [(100 * (now[row] / value - 1), CHANGE) if value else None] if row in now else []
-            *told, last = cells(COSTS, row, [*((one, KNOWN * abs(one)) for one in both), *change], digits=DIGITS)
+            *told, last = cells(COSTS, row, [*((value, KNOWN * abs(value)) for value in both), *change], digits=DIGITS)
             yield from (*told, last._replace(digits=3 if change else DIGITS))
 
     def _largest(self, state: State) -> Iterator[tuple[str, float]]:
@@ -312,16 +316,18 @@ class _Sheet:
         yield f"{FORCE}, {word('N')}", _rounded(state.shaking, none.force)
         shaft = own.mechanism.drive.pivot
         yield word("moment about", letter=MOMENT, point=shaft, unit=word("N*m")), _rounded(state.rocking, none.moment)
-        for key, one in state.forces.reactions.items():
-            letter = own.drafting.letter(with_index(f"{own.drafting.reactions}_{indices(one.giver, one.taker)}"))
+        for key, reaction in state.forces.reactions.items():
+            letter = own.drafting.letter(
+                with_index(f"{own.drafting.reactions}_{indices(reaction.giver, reaction.taker)}")
+            )
             yield f"{letter}, {word('N')}", _rounded(state.reactions[key], none.force)
         balancing = own.drafting.letter(with_index(BALANCING))
         yield f"{balancing}, {word('N*m')}", _rounded(state.balancing, none.moment)
         yield word("moving mass", unit=word("kg")), state.centre.mass
 
 
-def _value(one: Choice, kind: str) -> float:
-    return one.force if kind == "force" else one.reaction
+def _value(choice: Choice, kind: str) -> float:
+    return choice.force if kind == "force" else choice.reaction
 
 
 def _rounded(value: float, none: float) -> float:

@@ -61,7 +61,7 @@ def curve(
         swung = swing(bare)
         return swung._replace(values=np.full(len(swung.values), np.nan))
     angles = np.degrees(sense * (own.around.phi - own.around.phi[0]))
-    gaps = any(np.isnan(one.around.moment).any() for one in (first, own))  # beside one a curve is cut off
+    gaps = any(np.isnan(state.around.moment).any() for state in (first, own))  # beside one a curve is cut off
     whole = bare._replace(angles=angles, values=_course(own, least), states="" if gaps else "last")
     return whole if own is first else whole._replace(before=_course(first, least))
 
@@ -96,7 +96,7 @@ class ShareGraph(NamedTuple):
         """Both curves with their least places among their points."""
         found, choices = {}, (*self.shares.curve, self.shares.least_force, self.shares.least_reaction)
         for name in (FORCES, REACTIONS):
-            found[name] = sorted({(one.share, value_of(one, name)) for one in choices})
+            found[name] = sorted({(choice.share, value_of(choice, name)) for choice in choices})
         return found
 
     @property
@@ -110,9 +110,9 @@ class ShareGraph(NamedTuple):
         return max(self.bare, *(value for row in self.rows.values() for _, value in row))
 
 
-def value_of(one: Choice, name: str) -> float:
+def value_of(choice: Choice, name: str) -> float:
     """Give what is largest with a share, N: by the name of a curve."""
-    return one.force if name == FORCES else one.reaction
+    return choice.force if name == FORCES else choice.reaction
 
 
 def measure(shown: ShareGraph, drafting: Drafting) -> Picture:
@@ -147,7 +147,7 @@ def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
 def _curve(shown: ShareGraph, name: str, graph: Graph, drafting: Drafting) -> Iterator[Stroke]:
     """Draw a curve and the ordinate of its least place, which can be measured."""
     hand, best = drafting.hand, shown.best[name]
-    spots = tuple(graph.axes.on(*one) for one in shown.rows[name])
+    spots = tuple(graph.axes.on(*row) for row in shown.rows[name])
     course = Polyline(spots, False, hand.result if name == FORCES else hand.relative)
     yield Group((course,), f"{NAME}-{name}", states=Statement(Kind.CURVE, NAME, name))
     text, least = least_text(best, name, curve_letters(shown.reaction)[name], drafting), value_of(best, name)

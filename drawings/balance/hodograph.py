@@ -55,15 +55,15 @@ class ShakingHodograph(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        rows = [row for one in self.vectors for row in (one.values, one.ends)]
+        rows = [row for vector in self.vectors for row in (vector.values, vector.ends)]
         values = np.concatenate([np.zeros(1, np.complex128), *rows])
         return [complex(value) for value in values[~np.isnan(values.real)]]
 
 
 def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bool = True) -> ShakingHodograph:
     """Gather the main vectors of states by their names, over the turn and at the positions; none below `nothing` N."""
-    seen = {name: one for name, one in states.items() if one.shaking > nothing}
-    vectors = tuple(MainVector(name, one.around.force, _ends_of(one, shown)) for name, one in seen.items())
+    seen = {name: state for name, state in states.items() if state.shaking > nothing}
+    vectors = tuple(MainVector(name, state.around.force, _ends_of(state, shown)) for name, state in seen.items())
     return ShakingHodograph(vectors, shown, whole)
 
 
@@ -93,16 +93,16 @@ def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting)
     under = ";  ".join([drafting.scale(spot.scale), *([drafting.word("thin before")] if both else [])])
     lines: list[Stroke] = [heading(spot.box, drafting.word("shaking hodograph"), under, hand)]
     named, numbers = list[Letter](), list[Letter]()
-    for one in shown.vectors:
-        end = complex(one.ends[shown.shown])
-        style = hand.other if both and one.state == BEFORE else hand.result
-        lines.append(Group(tuple(_curve(one.values, place, style) if shown.whole else ()), f"{NAME}-{one.state}"))
-        lines += arrow(subject, letter_of(one.state), end, place, hand)
-        lines += _ends(one, subject, place, hand)
+    for vector in shown.vectors:
+        end = complex(vector.ends[shown.shown])
+        style = hand.other if both and vector.state == BEFORE else hand.result
+        lines.append(Group(tuple(_curve(vector.values, place, style) if shown.whole else ()), f"{NAME}-{vector.state}"))
+        lines += arrow(subject, letter_of(vector.state), end, place, hand)
+        lines += _ends(vector, subject, place, hand)
         if place.length(abs(end)) > LEAST:  # not of a gap either
-            named.append(letter_beside(letter_of(one.state), end, place, hand))
-        if one.told(place):
-            numbers += outward(one.ends, np.flatnonzero(~np.isnan(one.ends.real)).tolist(), place, hand)
+            named.append(letter_beside(letter_of(vector.state), end, place, hand))
+        if vector.told(place):
+            numbers += outward(vector.ends, np.flatnonzero(~np.isnan(vector.ends.real)).tolist(), place, hand)
     lines.append(pole_of(subject, place))
     return Part(NAME, tuple(lines), (pole_letter(place, hand), *named, *numbers))
 
@@ -113,10 +113,10 @@ def _curve(values: Complexes, place: Place, style: LineStyle) -> Iterator[Stroke
         yield Polyline(tuple(place.on(complex(values[k])) for k in run), False, style)
 
 
-def _ends(one: MainVector, subject: Subject, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _ends(vector: MainVector, subject: Subject, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Mark the ends at the positions by state and number; where these are told they can be measured."""
-    for k, value in enumerate(one.ends.tolist()):
+    for k, value in enumerate(vector.ends.tolist()):
         if not math.isnan(value.real):
             dot = Circle(place.on(value), DOT * hand.symbol, INK)
-            data = subject._replace(position=k).data("point", f"{one.state} {k}", value, place.scale)
-            yield Group((dot,), "", data, str(k)) if one.told(place) else dot
+            data = subject._replace(position=k).data("point", f"{vector.state} {k}", value, place.scale)
+            yield Group((dot,), "", data, str(k)) if vector.told(place) else dot

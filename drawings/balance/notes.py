@@ -61,13 +61,13 @@ class Equations(NamedTuple):
     @property
     def mass(self) -> float:
         """The mass kg of all moving links."""
-        return sum(one.mass for one in self.bodies.values())
+        return sum(body.mass for body in self.bodies.values())
 
     @property
     def reach(self) -> float:
         """The size of the mechanism, m: the longest distance of a point of the frame or of a moving link's own two."""
         rows = (tuple(link.points.values()) for link in self.mechanism.links.values())
-        return max((abs(one - row[0]) for row in rows for one in row), default=0.0)
+        return max((abs(value - row[0]) for row in rows for value in row), default=0.0)
 
     def main_points(self, vectors: Mapping[int, complex]) -> Iterator[str]:
         """Write the vector of each link's main point, m, by its masses (8.7); of a link that has no masses none."""
@@ -78,12 +78,12 @@ class Equations(NamedTuple):
 
     def _main_point(self, stem: Stem, moments: Sequence[Moment], vector: complex) -> str:
         along = line_of(self.mechanism, stem.link, stem.begin)
-        arms = [one.arm / along for one in moments]
-        parts = [lowered(f"h_{stem.link}"), f"{bracketed([one.letters for one in moments])}/m"]
+        arms = [moment.arm / along for moment in moments]
+        parts = [lowered(f"h_{stem.link}"), f"{bracketed([moment.letters for moment in moments])}/m"]
         if all(map(straight, arms)):  # else they are added as vectors
-            told = [self._term(one.mass, arm.real) for one, arm in zip(moments, arms, strict=True)]
+            told = [self._term(moment.mass, arm.real) for moment, arm in zip(moments, arms, strict=True)]
             parts.append(f"{bracketed(told)}/{self._number(self.mass)}")
-        size = sum(one.mass * abs(one.arm) for one in moments) / self.mass
+        size = sum(moment.mass * abs(moment.arm) for moment in moments) / self.mass
         return EQUALS.join([*parts, f"{self.vector(vector / along, size)}{NO_BREAK}{self.drafting.word('m')}"])
 
     def _term(self, mass: float, arm: float) -> str:
@@ -104,19 +104,21 @@ class Equations(NamedTuple):
     def _borne(self, stem: Stem) -> Iterator[tuple[str, list[int], complex]]:
         """Give the points of a link on which others begin, with all links that have masses behind each."""
         followers = self.tree.followers[stem.link]
-        for point in dict.fromkeys(one.begin for one in followers):
-            here = [one for one in followers if one.begin == point]
-            links = [link for one in here for link in self.tree.behind(one.link)]
+        for point in dict.fromkeys(follower.begin for follower in followers):
+            here = [follower for follower in followers if follower.begin == point]
+            links = [link for stem in here for link in self.tree.behind(stem.link)]
             yield point, sorted(link for link in links if link in self.bodies), here[0].at
 
     @property
     def contour(self) -> tuple[Loop, ...]:
         """The links of a mechanism of one contour whose main points it is held to; of any other none."""
         stems = self.tree.stems
-        chain = all(one.parent == before for one, before in zip(stems, (FRAME, *(s.link for s in stems)), strict=False))
-        if len(stems) != 3 or not chain or any(one.slide is not None for one in stems):
+        chain = all(
+            stem.parent == before for stem, before in zip(stems, (FRAME, *(s.link for s in stems)), strict=False)
+        )
+        if len(stems) != 3 or not chain or any(stem.slide is not None for stem in stems):
             return ()
-        loops = [Loop(one.link, one.begin + other.begin, other.at - one.origin) for one, other in pairwise(stems)]
+        loops = [Loop(stem.link, stem.begin + other.begin, other.at - stem.origin) for stem, other in pairwise(stems)]
         return (*loops, *self._closing(stems[-1]))
 
     def _closing(self, stem: Stem) -> Iterator[Loop]:
@@ -129,12 +131,12 @@ class Equations(NamedTuple):
     def similar(self, vectors: Mapping[int, complex]) -> str | None:
         """Write that the contour of main points is similar to that of the links (8.8), (8.9), if it is so."""
         loops = self.contour
-        ratios = [vectors[one.link] / one.length for one in loops]
+        ratios = [vectors[loop.link] / loop.length for loop in loops]
         most = max(map(abs, ratios), default=0.0)
-        if most <= NOTHING or any(abs(one - ratios[0]) > NOTHING * most for one in ratios):
+        if most <= NOTHING or any(abs(ratio - ratios[0]) > NOTHING * most for ratio in ratios):
             return None
-        letters = [f"{lowered(f'h_{one.link}')}/l_{{{one.letter}}}" for one in loops]
-        numbers = [f"{self._share(vectors[one.link], one.length)}/{self._number(abs(one.length))}" for one in loops]
+        letters = [f"{lowered(f'h_{loop.link}')}/l_{{{loop.letter}}}" for loop in loops]
+        numbers = [f"{self._share(vectors[loop.link], loop.length)}/{self._number(abs(loop.length))}" for loop in loops]
         number = "(8.8)" if len(loops) == len(self.tree.stems) else "(8.9)"
         told = EQUALS.join([*letters, *numbers, "κ", self.vector(ratios[0], abs(ratios[0]))])
         return self.drafting.word("alike", number=number, told=told)
@@ -166,7 +168,7 @@ def bracketed(terms: Sequence[str]) -> str:
     ('(2·0.04 − 4·0.1)', '2·0.04')
     """
     first, *rest = terms
-    told = first + "".join(f" − {one[1:]}" if one.startswith("−") else f" + {one}" for one in rest)
+    told = first + "".join(f" − {term[1:]}" if term.startswith("−") else f" + {term}" for term in rest)
     return f"({told})" if rest else told
 
 
@@ -225,14 +227,14 @@ class BalanceNotes(NamedTuple):
             return
         yield from map(self._counterweight, self.balance.counterweights)
 
-    def _counterweight(self, one: Counterweight) -> str:
-        letter, along = self._letter(one), line_of(self.mechanism, one.link, one.begin)
-        if not one.needed:
-            return self.drafting.word("nothing to put on", letters=letter, link=one.link)
-        body = self._body(one.link)
-        own, put_on = body.mass * (body.centre - one.origin) / along, one.moment / along
-        told = self._needed(one.link, one.begin, own, put_on, letter)
-        return f"{told};  {self._sized(one, put_on, letter)}"
+    def _counterweight(self, weight: Counterweight) -> str:
+        letter, along = self._letter(weight), line_of(self.mechanism, weight.link, weight.begin)
+        if not weight.needed:
+            return self.drafting.word("nothing to put on", letters=letter, link=weight.link)
+        body = self._body(weight.link)
+        own, put_on = body.mass * (body.centre - weight.origin) / along, weight.moment / along
+        told = self._needed(weight.link, weight.begin, own, put_on, letter)
+        return f"{told};  {self._sized(weight, put_on, letter)}"
 
     def _needed(self, link: int, point: str, own: complex, put_on: complex, letter: str) -> str:
         """Say what the static moment of a link is and what it is to be, about the point that it counts from."""
@@ -247,17 +249,18 @@ class BalanceNotes(NamedTuple):
             f"{self.drafting.word('needed moment', link=link, point=point, own=present, due=due, unit=unit)};  {told}"
         )
 
-    def _sized(self, one: Counterweight, put_on: complex, letter: str) -> str:
+    def _sized(self, weight: Counterweight, put_on: complex, letter: str) -> str:
         """Give mass from place or place from mass; of a sector both, with its outer radius."""
-        place, word = one.place, self.drafting.word
-        moment, mass = self.equations.vector(put_on, abs(put_on)), self._number(one.mass)
+        place, word = weight.place, self.drafting.word
+        moment, mass = self.equations.vector(put_on, abs(put_on)), self._number(weight.mass)
         if place.mass is not None:
-            way = self.equations.vector(put_on / one.mass, one.distance)
-            return f"a_{{{one.link}}} = {moment}/{mass} = {way} {word('m')}"
+            way = self.equations.vector(put_on / weight.mass, weight.distance)
+            return f"a_{{{weight.link}}} = {moment}/{mass} = {way} {word('m')}"
         if place.shape == DISC:
-            return f"{letter} = {self._number(abs(put_on))}/{self._number(one.distance)} = {mass} {word('kg')}"
-        outer = f"R_{{{one.link}}} = {self._number(one.outer)} {word('m')}"
-        return f"{letter} = {mass} {word('kg')},  a_{{{one.link}}} = {self._number(one.distance)} {word('m')},  {outer}"
+            return f"{letter} = {self._number(abs(put_on))}/{self._number(weight.distance)} = {mass} {word('kg')}"
+        sizes = {"a": weight.distance, "R": weight.outer}
+        told = (f"{size}_{{{weight.link}}} = {self._number(value)} {word('m')}" for size, value in sizes.items())
+        return ",  ".join((f"{letter} = {mass} {word('kg')}", *told))
 
     def balanced(self) -> Iterator[str]:
         """Say what the counterweights make of the main points: similar contours, and where S rests."""
@@ -326,17 +329,17 @@ class BalanceNotes(NamedTuple):
         """Give the largest reactions before and after of the crank's shaft, and of the pair where they grow most."""
         was, now = self.balance.before.reactions, after.reactions
         least, rows = NOTHING * self.balance.before.forces.largest, self.balance.before.forces.reactions
-        shaft = next((key for key, one in rows.items() if self._of_shaft(one)), None)
+        shaft = next((key for key, row in rows.items() if self._of_shaft(row)), None)
         ratios = {key: round(now[key] / was[key], ALIKE) for key in rows if was[key] > least}
         most = max((key for key, ratio in ratios.items() if ratio > 1), key=lambda key: ratios[key], default=None)
         yield from ((key, (was[key], now[key])) for key in dict.fromkeys((shaft, most)) if key is not None)
 
-    def _of_shaft(self, one: Reaction) -> bool:
-        return {one.giver, one.taker} == {FRAME, self.mechanism.drive.link}
+    def _of_shaft(self, reaction: Reaction) -> bool:
+        return {reaction.giver, reaction.taker} == {FRAME, self.mechanism.drive.link}
 
     def _reaction(self, key: str) -> str:
-        one = self.balance.before.forces.reactions[key]
-        return self.reaction(one.giver, one.taker)
+        reaction = self.balance.before.forces.reactions[key]
+        return self.reaction(reaction.giver, reaction.taker)
 
     def reaction(self, giver: int, taker: int) -> str:
         """Letter the reaction of a pair as the sheet does."""
@@ -373,13 +376,15 @@ class BalanceNotes(NamedTuple):
     def _bare(self) -> float:
         """The largest reaction N of the crank's shaft without counterweights."""
         before = self.balance.before
-        return next(before.reactions[key] for key, one in before.forces.reactions.items() if self._of_shaft(one))
+        return next(
+            before.reactions[key] for key, reaction in before.forces.reactions.items() if self._of_shaft(reaction)
+        )
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))
 
-    def _letter(self, one: Counterweight) -> str:
-        return counterweight(one.link, self.drafting.language)
+    def _letter(self, weight: Counterweight) -> str:
+        return counterweight(weight.link, self.drafting.language)
 
     def _rounded(self, value: float, size: float) -> str:
         return "0" if abs(value) <= NOTHING * size else self._number(value)

@@ -45,7 +45,7 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
         heads += [f"{CENTRE}{mark}, m", f"{FORCE}{mark}, N", f"{MOMENT}{mark}, N*m"]
         least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)
         told = state.centre.r, state.centre.force, state.centre.moment
-        columns += [np.where(np.abs(one) <= none, 0, one) for one, none in zip(told, least, strict=True)]
+        columns += [np.where(np.abs(row) <= none, 0, row) for row, none in zip(told, least, strict=True)]
     yield from header([_unit(head, drafting) for head in heads])
     for k in range(len(columns[0])):
         yield row([str(k), *(_cell(column[k], drafting) for column in columns)])
@@ -62,18 +62,18 @@ def counterweights(notes: BalanceNotes) -> Iterator[str]:
     told = [drafting.word(key) for key in ("counterweight column", "on link", "from", "shape")]
     heads = [*told[:3], "m·a, kg*m", "m, kg", "a, m", "∠, °", told[3], "R, m", "b, m", "J, kg*m2"]
     yield from header([_unit(head, drafting) for head in heads])
-    for one in notes.balance.counterweights:
-        letter = counterweight(one.link, language).replace("{", "").replace("}", "")
-        yield row([letter, str(one.link), one.begin, *_sizes(one, notes)])
+    for weight in notes.balance.counterweights:
+        letter = counterweight(weight.link, language).replace("{", "").replace("}", "")
+        yield row([letter, str(weight.link), weight.begin, *_sizes(weight, notes)])
 
 
-def _sizes(one: Counterweight, notes: BalanceNotes) -> list[str]:
-    if not one.needed:
+def _sizes(weight: Counterweight, notes: BalanceNotes) -> list[str]:
+    if not weight.needed:
         return ["0", "0", *(NONE for _ in range(6))]
-    drafting, sizes = notes.drafting, (one.outer, one.place.thickness, one.inertia)
-    numbers = [abs(one.moment), one.mass, one.distance, degrees(one, notes.mechanism), *sizes]
+    drafting, sizes = notes.drafting, (weight.outer, weight.place.thickness, weight.inertia)
+    numbers = [abs(weight.moment), weight.mass, weight.distance, degrees(weight, notes.mechanism), *sizes]
     cells = [drafting.number(value, DIGITS) for value in numbers]
-    return [*cells[:4], shape(one, drafting), *cells[4:]]
+    return [*cells[:4], shape(weight, drafting), *cells[4:]]
 
 
 def costs(notes: BalanceNotes) -> Iterator[str]:
@@ -83,16 +83,16 @@ def costs(notes: BalanceNotes) -> Iterator[str]:
     heading = drafting.word("largest value", count=before.count)
     yield from header([heading, *map(drafting.word, keys)])
     none = Nothing(*before.forces.nothing, NOTHING * notes.equations.reach)
-    for one in quantities(before, none, drafting, notes.mechanism.drive.pivot, METRES):
-        yield row([one.name.replace("{", "").replace("}", ""), *cells(one, before, after, drafting, DIGITS)])
+    for quantity in quantities(before, none, drafting, notes.mechanism.drive.pivot, METRES):
+        yield row([quantity.name.replace("{", "").replace("}", ""), *cells(quantity, before, after, drafting, DIGITS)])
 
 
 def share_table(found: Shares, reaction: str, drafting: Drafting) -> Iterator[str]:
     """Tell the largest shaking force and reaction of the shaft over the share, the two least among them."""
     newtons = drafting.word("N")
     yield from header(["k", f"{FORCE} _max, {newtons}", f"{reaction} _max, {newtons}"])
-    for one in sorted({*found.curve, found.least_force, found.least_reaction}):
-        yield row([drafting.number(value, FEWER) for value in one])
+    for choice in sorted({*found.curve, found.least_force, found.least_reaction}):
+        yield row([drafting.number(value, FEWER) for value in choice])
 
 
 def _unit(head: str, drafting: Drafting) -> str:

@@ -122,20 +122,20 @@ class BalanceScheme:
         return [
             *([spot] for spot in (0j, *self.named.values(), self.centre)),
             *map(list, self._links()),
-            *([one.at, one.end] for one in self.chain),
+            *([vector.at, vector.end] for vector in self.chain),
             *(run for run in runs if run),
-            *(one.rim for one in self.weights),
+            *(weight.rim for weight in self.weights),
         ]
 
     def _links(self) -> Iterator[tuple[complex, complex]]:
         """Give all bars, slots as long as their stones' travel, and the frame's guides, by their ends."""
         numbered, k = self.bones.numbered, self.shown
-        bars = [(one.link, bar) for one in outlines(self.bones, self.bones.travels) for bar in one.bars]
+        bars = [(outline.link, bar) for outline in outlines(self.bones, self.bones.travels) for bar in outline.bars]
         ends = [tuple(complex(numbered.of(link, spot)[k]) for spot in bar) for link, bar in bars]
         for slide, reach in self.bones.travels.items():
             if slide.owner == FRAME:
                 ends.append(tuple(slide.on_owner.through + along * slide.on_owner.direction for along in reach))
-        yield from ((one, other) for one, other in ends if not (math.isnan(one.real) or math.isnan(other.real)))
+        yield from ((start, other) for start, other in ends if not (math.isnan(start.real) or math.isnan(other.real)))
 
 
 def placed_weight(weight: Counterweight, bones: Skeletons) -> PlacedWeight:
@@ -213,13 +213,13 @@ class SchemeFigure:
             self._heading(),
             *self._paths(),
             *fit_dashes(trim(under, self.pairs.masks)),
-            *(self._outline(one) for one in self.shown.weights),
+            *(self._outline(weight) for weight in self.shown.weights),
             *grounds(self.pairs, ink),
             *(*blocks, *body, *self.pairs.corners(), *stands),
             *(part for turning in turnings(self.pairs) for part in turning.strokes(self.pairs)),
             *self._marks(),
             *carriers(self.arrows, self.place, self._hand),
-            *(self._arrow(one) for one in self.arrows),
+            *(self._arrow(arrow) for arrow in self.arrows),
             *self._centre(),
         )
 
@@ -249,20 +249,20 @@ class SchemeFigure:
 
     def _holders(self) -> Iterator[Stroke]:
         """Draw what holds counterweights: the line from their link's beginning."""
-        for one in self.shown.weights:
-            if one.is_disc:
-                yield Line(self.place.on(one.begin), self.place.on(one.centre), self._hand.result)
+        for weight in self.shown.weights:
+            if weight.is_disc:
+                yield Line(self.place.on(weight.begin), self.place.on(weight.centre), self._hand.result)
 
-    def _outline(self, one: PlacedWeight) -> Group:
-        return Group(tuple(trim(self._rim(one), self.pairs.masks)), f"{self.shown.name}-{RIM}{one.weight.link}")
+    def _outline(self, weight: PlacedWeight) -> Group:
+        return Group(tuple(trim(self._rim(weight), self.pairs.masks)), f"{self.shown.name}-{RIM}{weight.weight.link}")
 
-    def _rim(self, one: PlacedWeight) -> Iterator[Stroke]:
+    def _rim(self, weight: PlacedWeight) -> Iterator[Stroke]:
         """Draw a counterweight to scale: a disc about its centre, a sector about its link's beginning."""
-        style, radius = self._hand.relative, self.place.length(one.weight.outer)
-        if one.is_disc:
-            yield Arc(self.place.on(one.centre), radius, 0.0, 2 * math.pi, style)
+        style, radius = self._hand.relative, self.place.length(weight.weight.outer)
+        if weight.is_disc:
+            yield Arc(self.place.on(weight.centre), radius, 0.0, 2 * math.pi, style)
             return
-        tip, turn, half = self.place.on(one.begin), cmath.phase(one.direction), one.weight.place.half_angle
+        tip, turn, half = self.place.on(weight.begin), cmath.phase(weight.direction), weight.weight.place.half_angle
         yield Arc(tip, radius, turn - half, turn + half, style)
         yield from (Line(tip, tip + cmath.rect(radius, end), style) for end in (turn - half, turn + half))
 
@@ -274,23 +274,23 @@ class SchemeFigure:
             at = self.place.on(value)
             data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
             yield Group(self.pairs.symbol(name, at), "", data, name)
-        for one in self.shown.weights:
-            at, letter = self.place.on(one.centre), counterweight(one.weight.link, self.drafting.language)
-            data = self.subject.data("point", plain_name(counterweight(one.weight.link, "en")), one.centre, scale)
+        for weight in self.shown.weights:
+            at, letter = self.place.on(weight.centre), counterweight(weight.weight.link, self.drafting.language)
+            data = self.subject.data("point", plain_name(counterweight(weight.weight.link, "en")), weight.centre, scale)
             yield Group((Circle(at, POINT * hand.symbol, INK), *cross(at, hand)), "", data, letter)
 
     @cached_property
     def arrows(self) -> tuple[LaidVector, ...]:
         """The main-point vectors that are long enough to be seen, in lanes where they would lie on links."""
-        seen = [one for one in self.shown.chain if self.place.length(abs(one.value)) >= SEEN]
+        seen = [vector for vector in self.shown.chain if self.place.length(abs(vector.value)) >= SEEN]
         bars = [(line.start, line.end) for line in self.pairs.bars() if isinstance(line, Line)]
-        own: list[Segment] = [(self.place.on(one.at), self.place.on(one.end)) for one in seen]
+        own: list[Segment] = [(self.place.on(vector.at), self.place.on(vector.end)) for vector in seen]
         shifts = lanes(own, bars, self.place.on(self.shown.centre), APART * self._hand.symbol)
         laid = zip(seen, own, shifts, strict=True)
-        return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in laid)
+        return tuple(LaidVector(vector, offset(line, shift), shift) for vector, line, shift in laid)
 
-    def _arrow(self, one: LaidVector) -> Group:
-        return one.draw(self.subject, lowered(one.vector.name), self.place, self._hand.result, self._hand.symbol)
+    def _arrow(self, vector: LaidVector) -> Group:
+        return vector.draw(self.subject, lowered(vector.vector.name), self.place, self._hand.result, self._hand.symbol)
 
     def _centre(self) -> Iterator[Group]:
         """Draw the common mass centre; it can be measured."""
@@ -302,7 +302,7 @@ class SchemeFigure:
         """Give the whole figure, its vectors, points and links lettered."""
         hand = self._hand
         found = [*letters(self.arrows, self._vector_letter, labels), *self._points(labels), *self._weights(labels)]
-        senses = ((one.letter, *one.middle) for one in turnings(self.pairs))
+        senses = ((turning.letter, *turning.middle) for turning in turnings(self.pairs))
         found += [labels.beside(at, letter, hand.letter, 1.5, away) for letter, at, away in senses]
         found += link_numbers(self.pairs, self.shown.bones.links, labels, hand)
         return (Group((*self.lines, Group(tuple(found))), self.shown.name),)
@@ -321,10 +321,10 @@ class SchemeFigure:
             yield labels.beside(spot, with_index(name), hand.letter, clear + 1.0, side)
 
     def _weights(self, labels: Labels) -> Iterator[Stroke]:
-        for one in self.shown.weights:
-            rim = self.place.on(one.centre)
-            letter = counterweight(one.weight.link, self.drafting.language)
-            yield labels.beside(rim, letter, self._hand.letter, 2.2, cmath.phase(one.direction))
+        for weight in self.shown.weights:
+            rim = self.place.on(weight.centre)
+            letter = counterweight(weight.weight.link, self.drafting.language)
+            yield labels.beside(rim, letter, self._hand.letter, 2.2, cmath.phase(weight.direction))
 
     def _heading(self) -> Group:
         title = title_of(self.shown, self.drafting)
@@ -347,8 +347,8 @@ def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting)
     margins, title = around(MARGINS, hand), heading_width(title_of(shown, drafting), hand)
     subject, least = (SYMBOL, UNIT), LETTERS * hand.letter
     every = picture(shown.name, points, subject, margins, title, least)
-    highest = max(shown.points, key=lambda one: one.imag).real
-    top = complex(highest, max(one.imag for one in points))
+    highest = max(shown.points, key=lambda point: point.imag).real
+    top = complex(highest, max(point.imag for point in points))
     held = [*shown.points, top]
     own = picture(shown.name, held, subject, margins, title)
     smaller = max(own.wide, own.high) / max(every.wide, every.high)

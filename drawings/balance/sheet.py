@@ -147,23 +147,23 @@ class _BalancingSheet:
     def _rooms(self) -> tuple[tuple[BalanceScheme, Picture], ...]:
         """The schemes with the rooms that they take, of one height above their links."""
         schemes = [self._scheme(state) for state in self.shown.states]
-        points = [spot for one in schemes for spot in one.points]
-        return tuple((one, scheme.measure(one, points, self.drafting)) for one in schemes)
+        points = [spot for shown in schemes for spot in shown.points]
+        return tuple((shown, scheme.measure(shown, points, self.drafting)) for shown in schemes)
 
     def _scheme(self, state: str) -> BalanceScheme:
         """Show the links before or after; what stands still has no path."""
         bones, states = self.shown.bones, self.shown.states
         kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
         paths = {name: states[name].around.r for name in kept if states[name].path > self.shown.nothing.way}
-        weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
-        placed = tuple(placed_weight(one, bones) for one in weights)
+        weights = [weight for weight in self.balance.counterweights if weight.needed and state == AFTER]
+        placed = tuple(placed_weight(weight, bones) for weight in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
 
     def _workings(self) -> Iterator[Working]:
         """How schemes and polygon are laid off: beside them, where paper would stay bare."""
         mechanism = self.shown.bones.mechanism
-        for one, _ in self._rooms:
-            yield link_working.link_working(mechanism, list(mechanism.links), SCHEME + one.state, self.drafting)
+        for shown, _ in self._rooms:
+            yield link_working.link_working(mechanism, list(mechanism.links), SCHEME + shown.state, self.drafting)
         yield self._moments.working(self.drafting)
 
     @property
@@ -205,8 +205,8 @@ class _BalancingSheet:
         crank, state = self.shown.bones.mechanism.drive.link, self.balance.before
         return next(
             state.reactions[key]
-            for key, one in state.forces.reactions.items()
-            if (one.giver, one.taker) == (FRAME, crank)
+            for key, reaction in state.forces.reactions.items()
+            if (reaction.giver, reaction.taker) == (FRAME, crank)
         )
 
     @cached_property

@@ -39,13 +39,13 @@ TURN = (math.radians(200), math.radians(70))  # start and sweep of the arrow on 
 def _letters(shown: Layout, place: Place, sizes: Sequence[Dimension], hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter the crank's shaft, each mass outward, each shaft with the speed at which it turns, the sizes."""
     yield labels.beside(place.on(0j), "O", hand.letter, BESIDE + HINGE * hand.symbol, -math.pi / 4)
-    for one in shown.weights():
-        spot, gap = place.on(one.shaft + one.arm), BODY * hand.symbol + BESIDE
-        yield labels.beside(spot, lowered_bank(one.name), hand.letter, gap, cmath.phase(one.arm))
+    for weight in shown.weights():
+        spot, gap = place.on(weight.shaft + weight.arm), BODY * hand.symbol + BESIDE
+        yield labels.beside(spot, lowered_bank(weight.name), hand.letter, gap, cmath.phase(weight.arm))
     middle = TURN[0] + TURN[1] / 2
-    for one in shown.weights():
-        spot = place.on(one.shaft) + cmath.rect(arrow_radius(shown, place), middle)
-        yield labels.beside(spot, speed(one.turns), hand.number, BESIDE, middle)
+    for weight in shown.weights():
+        spot = place.on(weight.shaft) + cmath.rect(arrow_radius(shown, place), middle)
+        yield labels.beside(spot, speed(weight.turns), hand.number, BESIDE, middle)
     for size in sizes:
         yield labels.along(*size.lines[0], size.letter, hand.number, BESIDE, cmath.phase(size.off))
 
@@ -78,9 +78,9 @@ def draw(shown: Layout, room: Picture, spot: Spot, drafting: Drafting) -> Letter
     title = heading(spot.box, title_of(shown, drafting), under, hand)
     sizes = tuple(_sizes(shown, place, drafting))
     lines: list[Stroke] = [title, *_axes(shown, place, hand)]
-    lines += [stroke for one in shown.weights() for stroke in _gear(shown, one, place, hand)]
-    lines += [_mass(shown, one, place, hand) for one in shown.weights()]
-    lines += [stroke for one in sizes for stroke in one.draw(hand)]
+    lines += [stroke for weight in shown.weights() for stroke in _gear(shown, weight, place, hand)]
+    lines += [_mass(shown, weight, place, hand) for weight in shown.weights()]
+    lines += [stroke for size in sizes for stroke in size.draw(hand)]
     (circle,) = hinge(place.on(0j), hand)
     lines.append(point(Subject(shown.name, QUANTITY, None), "O", 0j, place, circle, "pole"))
     return LetteredFigure(shown.name, tuple(lines), partial(_letters, shown, place, sizes, hand))
@@ -95,10 +95,10 @@ def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(start - far, start + up, fit(hand.axis, abs(far) + abs(up)))
 
 
-def _gear(shown: Layout, one: Weight, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _gear(shown: Layout, weight: Weight, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a shaft with its gear and the sense in which it turns; the couple's shafts have no gears of their own."""
-    centre, (start, sweep), own = place.on(one.shaft), TURN, math.copysign(1.0, one.turns * shown.sense)
-    if one.geared and not shown.found.on_crank:
+    centre, (start, sweep), own = place.on(weight.shaft), TURN, math.copysign(1.0, weight.turns * shown.sense)
+    if weight.geared and not shown.found.on_crank:
         radius = place.length(shown.gear)
         yield Circle(centre, radius, fit(hand.axis, math.tau * radius, True))
     begin = start if own > 0 else start + sweep
@@ -106,19 +106,19 @@ def _gear(shown: Layout, one: Weight, place: Place, hand: Hand) -> Iterator[Stro
     yield Circle(centre, POINT * hand.symbol, LineStyle(hand.main, fill="#ffffff"))
 
 
-def _mass(shown: Layout, one: Weight, place: Place, hand: Hand) -> Group:
+def _mass(shown: Layout, weight: Weight, place: Place, hand: Hand) -> Group:
     """Draw a mass on its arm; it can be measured where its radius is known."""
-    known = shown.known and one.geared
-    ends = place.on(one.shaft), place.on(one.shaft + one.arm)
+    known = shown.known and weight.geared
+    ends = place.on(weight.shaft), place.on(weight.shaft + weight.arm)
     dashed = fit(hand.result._replace(dash=hand.dashed), abs(ends[1] - ends[0]))
-    way = Kind.VECTOR, shown.name, one.name, None, place.scale.mu
+    way = Kind.VECTOR, shown.name, weight.name, None, place.scale.mu
     line = Line(*ends, hand.result if known else dashed)
     arm: Stroke = stating(Statement(*way), line) if known else line
     circle, subject = Circle(ends[1], BODY * hand.symbol, INK), Subject(shown.name, QUANTITY, None)
     if not known:
-        return Group((arm, Group((circle,), "", {}, one.name)))
-    body = point(subject, one.name, one.shaft + one.arm, place, circle)
-    return Group((arm, body._replace(title=lowered_bank(one.name))))
+        return Group((arm, Group((circle,), "", {}, weight.name)))
+    body = point(subject, weight.name, weight.shaft + weight.arm, place, circle)
+    return Group((arm, body._replace(title=lowered_bank(weight.name))))
 
 
 def _sizes(shown: Layout, place: Place, drafting: Drafting) -> Iterator[Dimension]:
@@ -128,7 +128,7 @@ def _sizes(shown: Layout, place: Place, drafting: Drafting) -> Iterator[Dimensio
         up = (off + HINGE * drafting.hand.symbol) * shown.line
         text = f"z = {drafting.number(1000 * shown.offset)}"
         yield Dimension(text, place.on(0j), place.on(shown.offset * shown.across), up)
-    shafts = [place.on(one.shaft) for one in shown.weights() if not one.geared]
+    shafts = [place.on(weight.shaft) for weight in shown.weights() if not weight.geared]
     if shafts and asked.shafts:
         aside = -(place.length(SHARE * shown.gear) + off) * shown.across
         first, last = shafts
@@ -206,7 +206,7 @@ class Layout(NamedTuple):
     @property
     def known(self) -> bool:
         """Whether the radii of the masses are to scale: they are given, and none is too small."""
-        return min((one for one in self.radii if one), default=0.0) > SMALL * self.gear
+        return min((radius for radius in self.radii if radius), default=0.0) > SMALL * self.gear
 
     @property
     def offset(self) -> float:
@@ -250,5 +250,5 @@ class Layout(NamedTuple):
     def points(self) -> Iterator[complex]:
         """Give all true points that the figure must hold."""
         yield 0j
-        for one in self.weights():
-            yield from (one.shaft + side * self.gear for side in (1, -1, 1j, -1j))
+        for weight in self.weights():
+            yield from (weight.shaft + side * self.gear for side in (1, -1, 1j, -1j))

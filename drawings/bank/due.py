@@ -92,7 +92,7 @@ class Bank:
     @cached_property
     def allowed(self) -> Mapping[str, float]:
         """What each finding may differ by."""
-        return {one.name: float(one.allowed[0]) for one in self.comparison.findings}
+        return {finding.name: float(finding.allowed[0]) for finding in self.comparison.findings}
 
     @property
     def turn(self) -> complex:
@@ -107,7 +107,7 @@ class Bank:
     @cached_property
     def axes(self) -> list[complex]:
         """The directions of the guides, from the reference guide."""
-        return [cmath.rect(1.0, math.radians(float(one.axis % 360))) for one in self.members]
+        return [cmath.rect(1.0, math.radians(float(member.axis % 360))) for member in self.members]
 
     @property
     def flat(self) -> bool:
@@ -129,19 +129,21 @@ class Bank:
     @cached_property
     def largest(self) -> float:
         """The largest force of an order of one mechanism, N."""
-        return max(abs(one.ahead) + abs(one.back) for one in self.analysis.single.values())
+        return max(abs(harmonic.ahead) + abs(harmonic.back) for harmonic in self.analysis.single.values())
 
     def slight(self, order: int) -> bool:
         """Tell whether an order is there, but is not to be drawn beside the largest: none asks for compensators."""
         own, bank = self.analysis.single[order], self.analysis.forces[order]
-        asked = order in [one.order for one in self.task.asked]
+        asked = order in [compensator.order for compensator in self.task.asked]
         least = SEEN * self.largest
-        return not (asked or own.vanishes or max(abs(one.ahead) + abs(one.back) for one in (own, bank)) >= least)
+        return not (
+            asked or own.vanishes or max(abs(harmonic.ahead) + abs(harmonic.back) for harmonic in (own, bank)) >= least
+        )
 
     @property
     def seen(self) -> Mapping[int, Harmonic]:
         """The orders of one mechanism that are to be drawn."""
-        return {order: one for order, one in self.analysis.single.items() if not self.slight(order)}
+        return {order: harmonic for order, harmonic in self.analysis.single.items() if not self.slight(order)}
 
     def polygons(self) -> Iterator[Polygon]:
         """Give the polygons of several vectors: with the crank, and against it where that is no mirror image."""
@@ -158,29 +160,29 @@ class Bank:
         whole = (self.analysis.forces if kind == FORCE else self.analysis.moments)[single.order]
         sides = {} if abs(own) <= single.slack else dict(self._sides(kind, signed, own))
         name = letters(kind, signed)
-        arms = {letters(kind, signed, one.name): abs(self.arm(kind, one)) for one in self.members}
+        arms = {letters(kind, signed, member.name): abs(self.arm(kind, member)) for member in self.members}
         slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
         value = (whole.ahead if signed > 0 else whole.back) * self.turn
         return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
 
     def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
-        for one, axis in zip(self.members, self.axes, strict=True):
-            turned = cmath.rect(1.0, math.radians(float(signed * (one.crank - one.axis) % 360)))
-            if self.arm(kind, one):
-                yield letters(kind, signed, one.name), own * turned * axis * self.turn * self.arm(kind, one)
+        for member, axis in zip(self.members, self.axes, strict=True):
+            turned = cmath.rect(1.0, math.radians(float(signed * (member.crank - member.axis) % 360)))
+            if self.arm(kind, member):
+                yield letters(kind, signed, member.name), own * turned * axis * self.turn * self.arm(kind, member)
 
     @staticmethod
-    def arm(kind: str, one: Member) -> float:
+    def arm(kind: str, member: Member) -> float:
         """Give what a force is multiplied by: 1, or its place m of a moment."""
-        return 1.0 if kind == FORCE else float(one.place)
+        return 1.0 if kind == FORCE else float(member.place)
 
-    def crank_at(self, one: Member) -> complex:
+    def crank_at(self, member: Member) -> complex:
         """Give the direction of a crank on the sheet at phi = 0."""
-        return cmath.rect(1.0, math.radians(float(one.crank % 360)) + self.task.axis)
+        return cmath.rect(1.0, math.radians(float(member.crank % 360)) + self.task.axis)
 
     def ways(self) -> Mapping[str, complex]:
         """Give the directions of the guides on the sheet by the numbers of their mechanisms."""
-        return {one.name: axis * self.turn for one, axis in zip(self.members, self.axes, strict=True)}
+        return {member.name: axis * self.turn for member, axis in zip(self.members, self.axes, strict=True)}
 
     def force_of(self, name: str) -> Complexes:
         """Give what is followed over the turn by the name of its finding."""
@@ -190,7 +192,7 @@ class Bank:
     @cached_property
     def compensated(self) -> bool:
         """Whether some compensator has a mass."""
-        return any(any(self.bodies(one)) for one in self.analysis.compensators)
+        return any(any(self.bodies(compensator)) for compensator in self.analysis.compensators)
 
     def acts(self, name: str, seen: bool) -> bool:
         """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
@@ -204,54 +206,68 @@ class Bank:
 
     def faint(self, name: str) -> bool:
         """Whether what is followed over the turn is not to be drawn by itself, being slight."""
-        arm = max(abs(float(one.place)) for one in self.members) if name == WHOLE_MOMENT else 1.0
+        arm = max(abs(float(member.place)) for member in self.members) if name == WHOLE_MOMENT else 1.0
         due = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
         return due and self.most(name) < SEEN * self.largest * arm
 
-    def bodies(self, one: Compensator) -> Iterator[Body]:
+    def bodies(self, compensator: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""
-        order = one.asked.order
-        pairs = ((order, one.with_crank, one.with_angle), (-order, one.against, one.against_angle))
+        order = compensator.asked.order
+        pairs = (
+            (order, compensator.with_crank, compensator.with_angle),
+            (-order, compensator.against, compensator.against_angle),
+        )
         for signed, moment, angle in pairs:
             if angle is not None:
                 yield Body(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
-        if one.couple_angle is not None and one.couple is not None:
-            name, way = couple_letters(order).replace("mr", "m"), cmath.rect(1.0, one.couple_angle) * self.turn
-            yield Body(name, one.couple, way, order, True)
-            yield Body(f"{name}'", one.couple, -way, order, True)
+        if compensator.couple_angle is not None and compensator.couple is not None:
+            name, way = couple_letters(order).replace("mr", "m"), cmath.rect(1.0, compensator.couple_angle) * self.turn
+            yield Body(name, compensator.couple, way, order, True)
+            yield Body(f"{name}'", compensator.couple, -way, order, True)
 
     @staticmethod
-    def carried(one: Compensator) -> bool:
+    def carried(compensator: Compensator) -> bool:
         """Tell whether the crank itself carries the mass: it alone turns, and as fast as the crank."""
-        return one.asked.order == 1 and one.against_angle is None is not one.with_angle
+        return compensator.asked.order == 1 and compensator.against_angle is None is not compensator.with_angle
 
-    def nominal(self, one: Compensator, told: bool) -> bool:
+    def nominal(self, compensator: Compensator, told: bool) -> bool:
         """Tell whether the arms of an order's masses are not to scale; where rounding decides, it is as it is told."""
-        own = [body.moment / one.asked.mass for body in self.bodies(one) if not body.coupled] if one.asked.mass else []
+        own = (
+            [body.moment / compensator.asked.mass for body in self.bodies(compensator) if not body.coupled]
+            if compensator.asked.mass
+            else []
+        )
         if not own:
             return True
-        offset = 0.0 if self.carried(one) else abs(one.asked.offset)
-        shafts = one.asked.shafts if one.couple_angle is not None and one.asked.shafts else 0.0
+        offset = 0.0 if self.carried(compensator) else abs(compensator.asked.offset)
+        shafts = compensator.asked.shafts if compensator.couple_angle is not None and compensator.asked.shafts else 0.0
         gear = max(GEAR * max(own), offset / 2, OF_SHAFTS * shafts)
         over = min(own) - COVERED * gear
-        return told if abs(over) <= 2 * self.slack_of(one) / (one.asked.mass or 1.0) + LINE * gear else over < 0
+        return (
+            told
+            if abs(over) <= 2 * self.slack_of(compensator) / (compensator.asked.mass or 1.0) + LINE * gear
+            else over < 0
+        )
 
-    def line(self, one: Compensator) -> complex:
+    def line(self, compensator: Compensator) -> complex:
         """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
-        if one.with_angle is None or one.against_angle is None:
+        if compensator.with_angle is None or compensator.against_angle is None:
             return self.turn
-        along = cmath.rect(1.0, (one.with_angle + one.against_angle) / 2)
+        along = cmath.rect(1.0, (compensator.with_angle + compensator.against_angle) / 2)
         towards = along.real if abs(along.real) > LINE else along.imag
         return along * self.turn * math.copysign(1.0, towards)
 
-    def directed(self, one: Compensator) -> bool:
+    def directed(self, compensator: Compensator) -> bool:
         """Tell whether the two roads must agree in the direction of an order's force as nearly as lines are held."""
-        whole, allowed = self.analysis.forces[one.asked.order], self.allowed.get(letters(FORCE, one.asked.order), 0.0)
+        whole, allowed = (
+            self.analysis.forces[compensator.asked.order],
+            self.allowed.get(letters(FORCE, compensator.asked.order), 0.0),
+        )
         return allowed <= LINE * max(abs(whole.ahead), abs(whole.back))
 
-    def slack_of(self, one: Compensator) -> float:
+    def slack_of(self, compensator: Compensator) -> float:
         """Give how far the static moment of a mass may be off, kg*m."""
-        return self.allowed[letters("mr", one.asked.order)]
+        return self.allowed[letters("mr", compensator.asked.order)]
 
 
 STAR, SHAFT, ORDERS, RESULTS = "star", "shaft", "orders", "results"
@@ -280,22 +296,22 @@ class _Sheet:
 
     def polygons(self) -> Iterator[Expected]:
         """Give the vectors of each order, with the crank and against it, and their sum where it does not vanish."""
-        for one in self.own.polygons():
-            plan = plan_of(one)
-            sides = {} if len(one.sides) > MANY else one.sides
+        for polygon in self.own.polygons():
+            plan = plan_of(polygon)
+            sides = {} if len(polygon.sides) > MANY else polygon.sides
             for name, value in sides.items():
-                yield Expected(Kind.VECTOR, plan, name, value, one.side_slack[name])
-            yield Expected(Kind.VECTOR, plan, one.name, one.whole, one.slack, may_lack=not one.open)
+                yield Expected(Kind.VECTOR, plan, name, value, polygon.side_slack[name])
+            yield Expected(Kind.VECTOR, plan, polygon.name, polygon.whole, polygon.slack, may_lack=not polygon.open)
 
     def views(self) -> Iterator[Expected]:
         """Give the crank pins of the star, the places along the shaft, the arms of the compensators."""
         own = self.own
-        for one in own.members:
-            pin, place = (own.crank or 0.0) * own.crank_at(one), complex(float(one.place))
+        for member in own.members:
+            pin, place = (own.crank or 0.0) * own.crank_at(member), complex(float(member.place))
             lacks = own.crank is None
-            yield Expected(Kind.POINT, STAR, one.name, pin, FAR * abs(pin), may_lack=lacks)
-            yield Expected(Kind.POINT, SHAFT, one.name, place, FAR * abs(place), may_lack=True)
-        for where in {float(one.place) for one in own.members}:
+            yield Expected(Kind.POINT, STAR, member.name, pin, FAR * abs(pin), may_lack=lacks)
+            yield Expected(Kind.POINT, SHAFT, member.name, place, FAR * abs(place), may_lack=True)
+        for where in {float(member.place) for member in own.members}:
             row = Expected(Kind.LENGTH, SHAFT, f"h at {1000 * where:g}", abs(where), FAR * abs(where), may_lack=True)
             yield from measured(row, 1000 * where, digits=4)
         for found in own.analysis.compensators:
@@ -327,27 +343,27 @@ class _Sheet:
     def orders(self) -> Iterator[Expected]:
         """Give the cells of the table of orders: of one mechanism, of the bank, what is left, the moment."""
         own = self.own
-        answered = {one.asked.order for one in own.analysis.compensators}
+        answered = {compensator.asked.order for compensator in own.analysis.compensators}
         for order, single in own.analysis.single.items():
             force = self._size(FORCE, own.analysis.forces[order])
             left, moment = (0.0, 0.0) if order in answered else force, self._size(MOMENT, own.analysis.moments[order])
             yield from cells(ORDERS, str(order), [self._size(SINGLE, single), force, left, moment], digits=DIGITS)
 
-    def _size(self, kind: str, one: Harmonic) -> tuple[float, float]:
+    def _size(self, kind: str, harmonic: Harmonic) -> tuple[float, float]:
         """Give the largest that two vectors turning against each other come to: both along one line."""
-        sizes = [abs(one.ahead), abs(one.back)]
-        size = 0.0 if max(sizes) <= one.slack else math.fsum(sizes)
-        return size, 2 * self.own.allowed[letters(kind, one.order)] + FAR * size
+        sizes = [abs(harmonic.ahead), abs(harmonic.back)]
+        size = 0.0 if max(sizes) <= harmonic.slack else math.fsum(sizes)
+        return size, 2 * self.own.allowed[letters(kind, harmonic.order)] + FAR * size
 
     def compensators(self) -> Iterator[Expected]:
         """Give the cells of the table of compensators: of the masses of a couple the first stands for both."""
-        for one in self.own.analysis.compensators:
-            for body in self.own.bodies(one):
+        for compensator in self.own.analysis.compensators:
+            for body in self.own.bodies(compensator):
                 if not body.name.endswith("'"):
-                    yield from self._mass(one, body)
+                    yield from self._mass(compensator, body)
 
-    def _mass(self, one: Compensator, body: Body) -> Iterator[Expected]:
-        slack, mass = self.own.slack_of(one), None if body.coupled else one.asked.mass
+    def _mass(self, compensator: Compensator, body: Body) -> Iterator[Expected]:
+        slack, mass = self.own.slack_of(compensator), None if body.coupled else compensator.asked.mass
         far = None if mass is None else (1000 * body.moment / mass, 1000 * slack / mass)
         angle = math.degrees(cmath.phase(body.way / self.own.turn))
         turned = math.degrees(2 * slack / body.moment) + FAR if body.moment > slack else math.inf
@@ -358,22 +374,22 @@ class _Sheet:
 
     def results(self, slips: Mapping[tuple[str, int], float], drawn: bool) -> Iterator[Expected]:
         """Give the cells of the table of results; where nothing is drawn no hand can err."""
-        for one in filter(_is_told, self.own.comparison.findings):
-            row = f"{lowered_bank(one.name)}, {self.drafting.word(one.unit)}"
-            size, slack = float(abs(one.analysis[0])), float(one.allowed[0])
-            slip = by_hand(slips.get((one.name, 0), math.nan), max(size, slack * 10.0**DIGITS))
+        for finding in filter(_is_told, self.own.comparison.findings):
+            row = f"{lowered_bank(finding.name)}, {self.drafting.word(finding.unit)}"
+            size, slack = float(abs(finding.analysis[0])), float(finding.allowed[0])
+            slip = by_hand(slips.get((finding.name, 0), math.nan), max(size, slack * 10.0**DIGITS))
             told = cells(RESULTS, row, [(size, slack), (size, slack), *([slip] * drawn)], digits=DIGITS)
             for column, cell in enumerate(told):
                 yield cell._replace(may_lack=column == 2 or size <= 2 * slack)
 
 
-def plan_of(one: Polygon) -> str:
+def plan_of(polygon: Polygon) -> str:
     """Name the figure of a polygon."""
-    kind = "order_moments" if one.kind == MOMENT else "order_forces"
-    return f"{kind}-{abs(one.signed)}{'' if one.signed > 0 else '-back'}"
+    kind = "order_moments" if polygon.kind == MOMENT else "order_forces"
+    return f"{kind}-{abs(polygon.signed)}{'' if polygon.signed > 0 else '-back'}"
 
 
-def _is_told(one: Quantity) -> bool:
+def _is_told(quantity: Quantity) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a static moment."""
-    told = one.plan in (HARMONICS, COMPENSATORS) and one.name.startswith(("F_", "M_", "mr_"))
-    return told and bool(abs(one.analysis[0]) > one.allowed[0] / 2)
+    told = quantity.plan in (HARMONICS, COMPENSATORS) and quantity.name.startswith(("F_", "M_", "mr_"))
+    return told and bool(abs(quantity.analysis[0]) > quantity.allowed[0] / 2)

@@ -38,13 +38,13 @@ def plan_of(kind: str, signed: int) -> str:
 
 def polygons(shown: BankView, drafting: Drafting) -> Iterator[Polygon]:
     """Give the polygons of every order whose vectors do not vanish; of too many members the sum alone."""
-    for one in shown.shown():
-        vectors = one.vectors
+    for order in shown.shown():
+        vectors = order.vectors
         if len(vectors) > CROWD + 1:
             vectors = tuple(vector for vector in vectors if vector.kind == RESULT)
         if vectors:
-            name, scale = plan_of(one.kind, one.signed), (one.kind, UNITS[one.kind])
-            yield Polygon(name, title_of(one, drafting), scale, vectors, one.closed, LETTERS, SIZES)
+            name, scale = plan_of(order.kind, order.signed), (order.kind, UNITS[order.kind])
+            yield Polygon(name, title_of(order, drafting), scale, vectors, order.closed, LETTERS, SIZES)
 
 
 def title_of(shown: ShownOrder, drafting: Drafting) -> str:

@@ -34,13 +34,13 @@ SLIGHT = 1e-3
 
 def largest(balance: BankBalance) -> float:
     """Give the largest force of an order of one mechanism, N."""
-    return max(one.size for one in balance.single.values())
+    return max(harmonic.size for harmonic in balance.single.values())
 
 
 def slight_order(balance: BankBalance, order: int) -> bool:
     """Tell whether an order that is there is too slight to be drawn; one that is to be compensated is not."""
     size = max(balance.single[order].size, balance.forces[order].size)
-    asked = any(one.asked.order == order for one in balance.compensators)
+    asked = any(compensator.asked.order == order for compensator in balance.compensators)
     return not asked and 0.0 < size < SLIGHT * largest(balance)
 
 
@@ -58,12 +58,16 @@ def slight_left(balance: BankBalance) -> bool:
 
 def slight_moment(balance: BankBalance) -> bool:
     """Tell whether the moment is more than rounding, but slight beside one mechanism's at the farthest place."""
-    arm = max(abs(float(one.place)) for one in balance.task.members)
+    arm = max(abs(float(member.place)) for member in balance.task.members)
     return balance.moment_slack < _most(balance.moment) < SLIGHT * largest(balance) * arm
 
 
 def _answered(balance: BankBalance) -> bool:
-    return any(angle is not None for one in balance.compensators for angle in (one.with_angle, one.against_angle))
+    return any(
+        angle is not None
+        for compensator in balance.compensators
+        for angle in (compensator.with_angle, compensator.against_angle)
+    )
 
 
 def _most(values: Complexes) -> float:
@@ -78,7 +82,7 @@ EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 
 def mirrored(balance: BankBalance, order: int) -> bool:
     """Tell whether what turns against the crank is, to the eye, the mirror image in the guide of what turns with it."""
     single = balance.single[order]
-    flat = all(one.axis % 180 == 0 for one in balance.task.members)
+    flat = all(member.axis % 180 == 0 for member in balance.task.members)
     apart = abs(single.back - single.ahead.conjugate())
     return flat and apart <= max(EYE * abs(single.ahead), single.slack)
 
@@ -144,7 +148,7 @@ class BankNotes(NamedTuple):
 
     def _senses(self) -> str:
         """Say of which orders the vectors against the crank are shown, and of which they are mirror images."""
-        orders = [order for order, one in self.balance.single.items() if not one.vanishes]
+        orders = [order for order, harmonic in self.balance.single.items() if not harmonic.vanishes]
         alone = [order for order in orders if mirrored(self.balance, order)]
         if alone and alone != orders:
             return self.drafting.word("some mirror images", orders=", ".join(map(str, alone)))
@@ -153,11 +157,11 @@ class BankNotes(NamedTuple):
     def _stand(self) -> Iterator[str]:
         """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""
         members = self.balance.task.members
-        yield self.drafting.word("crank angles", angles=self._row(one.crank for one in members))
-        if any(one.axis for one in members):
-            yield self.drafting.word("guide angles", angles=self._row(one.axis for one in members))
-        if any(one.place for one in members):
-            yield self.drafting.word("bank places", places=self._row(1000 * one.place for one in members))
+        yield self.drafting.word("crank angles", angles=self._row(member.crank for member in members))
+        if any(member.axis for member in members):
+            yield self.drafting.word("guide angles", angles=self._row(member.axis for member in members))
+        if any(member.place for member in members):
+            yield self.drafting.word("bank places", places=self._row(1000 * member.place for member in members))
 
     def _row(self, values: Iterable[Fraction]) -> str:
         return "; ".join(map(self._exact, values))
@@ -169,24 +173,24 @@ class BankNotes(NamedTuple):
             if told:
                 yield self.drafting.word("order sums", order=order, sums=",  ".join(told))
 
-    def _sums(self, kind: str, one: Harmonic) -> Iterator[str]:
+    def _sums(self, kind: str, harmonic: Harmonic) -> Iterator[str]:
         unit = self.drafting.word("N" if kind == FORCE else "N*m")
-        alone = mirrored(self.balance, one.order)
-        for sense, value in ((1, one.ahead),) if alone else ((1, one.ahead), (-1, one.back)):
-            if abs(value) > one.slack:
-                angle = self._number(direction(value, one.slack))
+        alone = mirrored(self.balance, harmonic.order)
+        for sense, value in ((1, harmonic.ahead),) if alone else ((1, harmonic.ahead), (-1, harmonic.back)):
+            if abs(value) > harmonic.slack:
+                angle = self._number(direction(value, harmonic.slack))
                 size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
-                yield f"{lowered_bank(letters(kind, sense * one.order))} = {size}"
-        yield from self._largest(one, unit) if kind == FORCE else ()
+                yield f"{lowered_bank(letters(kind, sense * harmonic.order))} = {size}"
+        yield from self._largest(harmonic, unit) if kind == FORCE else ()
 
-    def _largest(self, one: Harmonic, unit: str) -> Iterator[str]:
+    def _largest(self, harmonic: Harmonic, unit: str) -> Iterator[str]:
         """Say what both vectors come to together where they point alike: the force that the table tells."""
-        pairs = ((one.order, one.ahead), (-one.order, one.back))
+        pairs = ((harmonic.order, harmonic.ahead), (-harmonic.order, harmonic.back))
         summed = "+".join(
-            f"|{lowered_bank(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > one.slack
+            f"|{lowered_bank(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > harmonic.slack
         )
         if summed:
-            told = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(one.size)}
+            told = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(harmonic.size)}
             yield self.drafting.word("order largest", unit=unit, **told)
 
     def vanishing(self) -> Iterator[str]:
@@ -194,7 +198,7 @@ class BankNotes(NamedTuple):
         single, forces, moments = self.balance.single, self.balance.forces, self.balance.moments
         yield from self._orders("no order", lambda order: single[order].vanishes)
         yield from self._orders("no order force", lambda order: not single[order].vanishes and forces[order].vanishes)
-        if any(one.place for one in self.balance.task.members):
+        if any(member.place for member in self.balance.task.members):
             apart = self._orders(
                 "no order moment", lambda order: not single[order].vanishes and moments[order].vanishes
             )
@@ -223,16 +227,19 @@ class BankNotes(NamedTuple):
 
     def compensators(self) -> Iterator[str]:
         """Say what is to be put on the shafts of the compensators, and what their offset leaves."""
-        for one in self.balance.compensators:
-            yield from self._compensator(one)
+        for compensator in self.balance.compensators:
+            yield from self._compensator(compensator)
 
-    def _compensator(self, one: Compensator) -> Iterator[str]:
-        asked, word, number = one.asked, self.drafting.word, self._number
+    def _compensator(self, compensator: Compensator) -> Iterator[str]:
+        asked, word, number = compensator.asked, self.drafting.word, self._number
         order, square = asked.order, squared(asked.order)
-        if one.with_angle is None and one.against_angle is None:
+        if compensator.with_angle is None and compensator.against_angle is None:
             yield word("no compensator", order=order)
             return
-        moments = ((1, one.with_crank, one.with_angle), (-1, one.against, one.against_angle))
+        moments = (
+            (1, compensator.with_crank, compensator.with_angle),
+            (-1, compensator.against, compensator.against_angle),
+        )
         for sense, moment, angle in moments:
             if angle is not None:
                 told = {
@@ -241,33 +248,38 @@ class BankNotes(NamedTuple):
                     "moment": number(moment),
                 }
                 yield word("compensator mass", letters=lowered_bank(letters(STATIC, sense * order)), **told)
-        yield from self._unequal(one)
-        if asked.offset and one.residual:
-            yield word("compensator couple", residual=number(one.residual))
-        if asked.shafts is not None and one.couple:
+        yield from self._unequal(compensator)
+        if asked.offset and compensator.residual:
+            yield word("compensator couple", residual=number(compensator.residual))
+        if asked.shafts is not None and compensator.couple:
             yield word(
-                "couple mass", letters=lowered_bank(couple_letters(order)), square=square, moment=number(one.couple)
+                "couple mass",
+                letters=lowered_bank(couple_letters(order)),
+                square=square,
+                moment=number(compensator.couple),
             )
 
-    def _unequal(self, one: Compensator) -> Iterator[str]:
+    def _unequal(self, compensator: Compensator) -> Iterator[str]:
         """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""
-        order, word = one.asked.order, self.drafting.word
+        order, word = compensator.asked.order, self.drafting.word
         slack = self.balance.forces[order].slack / (order * self.balance.task.speed) ** 2
-        if one.on_crank:
+        if compensator.on_crank:
             yield word("on crank")
-        elif abs(one.with_crank - one.against) > max(EYE * max(one.with_crank, one.against), slack):
+        elif abs(compensator.with_crank - compensator.against) > max(
+            EYE * max(compensator.with_crank, compensator.against), slack
+        ):
             pair = {"ahead": lowered_bank(letters(FORCE, order)), "back": lowered_bank(letters(FORCE, -order))}
             yield word("unequal vectors", **pair)
-            if order == 1 and one.with_angle is not None and one.with_crank > one.against:
-                angle = direction(cmath.rect(one.with_crank, one.with_angle), slack)
-                moment = self._number(one.with_crank - one.against)
+            if order == 1 and compensator.with_angle is not None and compensator.with_crank > compensator.against:
+                angle = direction(cmath.rect(compensator.with_crank, compensator.with_angle), slack)
+                moment = self._number(compensator.with_crank - compensator.against)
                 yield word("better on crank", moment=moment, angle=f"{ANGLE}{self._number(angle)}", **pair)
 
     def members(self) -> Iterator[str]:
         """Say where each mechanism of the bank stands."""
-        for one in self.balance.task.members:
-            told = {"name": one.name, "crank": self._exact(one.crank), "place": self._exact(1000 * one.place)}
-            yield self.drafting.word("bank member", axis=self._exact(one.axis), **told)
+        for member in self.balance.task.members:
+            told = {"name": member.name, "crank": self._exact(member.crank), "place": self._exact(1000 * member.place)}
+            yield self.drafting.word("bank member", axis=self._exact(member.axis), **told)
 
     def _exact(self, value: Fraction) -> str:
         return self._number(float(value))
@@ -284,7 +296,7 @@ def subject(study: Study) -> Subject:
     """Tell a bank in a few words, for the gallery's page."""
     task = study.of(BankStudy).task
     kind = "linkages" if task.unit is None else "slider-cranks"
-    count, orders = len(task.members), ", ".join(str(one.order) for one in task.asked)
+    count, orders = len(task.members), ", ".join(str(asked.order) for asked in task.asked)
     structure = f"bank of {count} {kind}"
     output = f"compensators of order {orders}" if orders else "no compensators"
     return Subject(structure, output, f"A {structure} on one shaft; {output}.")
@@ -318,11 +330,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 def order_rows(balance: BankBalance, drafting: Drafting, digits: int) -> Iterator[tuple[str, tuple[str, ...]]]:
     """Tell of each order the largest force of one mechanism, of the bank, what is left of it, and the moment."""
-    answered = {one.asked.order for one in balance.compensators}
+    answered = {compensator.asked.order for compensator in balance.compensators}
     for order, single in balance.single.items():
         force = balance.forces[order].size
         sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
-        yield str(order), tuple(drafting.number(one, digits) for one in sizes)
+        yield str(order), tuple(drafting.number(size, digits) for size in sizes)
 
 
 def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:

@@ -47,9 +47,9 @@ def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) 
 def named(shown: BankView) -> dict[float, str]:
     """Name the mechanisms at one place together, in their order."""
     found: dict[float, str] = {}
-    for one in shown.members:
-        place = float(one.place)
-        found[place] = f"{found[place]}, {one.name}" if place in found else one.name
+    for member in shown.members:
+        place = float(member.place)
+        found[place] = f"{found[place]}, {member.name}" if place in found else member.name
     return found
 
 
@@ -75,26 +75,26 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [title, *_shaft(shown, place, hand), *_datum(place, hand)]
-    for one in shown.members:
-        lines += [_guide(shown, one, place, hand), *_throw(shown, one, place, hand)]
+    for member in shown.members:
+        lines += [_guide(shown, member, place, hand), *_throw(shown, member, place, hand)]
     lines += _dimensions(shown, place, drafting)
     subject = Subject(NAME, QUANTITY, None)
     lines.append(view.origin(NAME, 0j, place, pole(place.on(0j)), QUANTITY))
-    lines += [_mark(subject, one, place, hand) for one in shown.members]
+    lines += [_mark(subject, member, place, hand) for member in shown.members]
     return LetteredFigure(NAME, tuple(lines), partial(_letters, shown, place, drafting))
 
 
-def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:
+def _mark(subject: Subject, member: Member, place: Place, hand: Hand) -> Group:
     """Mark the place of a mechanism on the axis of the shaft; it can be measured."""
-    spot = complex(float(one.place))
-    return point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK))
+    spot = complex(float(member.place))
+    return point(subject, member.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK))
 
 
 def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the axis, and the shaft between the cranks."""
     start, stop, axis = view.shaft([0.0, *named(shown)], place, hand)
     yield axis
-    webs = sorted(place.on(complex(one)).real for one in named(shown))
+    webs = sorted(place.on(complex(where)).real for where in named(shown))
     edges = [start.real, *(x + side * WEB * hand.symbol for x in webs for side in (-1, 1)), stop.real]
     for left, right in zip(edges[::2], edges[1::2], strict=True):
         if right > left:
@@ -112,10 +112,10 @@ def seen(shown: BankView, way: complex) -> float:
     return (way * shown.turn.conjugate()).real
 
 
-def _throw(shown: BankView, one: Member, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _throw(shown: BankView, member: Member, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a crank between its webs, or its pin alone where it points to the eye."""
-    middle, half = place.on(complex(float(one.place))), WEB * hand.symbol
-    high = THROW * hand.symbol * seen(shown, shown.crank_at(one))
+    middle, half = place.on(complex(float(member.place))), WEB * hand.symbol
+    high = THROW * hand.symbol * seen(shown, shown.crank_at(member))
     if abs(high) <= NEAR * THROW:
         yield Circle(middle, PIN * hand.symbol, hand.body)
         return
@@ -123,10 +123,10 @@ def _throw(shown: BankView, one: Member, place: Place, hand: Hand) -> Iterator[S
     yield Polyline(corners, False, hand.result)
 
 
-def _guide(shown: BankView, one: Member, place: Place, hand: Hand) -> Line:
+def _guide(shown: BankView, member: Member, place: Place, hand: Hand) -> Line:
     """Draw the axis of a guide from the shaft outward: up where the reference guide goes, down on the other side."""
-    far = (THROW + GUIDE) * hand.symbol * (-1 if seen(shown, shown.guide_at(one)) < -NEAR else 1)
-    middle = place.on(complex(float(one.place)))
+    far = (THROW + GUIDE) * hand.symbol * (-1 if seen(shown, shown.guide_at(member)) < -NEAR else 1)
+    middle = place.on(complex(float(member.place)))
     return Line(middle, middle + 1j * far, fit(hand.axis, abs(far)))
 
 

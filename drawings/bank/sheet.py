@@ -51,7 +51,7 @@ def orders(balance: BankBalance, drafting: Drafting) -> RuledTable:
 
 def compensator_table(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
     """Tell each mass of the compensators; None where there are none."""
-    lines = [row for one in balance.compensators for row in _masses(one, balance, drafting)]
+    lines = [row for compensator in balance.compensators for row in _masses(compensator, balance, drafting)]
     heads = tuple(drafting.word(head) for head in COMPENSATOR_HEADS)
     if not lines:
         return None
@@ -64,51 +64,54 @@ def results(comparison: Comparison, by_hand: bool, drafting: Drafting) -> RuledT
     Without `by_hand` there is no polygon in which a hand might err.
     """
     heads = tuple(drafting.word(head) for head in (BY_HAND if by_hand else BY_HAND[:-1]))
-    lines = [_result(one, drafting) for one in compared(comparison)]
+    lines = [_result(quantity, drafting) for quantity in compared(comparison)]
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     if not lines:
         return None
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
-def _result(one: Quantity, drafting: Drafting) -> TableRow:
+def _result(quantity: Quantity, drafting: Drafting) -> TableRow:
     """Give the row of a finding: values to their own digits, as orders differ by powers."""
-    known = float(one.allowed[0]) * 10 ** (FIGURES - 1)
-    own = one._replace(largest=max(float(abs(one.analysis[0])), known))  # rounding has no digits
-    return row_by_hand(own, f"{lowered_bank(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language)
+    known = float(quantity.allowed[0]) * 10 ** (FIGURES - 1)
+    own = quantity._replace(largest=max(float(abs(quantity.analysis[0])), known))  # rounding has no digits
+    return row_by_hand(own, f"{lowered_bank(quantity.name)}, {drafting.word(quantity.unit)}", (0,), drafting.language)
 
 
 def compared(comparison: Comparison) -> list[Quantity]:
     """List what the table of results tells."""
-    return [one for one in comparison.findings if _is_told(one)]
+    return [finding for finding in comparison.findings if _is_told(finding)]
 
 
-def _is_told(one: Quantity) -> bool:
+def _is_told(quantity: Quantity) -> bool:
     """Tell whether a finding stands in the table of results: a vector of the bank or a mass, more than rounding."""
-    kept = one.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and one.plan != EQUILIBRIUM
-    return kept and abs(one.analysis[0]) > one.allowed[0]
+    kept = quantity.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and quantity.plan != EQUILIBRIUM
+    return kept and abs(quantity.analysis[0]) > quantity.allowed[0]
 
 
-def _masses(one: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:
+def _masses(compensator: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:
     """Give the rows of the masses that are needed."""
-    order, mass, speed = one.asked.order, one.asked.mass, balance.task.speed
+    order, mass, speed = compensator.asked.order, compensator.asked.mass, balance.task.speed
     slack = balance.forces[order].slack / (order * speed) ** 2
-    for moment, angle, sense in ((one.with_crank, one.with_angle, 1), (one.against, one.against_angle, -1)):
+    for moment, angle, sense in (
+        (compensator.with_crank, compensator.with_angle, 1),
+        (compensator.against, compensator.against_angle, -1),
+    ):
         if angle is not None:
             far = None if mass is None else 1000 * moment / mass
             cells = _cells(
                 (moment, mass, far, sense * order * speed, direction(cmath.rect(moment, angle), slack)), drafting
             )
             yield TableRow(lowered_bank(letters(MASS, sense * order)), cells)
-    if one.couple_angle is not None:
-        moment = max(one.with_crank, one.against)
-        angle = direction(cmath.rect(moment, one.couple_angle), slack)
-        cells = _cells((one.couple, None, None, order * speed, angle), drafting)
+    if compensator.couple_angle is not None:
+        moment = max(compensator.with_crank, compensator.against)
+        angle = direction(cmath.rect(moment, compensator.couple_angle), slack)
+        cells = _cells((compensator.couple, None, None, order * speed, angle), drafting)
         yield TableRow(lowered_bank(f"{COUPLED}{roman(order)}"), cells)
 
 
 def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...]:
-    return tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in values)
+    return tuple(NOTHING if value is None else drafting.number(value, DIGITS) for value in values)
 
 
 AFTER = "'"  # behind the letter of what is left
@@ -134,7 +137,7 @@ def view_of(study: Study) -> BankView:
 def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
-    polygons = tuple(exhibit(polygon, one, drafting) for one in polygon.polygons(shown, drafting))
+    polygons = tuple(exhibit(polygon, order, drafting) for order in polygon.polygons(shown, drafting))
     shows = (*_views(shown, drafting), *polygons, *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
     told = orders, compensator_table
@@ -144,7 +147,7 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     ]
     notes = *BankNotes(shown.balance, drafting).all, *agreed(compared(comparison), drafting, bool(polygons))
     title = drafting.word("bank sheet title")
-    there = tuple(one for one in tables if one is not None)
+    there = tuple(written for written in tables if written is not None)
     later = partial(bank_by_hand, comparison.findings)
     return lay_out(scene, [Draft("bank", title, shows, there, notes, figures_facts, narrow=EQUATION, later=later)])
 
@@ -193,13 +196,13 @@ def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: D
     """Show a hodograph."""
     turn = values[:-1]
     ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
-    one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
-    return exhibit(hodograph, one, drafting, scale=scale)
+    figure = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, name, title)
+    return exhibit(hodograph, figure, drafting, scale=scale)
 
 
 def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the compensators of every order that needs some."""
     for found in shown.balance.compensators:
-        one = Layout(found, shown.turn, shown.task.speed)
-        if any(one.weights()):
-            yield exhibit(compensators, one, drafting)
+        layout = Layout(found, shown.turn, shown.task.speed)
+        if any(layout.weights()):
+            yield exhibit(compensators, layout, drafting)

@@ -43,7 +43,7 @@ class ShownOrder(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        return [0j, *(one.end for one in self.vectors)]
+        return [0j, *(vector.end for vector in self.vectors)]
 
 
 def fanned(sides: Sequence[tuple[str, complex]]) -> list[tuple[str, complex]]:
@@ -85,7 +85,7 @@ class BankView(NamedTuple):
 
         The mirror image of one is left out, and what has a single side, which is its sum.
         """
-        for order in (one for one in self.balance.single if not slight_order(self.balance, one)):
+        for order in (order for order in self.balance.single if not slight_order(self.balance, order)):
             for kind in (FORCE, MOMENT):
                 for signed in (order,) if mirrored(self.balance, order) else (order, -order):
                     if self.acts(kind, signed):
@@ -94,7 +94,7 @@ class BankView(NamedTuple):
     def acts(self, kind: str, signed: int) -> bool:
         """Tell whether several mechanisms of the bank have something to lay off in a polygon."""
         single = self.balance.single[abs(signed)]
-        several = sum(1 for one in self.task.members if one.place or kind == FORCE) > 1
+        several = sum(1 for member in self.task.members if member.place or kind == FORCE) > 1
         return several and abs(single.ahead if signed > 0 else single.back) > single.slack
 
     def _shown(self, kind: str, signed: int) -> ShownOrder:
@@ -111,7 +111,7 @@ class BankView(NamedTuple):
     @property
     def straight(self) -> bool:
         """Whether the force of the bank, before and after, keeps to the line of the reference guide."""
-        return all(straight(one, self.balance.force) for one in (self.balance.force, self.balance.left))
+        return all(straight(course, self.balance.force) for course in (self.balance.force, self.balance.left))
 
     @property
     def lasting(self) -> bool:
@@ -122,7 +122,7 @@ class BankView(NamedTuple):
     @property
     def compensated(self) -> bool:
         """Whether some compensator has a mass."""
-        angles = ((one.with_angle, one.against_angle) for one in self.balance.compensators)
+        angles = ((compensator.with_angle, compensator.against_angle) for compensator in self.balance.compensators)
         return any(angle is not None for pair in angles for angle in pair)
 
     @property
@@ -137,13 +137,13 @@ class BankView(NamedTuple):
         left = bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
         return left and not slight_moment(self.balance)
 
-    def crank_at(self, one: Member) -> complex:
+    def crank_at(self, member: Member) -> complex:
         """Give the direction of the crank of a member at phi = 0 on the sheet."""
-        return direction(one.crank) * self.turn
+        return direction(member.crank) * self.turn
 
-    def guide_at(self, one: Member) -> complex:
+    def guide_at(self, member: Member) -> complex:
         """Give the direction of the guide of a member on the sheet."""
-        return direction(one.axis) * self.turn
+        return direction(member.axis) * self.turn
 
     def on_sheet(self, values: Complexes) -> Complexes:
         """Turn vectors as the sheet shows them."""
@@ -160,11 +160,11 @@ TURN = (10.0, math.radians(12), math.radians(60))  # radius mm, start and sweep 
 def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Number the cranks outward, letter the guides where they differ, the shaft and its sense."""
     hand, centre = drafting.hand, place.on(0j)
-    for way, names in together((shown.crank_at(one), one) for one in shown.members).items():
+    for way, names in together((shown.crank_at(member), member) for member in shown.members).items():
         spot, gap = place.on(way * reach(shown)), PIN * hand.symbol + BESIDE
         yield labels.beside(spot, names, hand.letter, gap, cmath.phase(way))
     far = place.length(reach(shown)) + AXIS * hand.symbol
-    guides = together((shown.guide_at(one), one) for one in shown.members)
+    guides = together((shown.guide_at(member), member) for member in shown.members)
     for way, names in guides.items() if len(guides) > 1 else ():
         text = drafting.word("guide of", names=names)
         yield labels.beside(centre + far * way, text, hand.number, BESIDE, cmath.phase(way))
@@ -176,9 +176,9 @@ def _letters(shown: BankView, place: Place, drafting: Drafting, labels: Labels) 
 def together(pairs: Iterator[tuple[complex, Member]]) -> dict[complex, str]:
     """Name the members of one direction together, in their order."""
     found: dict[complex, str] = {}
-    for way, one in pairs:
+    for way, member in pairs:
         key = next((other for other in found if abs(other - way) < NEAR), way)
-        found[key] = f"{found[key]}, {one.name}" if key in found else one.name
+        found[key] = f"{found[key]}, {member.name}" if key in found else member.name
     return found
 
 
@@ -205,8 +205,10 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Lett
     under = drafting.scale(spot.scale) if shown.crank else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("star of cranks"), under, hand)
     lines = (title, *_axes(shown, place, hand), *rotation(place.on(0j), shown.task.speed, TURN, hand).draw(hand))
-    cranks = [Line(place.on(0j), place.on(shown.crank_at(one) * reach(shown)), hand.result) for one in shown.members]
-    pins = (_pin(shown, one, place, hand) for one in shown.members)
+    cranks = [
+        Line(place.on(0j), place.on(shown.crank_at(member) * reach(shown)), hand.result) for member in shown.members
+    ]
+    pins = (_pin(shown, member, place, hand) for member in shown.members)
     (circle,) = hinge(place.on(0j), hand)
     shaft = origin(NAME, 0j, place, circle)
     return LetteredFigure(NAME, (*lines, *cranks, *pins, shaft), partial(_letters, shown, place, drafting))
@@ -217,14 +219,14 @@ def _axes(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:
     radius = place.length(reach(shown))
     yield Circle(place.on(0j), radius, fit(hand.axis, math.tau * radius, True))
     far, centre = radius + AXIS * hand.symbol, place.on(0j)
-    for way in together((shown.guide_at(one), one) for one in shown.members):
+    for way in together((shown.guide_at(member), member) for member in shown.members):
         yield Line(centre - AXIS * hand.symbol * way, centre + far * way, fit(hand.axis, far + AXIS * hand.symbol))
 
 
-def _pin(shown: BankView, one: Member, place: Place, hand: Hand) -> Group:
+def _pin(shown: BankView, member: Member, place: Place, hand: Hand) -> Group:
     """Draw a crank pin; it can be measured where the crank's length is known."""
-    centre = shown.crank_at(one) * reach(shown)
+    centre = shown.crank_at(member) * reach(shown)
     circle = Circle(place.on(centre), PIN * hand.symbol, hand.body)
     if not shown.crank:
-        return Group((circle,), "", {}, one.name)
-    return point(Subject(NAME, QUANTITY, None), one.name, centre, place, circle)
+        return Group((circle,), "", {}, member.name)
+    return point(Subject(NAME, QUANTITY, None), member.name, centre, place, circle)

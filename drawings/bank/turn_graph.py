@@ -47,19 +47,19 @@ class TurnGraph(NamedTuple):
     @property
     def span(self) -> tuple[float, float]:
         """The least and the largest value, zero among them."""
-        values = np.concatenate([one.values for one in self.curves])
+        values = np.concatenate([curve.values for curve in self.curves])
         return float(values.min(initial=0.0)), float(values.max(initial=0.0))
 
 
-def stations(one: TurnCurve) -> range:
+def stations(curve: TurnCurve) -> range:
     """Give which values have ordinates."""
-    whole = len(one.values) - 1
+    whole = len(curve.values) - 1
     return range(0, whole + 1, whole // STATIONS)
 
 
-def number(one: TurnCurve, k: int) -> str:
+def number(curve: TurnCurve, k: int) -> str:
     """Number the station of a value; the turn ends in 0 again."""
-    return str(k * STATIONS // (len(one.values) - 1) % STATIONS)
+    return str(k * STATIONS // (len(curve.values) - 1) % STATIONS)
 
 
 def measure(shown: TurnGraph, drafting: Drafting) -> Picture:
@@ -74,11 +74,11 @@ def draw(shown: TurnGraph, room: Picture, spot: Spot, drafting: Drafting) -> Par
     graph = Graph(shown.name, axes, hand)
     lines: list[Stroke] = [heading(spot.box, shown.title, drafting.scale(spot.scale, axes.up), hand)]
     lines += axes.lines((0.0, TURN), shown.span, hand, shown.name)
-    for one in shown.curves:
-        for k in stations(one):
-            own = graph._replace(name=one.plan)
-            lines += own.station(float(one.angles[k]), [float(one.values[k])], number(one, k), k)
-        lines.append(graph.stated(one.plan, graph.curve(one.angles, one.values, getattr(hand, one.style))))
+    for curve in shown.curves:
+        for k in stations(curve):
+            own = graph._replace(name=curve.plan)
+            lines += own.station(float(curve.angles[k]), [float(curve.values[k])], number(curve, k), k)
+        lines.append(graph.stated(curve.plan, graph.curve(curve.angles, curve.values, getattr(hand, curve.style))))
     first, ends = shown.curves[0], graph.ends((TURN, ANGLE[0]), (shown.span[1], f"{shown.letter}, {unit}"))
     numbers = (graph.number(float(first.angles[k]), number(first, k), first.values[k]) for k in stations(first))
     return Part(shown.name, tuple(lines), (*ends, *_letters(shown, graph), *numbers))
@@ -86,7 +86,7 @@ def draw(shown: TurnGraph, room: Picture, spot: Spot, drafting: Drafting) -> Par
 
 def _letters(shown: TurnGraph, graph: Graph) -> Iterator[Letter]:
     """Letter each of several curves where it is farthest from zero."""
-    for one in shown.curves if len(shown.curves) > 1 else ():
-        k = int(np.abs(one.values).argmax())
-        spot = graph.axes.on(float(one.angles[k]), float(one.values[k]))
-        yield Letter(spot, one.letter, graph.hand.letter, math.copysign(math.pi / 2, one.values[k]))
+    for curve in shown.curves if len(shown.curves) > 1 else ():
+        k = int(np.abs(curve.values).argmax())
+        spot = graph.axes.on(float(curve.angles[k]), float(curve.values[k]))
+        yield Letter(spot, curve.letter, graph.hand.letter, math.copysign(math.pi / 2, curve.values[k]))

@@ -140,7 +140,10 @@ class _Machine:
 
     def _equations(self, wheel: Flywheel, frame: Frame) -> Iterator[Expected]:
         """Give what is worked out beside the loop: angles °, segments mm, the origin of the whole diagram, inertia."""
-        (low, high), cuts = (math.degrees(math.atan(one * frame.across / frame.up)) for one in wheel.slopes), wheel.cuts
+        (low, high), cuts = (
+            (math.degrees(math.atan(slope * frame.across / frame.up)) for slope in wheel.slopes),
+            wheel.cuts,
+        )
         energy = KNOWN * (sum(map(abs, cuts)) + abs(wheel.energy))
         values = [("ψ_{min}", low, KNOWN * 90), ("ψ_{max}", high, KNOWN * 90)]
         values += [("o_1l", cuts[0] / frame.up, energy / frame.up), ("o_1k", cuts[1] / frame.up, energy / frame.up)]
@@ -227,7 +230,7 @@ class _Machine:
         if speeds is not None:
             low, high = speeds.extremes
             ends = ("max", high), ("min", low)
-            yield from (_Value(f"ω_{{{end}}}", "rad/s", one, KNOWN * high, one) for end, one in ends)
+            yield from (_Value(f"ω_{{{end}}}", "rad/s", extreme, KNOWN * high, extreme) for end, extreme in ends)
             delta = 2 * (high - low) / (high + low)
             yield _Value("δ", "", delta, 2 * KNOWN, delta)
 
@@ -286,9 +289,9 @@ class _Machine:
 
     def _achieved(self) -> Iterator[tuple[str, float, float]]:
         speeds, before = self.turn.account.speeds, self.turn.account.before
-        for name, one in (("δ", speeds), ("δ without flywheel", before)):
-            if one is not None and all(map(math.isfinite, one.extremes)):
-                low, high = one.extremes
+        for name, motion in (("δ", speeds), ("δ without flywheel", before)):
+            if motion is not None and all(map(math.isfinite, motion.extremes)):
+                low, high = motion.extremes
                 slack = 2 * KNOWN + (0.0 if low > LOST * high else math.sqrt(KNOWN))
                 yield name, 2 * (high - low) / (high + low), slack
         if speeds is not None:
@@ -309,9 +312,9 @@ class _Machine:
 
 def _drawn(leaf: Leaf) -> Iterator[tuple[str, complex]]:
     """Give the vectors of the loop as they are drawn, mm: how long a tangent is the layout chose."""
-    for one in marks(leaf.groups):
-        if one.data.get("plan") == LOOP and one.data.get("kind") == "vector":
-            yield one.data["name"], complex(*map(float, one.data["value"].split()))
+    for mark in marks(leaf.groups):
+        if mark.data.get("plan") == LOOP and mark.data.get("kind") == "vector":
+            yield mark.data["name"], complex(*map(float, mark.data["value"].split()))
 
 
 def _greatest(cycle: Cycle, start: float, end: float) -> float:

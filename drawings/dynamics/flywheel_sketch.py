@@ -104,7 +104,7 @@ def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredF
     told = telling(NAME, Text(under, said(rim, drafting), hand.text, "middle", True))
     sizes = tuple(_sizes(wheel, place, drafting))
     marks = (
-        _marked(one, letter, value, spot.scale, hand) for one, (letter, value) in zip(sizes, true(rim), strict=True)
+        _marked(line, letter, value, spot.scale, hand) for line, (letter, value) in zip(sizes, true(rim), strict=True)
     )
     lines = (title, told, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
     return LetteredFigure(NAME, lines, partial(_letters, sizes, hand))
@@ -112,9 +112,9 @@ def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> LetteredF
 
 def _letters(sizes: Sequence[Dimension], hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter the sizes along their lines."""
-    for one in sizes:
-        side = math.pi / 2 if one.off.imag else math.pi
-        yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, side))
+    for line in sizes:
+        side = math.pi / 2 if line.off.imag else math.pi
+        yield telling(NAME, labels.along(*line.lines[0], line.letter, hand.number, ABOVE, side))
 
 
 def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:
@@ -145,10 +145,10 @@ def _sizes(wheel: Outlines, place: Place, drafting: Drafting) -> Iterator[Dimens
         yield Dimension(size(letter, abs(value), drafting), place.on(start), place.on(end), off)
 
 
-def _marked(one: Dimension, letter: str, value: complex, scale: Scale, hand: Hand) -> Group:
+def _marked(dimension: Dimension, letter: str, value: complex, scale: Scale, hand: Hand) -> Group:
     """Draw a dimension; its line can be measured."""
     data = Subject(NAME, SYMBOL, None).data("vector", letter, value, scale)
-    return Group(one.draw(hand), "", data, one.letter)
+    return Group(dimension.draw(hand), "", data, dimension.letter)
 
 
 def _cut(wheel: Outlines, place: Place, hand: Hand) -> Iterator[Stroke]:

@@ -191,7 +191,7 @@ def graph_part(shown: StripGraph, strips: Strips, axes: Axes, drafting: Drafting
             for k in strips.marked(numbered)
             for stroke in graph.station(turned[k], sides[k], names[k], k, k in numbered, DOT)
         ),
-        *(_curve(one, shown, graph) for one in shown.traces),
+        *(_curve(trace, shown, graph) for trace in shown.traces),
     )
     up = f"{drafting.letter(shown.axis or shown.letter)}, {drafting.word(shown.unit)}"
     ends = graph.ends((TURN, "φ"), (shown.span[1], up))

@@ -55,7 +55,7 @@ def _angles(wheel: Flywheel, axes: Axes, drafting: Drafting) -> str:
 def _segments(wheel: Flywheel, axes: Axes, drafting: Drafting) -> str:
     """Write the segments of the axis of energy, mm."""
     low, high = (cut / axes.up.mu for cut in wheel.cuts)
-    return joined(";  ", (_size(*one, "mm", drafting) for one in (("o_1k", high), ("o_1l", low))))
+    return joined(";  ", (_size(*segment, "mm", drafting) for segment in (("o_1k", high), ("o_1l", low))))
 
 
 def _origin(wheel: Flywheel, axes: Axes, drafting: Drafting) -> Iterator[str]:
@@ -64,7 +64,7 @@ def _origin(wheel: Flywheel, axes: Axes, drafting: Drafting) -> Iterator[str]:
     slope, cut = "(o_1l − o_1k)/(tg ψ_{max} − tg ψ_{min})", "o_1k + x_O·tg ψ_{max}"
     parts = (_size("x_O", x, "mm", drafting, slope), _size("y_O", y, "mm", drafting, cut))
     yield joined(";  ", parts)
-    across, up = (drafting.true(one, axis.letter) for one, axis in (("x_O", axes.across), ("y_O", axes.up)))
+    across, up = (drafting.true(segment, axis.letter) for segment, axis in (("x_O", axes.across), ("y_O", axes.up)))
     inertia = _size("J_0", wheel.whole, "kg*m2", drafting, f"−{across}")
     yield joined(";  ", (inertia, _size("T_0", wheel.energy, "J", drafting, f"−{up}")))
 
@@ -251,7 +251,7 @@ class Loop:
     @property
     def touches(self) -> tuple[int, ...]:
         """The edges that the tangents touch, where they touch one."""
-        return tuple(k for one in self.touched for k in one)
+        return tuple(k for edges in self.touched for k in edges)
 
     @property
     def touched(self) -> tuple[Sequence[int], ...]:

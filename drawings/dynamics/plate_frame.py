@@ -52,7 +52,7 @@ class PlateFrame:
         found += [graphs.surplus(cycle, dense), graphs.inertia(cycle, dense)]
         if account.speeds:
             found.append(graphs.speeds(cycle, dense, account.speeds, account.before))
-        return {one.name: one for one in found}
+        return {graph.name: graph for graph in found}
 
     @cached_property
     def fields(self) -> dict[str, Field]:
@@ -109,9 +109,9 @@ class PlateFrame:
         """The scales of moments and works and the pole distance, mm, which follows from them."""
         size, mu = self.plate.hand.letter, self.spot.scale.mu
         pairs = product(self._steps(MOMENTS, "M", "N*m"), self._steps(WORKS, "A", "J"))
-        found = [(one, two, two.mu / (one.mu * mu)) for one, two in pairs]
-        near = [one for one in found if POLE[0] * size <= one[2] <= POLE[1] * size]
-        return min(near or found, key=lambda one: one[0].mu * one[1].mu)
+        found = [(first, two, two.mu / (first.mu * mu)) for first, two in pairs]
+        near = [way for way in found if POLE[0] * size <= way[2] <= POLE[1] * size]
+        return min(near or found, key=lambda way: way[0].mu * way[1].mu)
 
     def _steps(self, name: str, letter: str, unit: str) -> Iterator[Scale]:
         """Give the largest scale of a graph that its row takes, and some smaller ones."""

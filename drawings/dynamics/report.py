@@ -175,9 +175,9 @@ class DynamicsNotes(NamedTuple):
         """Write a coefficient of fluctuation as tables of permitted ones do."""
         return joined("", ("1/", self.drafting.slot(self._slot(f"1/{of}", 1 / delta))))
 
-    def _less(self, one: float, other: float) -> float:
+    def _less(self, value: float, other: float) -> float:
         """Subtract; nothing is left where that is but rounding."""
-        return float(settled(np.array([one - other]), abs(other))[0])
+        return float(settled(np.array([value - other]), abs(other))[0])
 
     def _angle(self, quantity: str, turned: float) -> Slot:
         return self._slot(quantity, math.degrees(turned))
@@ -263,10 +263,10 @@ def _ways(study: Study) -> Iterator[str]:
 
 def _shafts(notes: DynamicsNotes) -> Iterator[str]:
     """Tell each rotating mass beside the linkage, reduced to the crank."""
-    for one in notes.task.shafts:
-        numbers = {"inertia": one.inertia, "ratio": one.ratio, "reduced": one.reduced}
+    for shaft in notes.task.shafts:
+        numbers = {"inertia": shaft.inertia, "ratio": shaft.ratio, "reduced": shaft.reduced}
         told = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield word(notes.drafting.language, "report.shaft", name=one.name, **told)
+        yield word(notes.drafting.language, "report.shaft", name=shaft.name, **told)
 
 
 def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:

@@ -47,11 +47,11 @@ def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Ite
     heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_1l, J", "o_1k, J"]
     yield from header(_units(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
-    numbers = np.array([_tangent(one, k) for _, one in roads for k in range(2)])
+    numbers = np.array([_tangent(wheel, k) for _, wheel in roads for k in range(2)])
     rows = np.column_stack([without_rounding(column) for column in numbers.T])
     for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
         name = f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}"
-        yield row([name, *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
+        yield row([name, *("—" if math.isnan(cell) else drafting.number(float(cell), DIGITS) for cell in cells)])
     yield f"\n{word(drafting.language, 'report.slopes')}"
 
 
@@ -71,7 +71,7 @@ def others(
         delta = times * (task.delta or 0.0)
         if delta <= LARGEST:
             found = at(delta)
-            yield row([written(delta), *(drafting.number(one, DIGITS) for one in (found.whole, found.inertia))])
+            yield row([written(delta), *(drafting.number(inertia, DIGITS) for inertia in (found.whole, found.inertia))])
 
 
 def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
@@ -92,7 +92,7 @@ def without_rounding(column: Floats) -> Floats:
 def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
     yield from header(heads)
     for k, cells in enumerate(zip(*map(without_rounding, columns), strict=True)):
-        yield row([str(k), *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
+        yield row([str(k), *("—" if math.isnan(cell) else drafting.number(float(cell), DIGITS) for cell in cells)])
 
 
 def plain(note: str) -> str:
@@ -134,8 +134,8 @@ def _named(stage: Stage, drafting: Drafting) -> str:
 def _cells(run: Run, stage: Stage, drafting: Drafting) -> Iterator[str]:
     write, works = partial(drafting.number, digits=FEW), stage.works
     yield from (write(float(run.t[at])) for at in (stage.first, stage.last))
-    yield from (write(one) for one in (works.driving, works.useful, works.braking, works.weights))
-    yield " → ".join(write(one) for one in stage.energies)
+    yield from (write(work) for work in (works.driving, works.useful, works.braking, works.weights))
+    yield " → ".join(write(energy) for energy in stage.energies)
     noise = NOISE * max(map(abs, (works.driving, works.braking, *stage.energies)))
     yield "—" if abs(stage.closing) <= noise else decimal(f"{stage.closing:.1e}", drafting.language)
 

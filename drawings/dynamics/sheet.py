@@ -93,7 +93,7 @@ def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     angles = np.degrees(cycle.turned)
     rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
     sides = [angles, -before, nothing, nothing, nothing, nothing, last]
-    return _Columns(*(np.array([without_rounding(row) for row in one]) for one in (rows, sides)))
+    return _Columns(*(np.array([without_rounding(row) for row in table]) for table in (rows, sides)))
 
 
 def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
@@ -112,18 +112,18 @@ def _cell(value: float, drafting: Drafting) -> str:
 
 def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and by how much the strips are out; then the inertia by other methods."""
-    lines = [_compared(one, drafting) for one in quantities(own, exact)]
+    lines = [_compared(quantity, drafting) for quantity in quantities(own, exact)]
     lines += _others(exact, methods, drafting)
     heads = tuple(drafting.word(head) for head in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
-def _compared(one: Quantity, drafting: Drafting) -> TableRow:
-    letter = drafting.true(one.name, "T") if one.name in SEGMENTS else one.name
-    named = drafting.letter(letter) + (f", {drafting.word(one.unit)}" if one.unit else "")
-    own, exact = float(one.construction[0]), float(one.analysis[0])
+def _compared(quantity: Quantity, drafting: Drafting) -> TableRow:
+    letter = drafting.true(quantity.name, "T") if quantity.name in SEGMENTS else quantity.name
+    named = drafting.letter(letter) + (f", {drafting.word(quantity.unit)}" if quantity.unit else "")
+    own, exact = float(quantity.construction[0]), float(quantity.analysis[0])
     numbers = (drafting.number(value, DIGITS + 1) for value in (own, exact))
-    return TableRow(named, (*numbers, _share(own, exact, one.largest, drafting)))
+    return TableRow(named, (*numbers, _share(own, exact, quantity.largest, drafting)))
 
 
 def _share(own: float, exact: float, whole: float, drafting: Drafting) -> str:
@@ -222,7 +222,7 @@ class _DynamicsSheet:
     def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
         """Show the graphs with what they rest on, the loop, what follows from both."""
         plates = tuple(self._plates(way))
-        exhibits = [self._exhibit(one, self._least if way.whole else None) for one in plates]
+        exhibits = [self._exhibit(shown, self._least if way.whole else None) for shown in plates]
         yield from exhibits[:1]
         yield from self._loads()
         yield self._caption(self._values(way.most))

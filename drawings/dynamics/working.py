@@ -22,7 +22,7 @@ def _lines(shown: Plate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
     drafting, (across, up) = shown.drafting, _scales(shown, spot)
     k = drafting.notation == "K"
     over, under = ("K_{T}", "K_{J}") if k else ("μ_{J}", "μ_{T}")
-    factors = [told(one, drafting) for one in ((1 / up, 1 / across) if k else (across, up))]
+    factors = [told(factor, drafting) for factor in ((1 / up, 1 / across) if k else (across, up))]
     for end, slope in zip(("max", "min"), reversed(shown.account.flywheel.slopes), strict=True):
         yield (
             f"tg ψ_{{{end}}} = ω_{{{end}}}^2·{over}/(2·{under})",

@@ -55,11 +55,11 @@ class Weights:
         """Give how far all static moments together may be off, kg*m."""
         return sum(map(self._off, self.study.balance.counterweights))
 
-    def _off(self, one: Counterweight) -> float:
+    def _off(self, weight: Counterweight) -> float:
         """Give how far one of them may be off: its mass, too, and its centre told from the zero of the link's frame."""
-        slack = self.slack(one.link)
-        told = one.mass * (abs(one.centre) + abs(one.origin) - abs(one.centre - one.origin))
-        return slack + abs(one.centre) * uncertain(one, slack) + 2 * EPS * told
+        slack = self.slack(weight.link)
+        told = weight.mass * (abs(weight.centre) + abs(weight.origin) - abs(weight.centre - weight.origin))
+        return slack + abs(weight.centre) * uncertain(weight, slack) + 2 * EPS * told
 
     @property
     def _given(self) -> float:
@@ -70,23 +70,23 @@ class Weights:
 
     def findings(self, ours: Balance, theirs: Balance) -> Iterator[Quantity]:
         """Compare every counterweight, and every mass that stays."""
-        for one, other in zip(ours.counterweights, theirs.counterweights, strict=True):
-            yield from self._of(one, other)
+        for weight, other in zip(ours.counterweights, theirs.counterweights, strict=True):
+            yield from self._of(weight, other)
         largest = max((abs(mass) for mass in ours.left.values()), default=0.0)
         for point in dict.fromkeys((*ours.left, *theirs.left)):
             pair = ours.left.get(point, 0j), theirs.left.get(point, 0j)
             yield Quantity.of((COUNTERWEIGHTS, f"m_{point}", "kg"), pair, self.loose(point), largest)
 
-    def _of(self, one: Counterweight, other: Counterweight) -> Iterator[Quantity]:
-        slack, link = self.slack(one.link), one.link
+    def _of(self, weight: Counterweight, other: Counterweight) -> Iterator[Quantity]:
+        slack, link = self.slack(weight.link), weight.link
         named = COUNTERWEIGHTS, f"U_{link}", "kg*m"
-        yield Quantity.of(named, (one.moment, other.moment), slack, max(abs(one.moment), slack))
-        off = 2 * EPS * one.mass + uncertain(one, slack)
-        yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (one.mass, other.mass), off, one.mass)
-        if one.needed and other.needed:
-            place = slack / one.mass + one.distance * (4 * EPS + uncertain(one, slack) / one.mass)
-            named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(one.centre) + one.distance
-            yield Quantity.of(named, (one.centre, other.centre), place, far)
+        yield Quantity.of(named, (weight.moment, other.moment), slack, max(abs(weight.moment), slack))
+        off = 2 * EPS * weight.mass + uncertain(weight, slack)
+        yield Quantity.of((COUNTERWEIGHTS, f"m_cw{link}", "kg"), (weight.mass, other.mass), off, weight.mass)
+        if weight.needed and other.needed:
+            place = slack / weight.mass + weight.distance * (4 * EPS + uncertain(weight, slack) / weight.mass)
+            named, far = (COUNTERWEIGHTS, f"r_cw{link}", "m"), abs(weight.centre) + weight.distance
+            yield Quantity.of(named, (weight.centre, other.centre), place, far)
 
 
 class Stretch(NamedTuple):
@@ -229,15 +229,15 @@ class Centres:
 
     def findings(self) -> Iterator[Quantity]:
         """Compare both, and hold them against what the frame must bear."""
-        for one, other in ((self.ours.before, self.theirs.before), (self.ours.after, self.theirs.after)):
-            if one is not None and other is not None:
-                after = one is self.ours.after
+        for state, other in ((self.ours.before, self.theirs.before), (self.ours.after, self.theirs.after)):
+            if state is not None and other is not None:
+                after = state is self.ours.after
                 centre = Centre(self.study, self.stretch, after, self.weights)
-                found = *centre.findings(CENTRE, one.centre, other.centre), *centre.polygons(other.centre)
+                found = *centre.findings(CENTRE, state.centre, other.centre), *centre.polygons(other.centre)
                 yield from centre.vectors()
-                yield from self.stretch.capped((*found, *self._held(centre, one.centre)))
+                yield from self.stretch.capped((*found, *self._held(centre, state.centre)))
                 if after:
-                    yield from self.stretch.capped([self._still(centre, one.centre)])
+                    yield from self.stretch.capped([self._still(centre, state.centre)])
 
     def _held(self, centre: Centre, ours: MassCentre) -> Iterator[Quantity]:
         """Compare the main vector and moment with what the frame holds where inertia alone acts."""
@@ -258,7 +258,7 @@ class Centres:
         motion, left = self.stretch.motion.construction, self.ours.left
         moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
         moving = moving + self._overbalance(self.theirs.left) * np.exp(1j * motion.links[self._crank].angle)
-        rest = moving - next((one for one in moving if np.isfinite(one)), np.nan)
+        rest = moving - next((place for place in moving if np.isfinite(place)), np.nan)
         loose = sum(self.weights.loose(point) for point in left) * self.stretch.size
         kept = sum(map(abs, left.values())) * self.stretch.size
         own = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
@@ -280,15 +280,15 @@ def frame_holds(forces: Kinetostatics) -> tuple[Complexes, Floats]:
 
     It is the main vector and the main moment of the inertia forces, where nothing else acts.
     """
-    rows = [one for one in forces.reactions.values() if FRAME in (one.giver, one.taker)]
+    rows = [reaction for reaction in forces.reactions.values() if FRAME in (reaction.giver, reaction.taker)]
     force = np.zeros(len(forces.phi), dtype=np.complex128)
     moment = np.array(-forces.balancing.moment)
     if forces.balancing.force is not None:
         force = force - forces.balancing.force
-    for one in rows:
-        sign = -1.0 if one.giver == FRAME else 1.0
-        force = force + sign * one.force
-        moment = moment + sign * ((one.r.conj() * one.force).imag + (0.0 if one.moment is None else one.moment))
+    for row in rows:
+        sign = -1.0 if row.giver == FRAME else 1.0
+        force = force + sign * row.force
+        moment = moment + sign * ((row.r.conj() * row.force).imag + (0.0 if row.moment is None else row.moment))
     return force, moment
 
 

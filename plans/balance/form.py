@@ -135,7 +135,7 @@ class CounterweightTable(Table):
 
 def _check_once(entries: tuple[CounterweightTable, ...]) -> None:
     """See that no link is to carry two."""
-    links = [one.on for one in entries]
+    links = [entry.on for entry in entries]
     for number, link in enumerate(links):
         if link in links[:number]:
             raise wrong("counterweight_twice", link=link, at=(number, "on"))

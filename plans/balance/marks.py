@@ -50,7 +50,7 @@ def _steps(steps: list[Mark], whole: bool) -> tuple[tuple[Mark, ...], Mapping[st
     """Give the steps that are told, the units of their boards, and a note on the plans of the motion, left out."""
     if whole:
         return tuple(steps), UNITS, ()
-    own = tuple(one for one in steps if one.subject not in motion.UNITS)
+    own = tuple(step for step in steps if step.subject not in motion.UNITS)
     return own, UNITS, (message("explain.left_out", count=len(steps) - len(own)),)
 
 

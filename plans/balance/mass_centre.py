@@ -57,7 +57,7 @@ class MainPoints:
         """Give the mass of a link with all that follow it, summed once."""
         if link not in self._behind:
             links = list(self.tree.behind(link))
-            name, terms = "m_" + "+".join(map(str, links)), [self.masses[one] for one in links]
+            name, terms = "m_" + "+".join(map(str, links)), [self.masses[follower] for follower in links]
             self._behind[link] = self.sums.total(name, terms, self.sums.no_mass, because("follow"))
         return self._behind[link]
 
@@ -92,7 +92,7 @@ class MainPoints:
     @property
     def constant(self) -> complex:
         """What hinges and guides of the frame give the mass centre, m from the datum: the same in all positions."""
-        return sum((one.share * one.stem.at for one in self._shares(self.tree.rooted)), 0j)
+        return sum((share.share * share.stem.at for share in self._shares(self.tree.rooted)), 0j)
 
     @property
     def variables(self) -> tuple[Share, ...]:
@@ -189,17 +189,17 @@ def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int
         if image.arm is not None and h:
             line, why = points.line(link, image.span), because("main_vector_of", link=link)
             yield link, board.similar(f"h_{link}", image.arm, line, points.marks[link], why=why)
-    for one in points.variables:
-        yield one.stem.link, _variable(one, plan, board)
+    for share in points.variables:
+        yield share.stem.link, _variable(share, plan, board)
 
 
-def _variable(one: Share, plan: Plan, board: Board) -> Mark:
+def _variable(share: Share, plan: Plan, board: Board) -> Mark:
     """Give a share of the vector along a guide: on the plan of positions it is variable, and so are its images."""
-    stem, name = one.stem, f"u_{one.stem.link}"
+    stem, name = share.stem, f"u_{share.stem.link}"
     start = plan.place(stem.parent, stem.at, f"{name}′")
     end = plan.place(stem.link, stem.origin, f"{name}″")
     along = board.join(f"{name}:1", start, end, because("along_guide"))
-    return board.turn(name, along, one.share, because("variable_vector", link=stem.link))
+    return board.turn(name, along, share.share, because("variable_vector", link=stem.link))
 
 
 def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str) -> Chain:

@@ -44,9 +44,9 @@ class Costs:
     def findings(self) -> Iterator[Quantity]:
         """Compare all of it."""
         for after in (False, True):
-            one, other = self._states(after)
-            if one is not None and other is not None:
-                found = *self.centre(after).findings(COSTS, one.around, other.around), *self._forces(after)
+            state, other = self._states(after)
+            if state is not None and other is not None:
+                found = *self.centre(after).findings(COSTS, state.around, other.around), *self._forces(after)
                 yield from self.stretch.capped(found)
 
     def _states(self, after: bool) -> tuple[State | None, State | None]:
@@ -63,34 +63,34 @@ class Costs:
 
     def forces(self, after: bool) -> ForceFindings:
         """Give the forces over the turn by both roads, with what rounding allows the construction."""
-        one, other = self._states(after)
-        assert one is not None and other is not None  # asked before
+        state, other = self._states(after)
+        assert state is not None and other is not None  # asked before
         statics: Statics = self.study.loaded_statics if after else self.study.statics
         plans = ForceDrafts(statics, self.stretch.drafts).plans
         _, force, moment = self.centre(after).sizes  # a counterweight far out has a large moment of inertia forces
         borne = max(force, moment / self.stretch.size)
-        return ForceFindings(statics, self.stretch.motion, one.forces, other.forces, plans, borne)
+        return ForceFindings(statics, self.stretch.motion, state.forces, other.forces, plans, borne)
 
     def _forces(self, after: bool) -> Iterator[Quantity]:
         """Compare reactions and what the drive gives; what the counterweights are off, the reactions magnify."""
         both, mark = self.forces(after), "'" if after else ""
         off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
-        for one in (*both.reactions(), *both.balancing(self.course.loading)):
-            arm = both.size if one.unit == "N*m" else 1.0
-            letters, space, way = one.name.partition(" ")
+        for quantity in (*both.reactions(), *both.balancing(self.course.loading)):
+            arm = both.size if quantity.unit == "N*m" else 1.0
+            letters, space, way = quantity.name.partition(" ")
             name = f"{letters}{mark}{space}{way}"
-            yield one._replace(plan=COSTS, name=name, allowed=np.asarray(one.allowed + off * arm))
+            yield quantity._replace(plan=COSTS, name=name, allowed=np.asarray(quantity.allowed + off * arm))
 
     @property
     def given(self) -> float:
         """How far the inertia and weight of the counterweights may be off, N."""
-        off = [uncertain(one, self.weights.slack(one.link)) for one in self.ours.counterweights]
+        off = [uncertain(weight, self.weights.slack(weight.link)) for weight in self.ours.counterweights]
         return self.weights.whole * self.stretch.rate + abs(self.course.machine.gravity) * sum(off)
 
     def allowed(self, after: bool, index: str) -> tuple[Floats, Floats]:
         """Give how far main vector and the reaction of a pair, by its index, may be off over the turn, N."""
         both = self.forces(after)
-        found = {one.name: one.allowed for one in both.reactions()}
+        found = {reaction.name: reaction.allowed for reaction in both.reactions()}
         off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
         return self.centre(after).shaken, np.asarray(found[f"R_{index}"] + off)
 
@@ -121,11 +121,11 @@ def _of(
 ) -> Iterator[Quantity]:
     name, letters = named
     curve = (ours.curve, theirs.curve)
-    yield _finding(f"{letters}(k)", "N", [[getattr(one, name) for one in row] for row in curve], off)
+    yield _finding(f"{letters}(k)", "N", [[getattr(choice, name) for choice in row] for row in curve], off)
     best: Sequence[Choice] = [getattr(road, f"least_{name}") for road in (ours, theirs)]
-    yield _finding(f"min {letters}(k)", "N", [[getattr(one, name)] for one in best], off)
+    yield _finding(f"min {letters}(k)", "N", [[getattr(choice, name)] for choice in best], off)
     width = _width(largest, best[1].share, 2 * off)
-    yield _finding(f"k {letters}", "1", [[one.share] for one in best], width)
+    yield _finding(f"k {letters}", "1", [[choice.share] for choice in best], width)
 
 
 def _width(largest: Callable[[float], float], share: float, off: float) -> float:
@@ -205,7 +205,7 @@ def numbers(study: Study, by: str) -> Numbers:
     if CENTRE in study.plans:
         data["mass_centre"] = _centre(found.before.centre, before, below.datum)
     if COUNTERWEIGHTS in study.plans and found.after is not None:
-        data["counterweights"] = [_weight(one) for one in found.counterweights]
+        data["counterweights"] = [_weight(weight) for weight in found.counterweights]
         data["left"] = {point: _vector(mass) for point, mass in found.left.items()}
         data["balanced_centre"] = _centre(found.after.centre, after or {}, below.datum)
     if COSTS in study.plans:
@@ -239,51 +239,56 @@ def _vectors(study: BalanceStudy, found: Balance) -> Vectors:
     return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
 
 
-def _centre(one: MassCentre, told: Mapping[int, complex], datum: complex) -> dict[str, Any]:
+def _centre(centre: MassCentre, told: Mapping[int, complex], datum: complex) -> dict[str, Any]:
     """Give the mass centre over the positions; the vectors h of the links are in their own frames.
 
     The main moment of the inertia forces is about the shaft.
     """
     return {
-        "mass": one.mass,
-        "r": pairs(one.r + datum),
-        "a": pairs(one.a),
-        "force": pairs(one.force),
-        "moment": plain(one.moment),
+        "mass": centre.mass,
+        "r": pairs(centre.r + datum),
+        "a": pairs(centre.a),
+        "force": pairs(centre.force),
+        "moment": plain(centre.moment),
         "vectors": {str(link): _vector(h) for link, h in sorted(told.items())},
     }
 
 
-def _weight(one: Counterweight) -> dict[str, Any]:
+def _weight(weight: Counterweight) -> dict[str, Any]:
     """Give a counterweight; one that is not needed has a mass of 0 and no place."""
-    data: dict[str, Any] = {"on": one.link, "mass": one.mass, "moment": _vector(one.moment), "begin": one.begin}
-    if not one.needed:
+    data: dict[str, Any] = {
+        "on": weight.link,
+        "mass": weight.mass,
+        "moment": _vector(weight.moment),
+        "begin": weight.begin,
+    }
+    if not weight.needed:
         return data
-    sizes = {"shape": one.place.shape, "outer": one.outer, "inertia": one.inertia}
-    return data | {"centre": _vector(one.centre), "distance": one.distance} | sizes
+    sizes = {"shape": weight.place.shape, "outer": weight.outer, "inertia": weight.inertia}
+    return data | {"centre": _vector(weight.centre), "distance": weight.distance} | sizes
 
 
-def _state(one: State) -> dict[str, Any]:
+def _state(state: State) -> dict[str, Any]:
     """Give what is largest over a turn; null of a mechanism that reaches no position."""
     return {
-        "path": _known(one.path),
-        "force": _known(one.shaking),
-        "moment": _known(one.rocking),
-        "reactions": {key: _known(largest) for key, largest in one.reactions.items()},
-        "balancing": _known(one.balancing),
+        "path": _known(state.path),
+        "force": _known(state.shaking),
+        "moment": _known(state.rocking),
+        "reactions": {key: _known(largest) for key, largest in state.reactions.items()},
+        "balancing": _known(state.balancing),
     }
 
 
 def _shares(found: Shares) -> dict[str, Any]:
     return {
-        "curve": [_choice(one) for one in found.curve],
+        "curve": [_choice(choice) for choice in found.curve],
         "least_force": _choice(found.least_force),
         "least_reaction": _choice(found.least_reaction),
     }
 
 
-def _choice(one: Choice) -> dict[str, float | None]:
-    return {"share": one.share, "force": _known(one.force), "reaction": _known(one.reaction)}
+def _choice(choice: Choice) -> dict[str, float | None]:
+    return {"share": choice.share, "force": _known(choice.force), "reaction": _known(choice.reaction)}
 
 
 def _known(value: float) -> float | None:

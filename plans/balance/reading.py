@@ -38,26 +38,26 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
 
 def _lengths(form: BalanceTable) -> Iterator[tuple[Path, Decimal]]:
     """Give the lengths m that a scene states."""
-    for number, one in enumerate(form.counterweights):
-        sizes = {"radius": one.radius, "at": one.at, "thickness": one.thickness}
+    for number, weight in enumerate(form.counterweights):
+        sizes = {"radius": weight.radius, "at": weight.at, "thickness": weight.thickness}
         path: Path = ("balance", "counterweights", number)
-        yield from (((*path, name), abs(size)) for name, size in sizes.items() if size and name in one.given)
+        yield from (((*path, name), abs(size)) for name, size in sizes.items() if size and name in weight.given)
 
 
 def _light(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
     """Find densities that no solid weight has: a bare number of g/cm3."""
-    for number, one in enumerate(form.counterweights):
-        if "density" in one.given and one.density < LIGHTEST:
+    for number, weight in enumerate(form.counterweights):
+        if "density" in weight.given and weight.density < LIGHTEST:
             path = ("balance", "counterweights", number, "density")
-            yield scene.fault(path, "light_density", density=f"{one.density.normalize():f}")
+            yield scene.fault(path, "light_density", density=f"{weight.density.normalize():f}")
 
 
 def _heavy(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
     """Find counterweights a hundred times as heavy as all links together."""
     whole = sum((mass for _, mass in masses(scene)), Decimal(0))
-    for number, one in enumerate(form.counterweights):
-        if one.mass is not None and whole and one.mass >= HUNDREDS * whole:
-            ratio = f"{WORKING.divide(one.mass, whole):.0f}"
+    for number, weight in enumerate(form.counterweights):
+        if weight.mass is not None and whole and weight.mass >= HUNDREDS * whole:
+            ratio = f"{WORKING.divide(weight.mass, whole):.0f}"
             yield scene.fault(("balance", "counterweights", number, "mass"), "heavy_counterweight", ratio=ratio)
 
 
@@ -72,7 +72,9 @@ def reciprocating(mechanism: Mechanism) -> bool:
     Of links that form no groups nothing is told against it: what studies the linkage says so.
     """
     groups, hosts = _groups(mechanism), (mechanism.drive.link, FRAME)
-    return groups is None or any(isinstance(one, Dyad) and (one.kind, one.hosts) == ("RRP", hosts) for one in groups)
+    return groups is None or any(
+        isinstance(group, Dyad) and (group.kind, group.hosts) == ("RRP", hosts) for group in groups
+    )
 
 
 def guided(mechanism: Mechanism) -> bool:
@@ -125,16 +127,16 @@ def task_of(form: BalanceTable) -> Task:
     )
 
 
-def _place(one: CounterweightTable) -> Place:
+def _place(entry: CounterweightTable) -> Place:
     return Place(
-        one.on,
-        mass=_float(one.mass),
-        radius=_float(one.radius),
-        at=_float(one.at),
-        shape=one.shape,
-        density=float(one.density),
-        thickness=float(one.thickness),
-        half_angle=math.radians(float(one.half_angle)),
+        entry.on,
+        mass=_float(entry.mass),
+        radius=_float(entry.radius),
+        at=_float(entry.at),
+        shape=entry.shape,
+        density=float(entry.density),
+        thickness=float(entry.thickness),
+        half_angle=math.radians(float(entry.half_angle)),
     )
 
 
@@ -146,8 +148,8 @@ def survey_of(meaning: Meaning) -> BalanceSurvey:
     """Examine a scene's balancing (row of the table of techniques)."""
     linkage: Survey = meaning["linkage"]
     survey, form = replace(linkage, faults=[]), meaning.scene.of(BalanceForm).balance
-    for number, one in enumerate(form.counterweights):
-        _check_carrier(survey, ("balance", "counterweights", number), one)
+    for number, weight in enumerate(form.counterweights):
+        _check_carrier(survey, ("balance", "counterweights", number), weight)
     if form.aim != NONE:
         _check_aim(survey, form)
     _check_letter(survey)
@@ -155,20 +157,20 @@ def survey_of(meaning: Meaning) -> BalanceSurvey:
     return BalanceSurvey(task_of(form), survey.faults)
 
 
-def _check_carrier(survey: Survey, path: Path, one: CounterweightTable) -> None:
+def _check_carrier(survey: Survey, path: Path, entry: CounterweightTable) -> None:
     """See that a link exists, that it turns, and that it has the line that a place is told on."""
     where = (*path, "on")
-    if not survey.know_link(where, one.on):
+    if not survey.know_link(where, entry.on):
         return
-    if any(slide.owner == FRAME and slide.slider == one.on for slide in survey.slides):
-        survey.report(where, "carrier_slides", link=one.on, advice=_would_do(survey))
-    elif one.at is not None and len(survey.points_of[one.on]) == 1:
-        survey.report((*path, "at"), "carrier_line", link=one.on)
+    if any(slide.owner == FRAME and slide.slider == entry.on for slide in survey.slides):
+        survey.report(where, "carrier_slides", link=entry.on, advice=_would_do(survey))
+    elif entry.at is not None and len(survey.points_of[entry.on]) == 1:
+        survey.report((*path, "at"), "carrier_line", link=entry.on)
 
 
 def _check_aim(survey: Survey, form: BalanceTable) -> None:
     """See that something may be put on for an aim, and that a share is of masses that the crank can balance."""
-    links, crank = [one.on for one in form.counterweights], survey.form.drive.link
+    links, crank = [weight.on for weight in form.counterweights], survey.form.drive.link
     if form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
         survey.report(AIM, "no_reciprocating")
     elif not links:
@@ -202,4 +204,4 @@ def check_moving(survey: Survey, path: Path) -> None:
 
 def masses(scene: Scene) -> Iterator[tuple[int, Decimal]]:
     """Give the links that the scene gives a mass, with the mass kg."""
-    yield from ((link, one.mass) for link, one in scene.of(ForceForm).masses.items())
+    yield from ((link, mass.mass) for link, mass in scene.of(ForceForm).masses.items())

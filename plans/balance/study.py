@@ -51,7 +51,7 @@ def substituted(
     drive = mechanism.drive
     if task.aim == SHARE:
         _share(found, groups, share)
-    for rod in (one for one in groups if isinstance(one, Dyad) and instead_of_crank(mechanism, task, one)):
+    for rod in (dyad for dyad in groups if isinstance(dyad, Dyad) and instead_of_crank(mechanism, task, dyad)):
         found.balance_by_rod(rod, drive.pivot)
     found.balance(drive.link, drive.pivot, (drive.link,))
     return found
@@ -103,18 +103,20 @@ def _check_places(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> 
 def loaded(machine: Machine, counterweights: Iterable[Counterweight]) -> Machine:
     """Put the counterweights that are needed on the links of a machine."""
     bodies = dict(machine.bodies)
-    for one in counterweights:
-        if one.needed:
-            bodies[one.link] = _with(bodies.get(one.link, EMPTY._replace(link=one.link)), one)
+    for weight in counterweights:
+        if weight.needed:
+            bodies[weight.link] = _with(bodies.get(weight.link, EMPTY._replace(link=weight.link)), weight)
     return replace(machine, bodies=dict(sorted(bodies.items())))
 
 
-def _with(body: Body, one: Counterweight) -> Body:
+def _with(body: Body, weight: Counterweight) -> Body:
     """Join a counterweight to a link: the new centre divides their distance, and inertia counts about it (Steiner)."""
-    mass = body.mass + one.mass
-    apart = one.centre - body.centre
-    centre = (body.mass * body.centre + one.mass * one.centre) / mass  # of a heavy one on a light link nothing is lost
-    inertia = body.inertia + one.inertia + abs(apart) ** 2 * (body.mass * one.mass / mass)
+    mass = body.mass + weight.mass
+    apart = weight.centre - body.centre
+    centre = (
+        body.mass * body.centre + weight.mass * weight.centre
+    ) / mass  # of a heavy one on a light link nothing is lost
+    inertia = body.inertia + weight.inertia + abs(apart) ** 2 * (body.mass * weight.mass / mass)
     return Body(body.link, mass, inertia, centre)
 
 

@@ -62,17 +62,17 @@ class Substitution:
 
     def mass(self, link: int) -> Term:
         """Sum the masses that a link bears."""
-        terms = (one.mass for one in self.masses[link])
+        terms = (mass.mass for mass in self.masses[link])
         return self.sums.total(f"Σm_{link}", terms, self.sums.no_mass, because("borne", link=link))
 
     def moment(self, link: int, begin: str) -> Term:
         """Sum the static moments of a link about one of its points, the pure ones among them."""
         origin, terms = self.at_point(link, begin), list(self.pure[link])
-        for one in self.masses[link]:
-            if one.at != origin:
-                arm = self.sums.arm(f"{begin}{one.point}", origin, one.at, link)
-                name = f"{one.mass.mark.name}·{arm.name}"
-                terms.append(self.sums.moment(name, one.mass, arm, because("moment_about", point=begin)))
+        for mass in self.masses[link]:
+            if mass.at != origin:
+                arm = self.sums.arm(f"{begin}{mass.point}", origin, mass.at, link)
+                name = f"{mass.mass.mark.name}·{arm.name}"
+                terms.append(self.sums.moment(name, mass.mass, arm, because("moment_about", point=begin)))
         why = because("moments_about", link=link, point=begin)
         return self.sums.total(f"H_{link}", terms, self.sums.no_moment, why)
 
@@ -142,8 +142,8 @@ class Substitution:
     @cached_property
     def longest(self) -> float:
         """The longest distance m of two points of a moving link."""
-        links = (one.points.values() for number, one in self.mechanism.links.items() if number != FRAME)
-        return max(abs(one - other) for places in links for one in places for other in places)
+        links = (link.points.values() for number, link in self.mechanism.links.items() if number != FRAME)
+        return max(abs(place - other) for places in links for place in places for other in places)
 
     def keep(self, point: str, mass: Term) -> None:
         """Leave a mass at a slider: it moves along the guide."""
@@ -202,8 +202,8 @@ def _rpr(found: Substitution, dyad: Dyad) -> None:
     link, other = dyad.links[end], dyad.links[1 - end]
     found.turn_onto(other, dyad.hinge(1 - end), link, dyad.slide())
     found.balance(link, dyad.hinge(end), dyad.links)
-    for one in (0, 1):
-        found.hand_on(dyad.hosts[one], dyad.hinge(one), found.mass(dyad.links[one]))
+    for end in (0, 1):
+        found.hand_on(dyad.hosts[end], dyad.hinge(end), found.mass(dyad.links[end]))
 
 
 def _prp(found: Substitution, dyad: Dyad) -> None:

@@ -170,7 +170,7 @@ def _grow(mechanism: Mechanism, stems: dict[int, Stem], root: Stem) -> None:
 
 
 def _hinged(mechanism: Mechanism, link: int, parent: int, point: str) -> Stem:
-    origin, at = (mechanism.links[one].points[point] for one in (link, parent))
+    origin, at = (mechanism.links[body].points[point] for body in (link, parent))
     return Stem(link, parent, point, origin, at)
 
 

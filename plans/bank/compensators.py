@@ -37,14 +37,14 @@ class Weights:
     def force(self, phi: Floats, speed: float) -> Complexes:
         """Give the force of both masses at crank angles rad, N."""
         square = (self.asked.order * speed) ** 2
-        ahead, back = (square * _value(one) for one in (self.ahead, self.back))
+        ahead, back = (square * _value(mark) for mark in (self.ahead, self.back))
         return Harmonic(self.asked.order, ahead, back, 0.0).at(phi)
 
     @property
     def told(self) -> Compensator:
         """What is to be put on the shafts."""
         asked, harmonic = self.asked, self.harmonic
-        ahead, back, couple = (_value(one) for one in (self.ahead, self.back, self.couple))
+        ahead, back, couple = (_value(mark) for mark in (self.ahead, self.back, self.couple))
         return Compensator(
             asked=asked,
             with_crank=abs(ahead),
@@ -60,7 +60,7 @@ class Weights:
 def compensators(task: BankTask, found: Polygons) -> tuple[Board, tuple[Weights, ...]]:
     """Read the masses of all compensators that are asked for."""
     board = Board(COMPENSATORS)
-    return board, tuple(_weights(board, task, found, one) for one in task.asked)
+    return board, tuple(_weights(board, task, found, asked) for asked in task.asked)
 
 
 def _weights(board: Board, task: BankTask, found: Polygons, asked: Asked) -> Weights:
@@ -86,11 +86,11 @@ def _couple(board: Board, asked: Asked, weights: tuple[Mark | None, Mark | None]
     the line there, and so it stands a quarter turn ahead of the first mass. The force of one mass goes round, and the
     line is the reference guide: one against the crank passes it as its mirror image does that turns with the crank.
     """
-    there = [one for one in weights if one is not None]
+    there = [weight for weight in weights if weight is not None]
     if not there or not asked.offset or not asked.shafts or _on_crank(asked, *weights):
         return None
     first = there[0] if weights[0] is not None else _mirrored(board, there[0])
-    return _antiphase(board, asked, first, sum(abs(_value(one)) for one in there))
+    return _antiphase(board, asked, first, sum(abs(_value(mark)) for mark in there))
 
 
 def _on_crank(asked: Asked, ahead: Mark | None, back: Mark | None) -> bool:
@@ -98,10 +98,10 @@ def _on_crank(asked: Asked, ahead: Mark | None, back: Mark | None) -> bool:
     return asked.order == 1 and ahead is not None and back is None
 
 
-def _mirrored(board: Board, one: Mark) -> Mark:
+def _mirrored(board: Board, mark: Mark) -> Mark:
     """Mirror a mass about the reference guide: it is to the guide as the guide is to the mass."""
-    guide = board.given(f"x,{one.name}", complex(abs(_value(one))), because("reference_guide"))
-    return board.similar(f"{one.name}*", guide, one, guide, why=because("mirrored_about_guide"))
+    guide = board.given(f"x,{mark.name}", complex(abs(_value(mark))), because("reference_guide"))
+    return board.similar(f"{mark.name}*", guide, mark, guide, why=because("mirrored_about_guide"))
 
 
 def _antiphase(board: Board, asked: Asked, first: Mark, total: float) -> Mark:
@@ -111,14 +111,14 @@ def _antiphase(board: Board, asked: Asked, first: Mark, total: float) -> Mark:
     return board.turn(couple_letters(asked.order), first, 1j * share, why)
 
 
-def _value(one: Mark | None) -> complex:
-    return 0j if one is None else complex(one.point)
+def _value(mark: Mark | None) -> complex:
+    return 0j if mark is None else complex(mark.point)
 
 
-def _angle(one: Mark | None) -> float | None:
-    return None if one is None else plain_angle(cmath.phase(complex(one.point)))
+def _angle(mark: Mark | None) -> float | None:
+    return None if mark is None else plain_angle(cmath.phase(complex(mark.point)))
 
 
 def left_over(force: Complexes, weights: Sequence[Weights], phi: Floats, speed: float) -> Complexes:
     """Add the forces of all compensators to that of the bank."""
-    return np.asarray(sum((one.force(phi, speed) for one in weights), start=force))
+    return np.asarray(sum((weight.force(phi, speed) for weight in weights), start=force))

@@ -30,7 +30,7 @@ def _in_line(key: str, *cranks: int) -> Engine:
 def _vee(key: str, angle: int, *pins: int, split: int = 0) -> Engine:
     """Set two rows at an angle, two rods on every crank pin, or on two pins that are split by an angle."""
     half, throws = Fraction(angle, 2), zip(pins, _places(len(pins)), strict=True)
-    return Engine(key, _named([one for pin, z in throws for one in ((pin, z, half), (pin + split, z, -half))]))
+    return Engine(key, _named([row for pin, z in throws for row in ((pin, z, half), (pin + split, z, -half))]))
 
 
 def _boxer(key: str, *pins: int) -> Engine:

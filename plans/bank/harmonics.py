@@ -100,29 +100,29 @@ class SliderCrank(NamedTuple):
         return Shaking(np.asarray(force.point), slack, force)
 
 
-def _accelerations(one: SliderCrank, directions: Complexes) -> tuple[Mark, Mark]:
+def _accelerations(engine: SliderCrank, directions: Complexes) -> tuple[Mark, Mark]:
     """Draw the three plans; give the accelerations of crank pin A and slider B."""
     places, speeds = Board("positions"), Board("velocities")
     shaft = places.given("O", 0j, because("drive_hinge"))
     along = places.given("x", 1 + 0j, because("reference_guide"))
-    circle = places.arc("OA", shaft, one.unit.crank, because("crank_circle"))
+    circle = places.arc("OA", shaft, engine.unit.crank, because("crank_circle"))
     a = places.divide("A", circle, places.given("φ", directions, because("crank_directions")), because("divided"))
-    guide, reach = places.parallel("x-x", shaft, along), places.arc("AB", a, one.unit.rod)
+    guide, reach = places.parallel("x-x", shaft, along), places.arc("AB", a, engine.unit.rod)
     b = places.meet("B", guide, reach, side=+1, why=because("on_guide", point="B", start="A"))
     crank, rod = places.join("OA", shaft, a), places.join("AB", a, b)
     pole = speeds.given("p", 0j, because("velocity_pole"))
-    v_a = speeds.turn("v_A", crank, 1j * one.speed, because("crank_velocity"))
+    v_a = speeds.turn("v_A", crank, 1j * engine.speed, because("crank_velocity"))
     tip = speeds.lay_off("a", pole, v_a, because("crank_end_velocity"))
     across = speeds.square("⊥AB", tip, rod, because("square_turning", line="AB"))
     v_b = speeds.meet("b", across, speeds.parallel("p-b", pole, along, because("along_guide")))
-    return _second(one, (rod, along), v_a, speeds.join("v_BA", tip, v_b))
+    return _second(engine, (rod, along), v_a, speeds.join("v_BA", tip, v_b))
 
 
-def _second(one: SliderCrank, plan: tuple[Mark, Mark], v_a: Mark, v_ba: Mark) -> tuple[Mark, Mark]:
+def _second(engine: SliderCrank, plan: tuple[Mark, Mark], v_a: Mark, v_ba: Mark) -> tuple[Mark, Mark]:
     """Draw the plan of accelerations."""
     (rod, along), rates = plan, Board("accelerations")
     pole = rates.given("π", 0j, because("acceleration_pole"))
-    a_a = rates.turn("a_A", v_a, 1j * one.speed, because("to_centre"))
+    a_a = rates.turn("a_A", v_a, 1j * engine.speed, because("to_centre"))
     tip = rates.lay_off("a", pole, a_a, because("crank_end_acceleration"))
     end = rates.lay_off("n", tip, rates.similar("a^n_BA", v_ba, rod, v_ba, why=because("normal", line="AB")))
     across = rates.square("⊥AB", end, rod, because("tangential"))
@@ -170,7 +170,7 @@ class Harmonics(NamedTuple):
         row = np.fft.fftshift(np.abs(np.fft.fft(self.ordinates))) / len(self.ordinates)
         orders = np.arange(len(row)) - len(row) // 2
         false = [(orders % count == signed % count) & (orders != signed) for signed in (order, -order)]
-        return float(max(row[one].sum() for one in false))
+        return float(max(row[orders_alike].sum() for orders_alike in false))
 
 
 def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
@@ -214,7 +214,7 @@ def _settled(source: Source, orders: Sequence[int]) -> Shaking:
 def _both(force: Complexes, orders: Sequence[int]) -> Iterable[tuple[complex, complex]]:
     """Give every vector by all ordinates, and by every other one."""
     signed = _signed(orders)
-    fine, coarse = (np.fft.fft(one) / len(one) for one in (force, force[::2]))
+    fine, coarse = (np.fft.fft(row) / len(row) for row in (force, force[::2]))
     return ((complex(fine[n % len(fine)]), complex(coarse[n % len(coarse)])) for n in signed)
 
 
@@ -226,7 +226,9 @@ def _polygon(board: Board, pole: Mark, ordinates: Sequence[Mark], signed: int) -
     """Turn the ordinates back by their angles times the order, and lay them off end to end."""
     count, name, why = len(ordinates), letters(SINGLE, signed), because("turned_back", order=signed)
     backs = (directions(-360 * signed * np.arange(count), count) / count).tolist()
-    turned = [board.turn(f"{name}({k})", one, backs[k], why) for k, one in enumerate(ordinates) if one.point]
+    turned = [
+        board.turn(f"{name}({k})", ordinate, backs[k], why) for k, ordinate in enumerate(ordinates) if ordinate.point
+    ]
     return end_of(board, pole, name, turned, because("harmonic_end"))
 
 

@@ -47,7 +47,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
 def _own(bank: BankStudy, mark: Mark, steps: Sequence[Mark]) -> Iterator[Mark]:
     """Leave out what is behind the harmonics of one mechanism, unless one of them is asked for."""
     single = bank.single
-    if mark.subject == HARMONICS and mark.number <= max(one.number for one in single.vectors.values()):
+    if mark.subject == HARMONICS and mark.number <= max(vector.number for vector in single.vectors.values()):
         yield from steps
         return
     ordinates = set(behind(*single.vectors.values())) - {single.pole, *single.vectors.values()}
@@ -76,7 +76,7 @@ def _no_mark(task: BankTask) -> NoMark:
     """Name the marks that there are."""
     first = task.orders[0]
     shown = [*(letters(kind, first) for kind in (SINGLE, FORCE, MOMENT)), letters(FORCE, first, task.members[0].name)]
-    shown += [letters(STATIC, one.order) for one in task.asked[:1]]
+    shown += [letters(STATIC, asked.order) for asked in task.asked[:1]]
     return NoMark(tuple(_names(task)), message("mark.marks", marks=", ".join(shown)), ())
 
 
@@ -84,6 +84,6 @@ def _names(task: BankTask) -> Iterator[str]:
     for order in orders_of(task):
         for signed in (order, -order):
             yield from (letters(kind, signed) for kind in (SINGLE, FORCE, MOMENT))
-            yield from (letters(kind, signed, one.name) for kind in (FORCE, MOMENT) for one in task.members)
-    for one in task.asked:
-        yield from (letters(STATIC, one.order), letters(STATIC, -one.order), couple_letters(one.order))
+            yield from (letters(kind, signed, member.name) for kind in (FORCE, MOMENT) for member in task.members)
+    for asked in task.asked:
+        yield from (letters(STATIC, asked.order), letters(STATIC, -asked.order), couple_letters(asked.order))

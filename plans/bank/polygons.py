@@ -54,11 +54,11 @@ def polygons(single: Harmonics, members: tuple[Member, ...]) -> Polygons:
     pole = couples.given("0", 0j, because("moments_start"))
     forces, moments = {}, {}
     for signed, vector in single.vectors.items():
-        shares = [_share(single.board, vector, signed, one) for one in members]
+        shares = [_share(single.board, vector, signed, member) for member in members]
         carried = single.slack * len(members)
         forces[signed] = _total(single.board, single.pole, letters(FORCE, signed), shares, carried)
-        turned = [_moment(couples, share, signed, one) for share, one in zip(shares, members, strict=True)]
-        carried = single.slack * sum(abs(float(one.place)) for one in members)
+        turned = [_moment(couples, share, signed, member) for share, member in zip(shares, members, strict=True)]
+        carried = single.slack * sum(abs(float(member.place)) for member in members)
         moments[signed] = _total(couples, pole, letters(MOMENT, signed), turned, carried)
     return Polygons(forces, moments, couples)
 
@@ -68,15 +68,15 @@ def _total(board: Board, pole: Mark, name: str, vectors: list[Mark], carried: fl
     return Total(found, board.turn(name, found.closing, -1.0, because("against_closing")))
 
 
-def _share(board: Board, vector: Mark, signed: int, one: Member) -> Mark:
+def _share(board: Board, vector: Mark, signed: int, member: Member) -> Mark:
     """Turn the vector of one mechanism as it stands in the bank."""
-    why = because("in_the_bank", member=one.name, order=signed, phase=_text(one.phase), axis=_text(one.axis))
-    return board.turn(letters(FORCE, signed, one.name), vector, heading(signed * one.phase + one.axis), why)
+    why = because("in_the_bank", member=member.name, order=signed, phase=_text(member.phase), axis=_text(member.axis))
+    return board.turn(letters(FORCE, signed, member.name), vector, heading(signed * member.phase + member.axis), why)
 
 
-def _moment(board: Board, share: Mark, signed: int, one: Member) -> Mark:
-    why = because("times_place", member=one.name, place=_text(one.place))
-    return board.turn(letters(MOMENT, signed, one.name), share, float(one.place), why)
+def _moment(board: Board, share: Mark, signed: int, member: Member) -> Mark:
+    why = because("times_place", member=member.name, place=_text(member.place))
+    return board.turn(letters(MOMENT, signed, member.name), share, float(member.place), why)
 
 
 def _text(value: object) -> str:

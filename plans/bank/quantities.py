@@ -96,20 +96,20 @@ class _Compared(NamedTuple):
     @property
     def _lever(self) -> float:
         """How far a moment of the bank can be out."""
-        return self._single * math.fsum(abs(float(one.place)) for one in self.ours.task.members)
+        return self._single * math.fsum(abs(float(member.place)) for member in self.ours.task.members)
 
     def harmonics(self) -> Iterator[Quantity]:
         """Compare every vector of every order."""
-        largest, arm = _largest(self.ours.single), max(abs(float(one.place)) for one in self.ours.task.members)
+        largest, arm = _largest(self.ours.single), max(abs(float(member.place)) for member in self.ours.task.members)
         rows = (
             (SINGLE, "N", self.ours.single, self.theirs.single, self._single, largest),
             (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank, largest),
             (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever, arm * largest),
         )
         for kind, unit, ours, theirs, bound, most in rows:
-            for order, one in ours.items():
-                allowed = one.slack + theirs[order].slack + bound
-                for signed, found, other in _pairs(order, one, theirs[order]):
+            for order, harmonic in ours.items():
+                allowed = harmonic.slack + theirs[order].slack + bound
+                for signed, found, other in _pairs(order, harmonic, theirs[order]):
                     named = HARMONICS, letters(kind, signed), unit
                     yield Quantity.of(named, (found, other), allowed, most, self._shown(kind, signed))
 
@@ -131,22 +131,26 @@ class _Compared(NamedTuple):
 
     def compensators(self) -> Iterator[Quantity]:
         """Compare the masses of the compensators, with the directions in which they stand."""
-        largest = max((one.with_crank + one.against for one in self.ours.compensators), default=0.0)
-        for one, other in zip(self.ours.compensators, self.theirs.compensators, strict=True):
-            order, offset = one.asked.order, abs(one.asked.offset)
+        largest = max(
+            (compensator.with_crank + compensator.against for compensator in self.ours.compensators), default=0.0
+        )
+        for compensator, other in zip(self.ours.compensators, self.theirs.compensators, strict=True):
+            order, offset = compensator.asked.order, abs(compensator.asked.offset)
             force = self.ours.forces[order].slack + self.theirs.forces[order].slack + self._bank
             allowed = force / (order * self.ours.task.speed) ** 2
-            for signed, found, theirs in zip((order, -order), _weights(one), _weights(other), strict=True):
+            for signed, found, theirs in zip((order, -order), _weights(compensator), _weights(other), strict=True):
                 shown = self._shown(FORCE, signed, 1 / (signed * self.ours.task.speed) ** 2)
                 named = COMPENSATORS, letters(STATIC, signed), "kg*m"
                 yield Quantity.of(named, (found, theirs), allowed, largest, shown)
-            residual = max(one.residual, other.residual)
-            named, pair = (COMPENSATORS, f"{FORCE}·z,{order}", "N*m"), (one.residual, other.residual)
+            residual = max(compensator.residual, other.residual)
+            named, pair = (COMPENSATORS, f"{FORCE}·z,{order}", "N*m"), (compensator.residual, other.residual)
             yield Quantity.of(named, pair, 2 * force * offset, residual)
-            if one.couple is not None and other.couple is not None:
-                allowed *= 2 * offset / (one.asked.shafts or math.inf)
-                couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (one, other))
-                yield Quantity.of((COMPENSATORS, couple_letters(order), "kg*m"), (couple, theirs), allowed, one.couple)
+            if compensator.couple is not None and other.couple is not None:
+                allowed *= 2 * offset / (compensator.asked.shafts or math.inf)
+                couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (compensator, other))
+                yield Quantity.of(
+                    (COMPENSATORS, couple_letters(order), "kg*m"), (couple, theirs), allowed, compensator.couple
+                )
 
     def whole(self) -> Iterator[Quantity]:
         """Compare the whole force and moment over the turn, before and after the compensators."""
@@ -166,24 +170,24 @@ class _Compared(NamedTuple):
     def transforms(self) -> Iterator[Quantity]:
         """See that the whole force and moment over the turn have the harmonics that the polygons gave them."""
         ours, most = self.ours, self.study.whole
-        arms = math.fsum(abs(float(one.place)) for one in ours.task.members)
+        arms = math.fsum(abs(float(member.place)) for member in ours.task.members)
         rows = (
             (FORCE, "N", ours.force, ours.forces, ours.force_slack, len(ours.task.members), most.largest),
             (MOMENT, "N*m", ours.moment, ours.moments, ours.moment_slack, arms, most.largest_moment),
         )
         for kind, unit, whole, harmonics, slack, weight, largest in rows:
             row = _transform(whole)
-            for order, one in harmonics.items():
-                allowed = slack + one.slack + weight * (self._single + self._beyond(order))
-                for signed, found, _ in _pairs(order, one, one):
+            for order, harmonic in harmonics.items():
+                allowed = slack + harmonic.slack + weight * (self._single + self._beyond(order))
+                for signed, found, _ in _pairs(order, harmonic, harmonic):
                     named = EQUILIBRIUM, f"{letters(kind, signed)}(φ)", unit
                     yield Quantity.of(named, (found, row[signed]), allowed, largest)
 
     def balanced(self) -> Iterator[Quantity]:
         """See that the compensators leave nothing of their orders."""
         row, members = _transform(self.ours.left), len(self.ours.task.members)
-        for one in self.ours.compensators:
-            order = one.asked.order
+        for compensator in self.ours.compensators:
+            order = compensator.asked.order
             allowed = self.ours.left_slack + self._taken + self._bank + members * self._beyond(order)
             for signed in (order, -order):
                 named = EQUILIBRIUM, f"{letters(FORCE, signed)}'", "N"
@@ -205,16 +209,18 @@ def _transform(whole: Complexes) -> Complexes:
 
 
 def _largest(found: Mapping[int, Harmonic]) -> float:
-    return max(max(abs(one.ahead), abs(one.back)) for one in found.values())
+    return max(max(abs(harmonic.ahead), abs(harmonic.back)) for harmonic in found.values())
 
 
-def _pairs(order: int, one: Harmonic, other: Harmonic) -> Iterator[tuple[int, complex, complex]]:
-    yield order, one.ahead, other.ahead
-    yield -order, one.back, other.back
+def _pairs(order: int, harmonic: Harmonic, other: Harmonic) -> Iterator[tuple[int, complex, complex]]:
+    yield order, harmonic.ahead, other.ahead
+    yield -order, harmonic.back, other.back
 
 
-def _weights(one: Compensator) -> tuple[complex, complex]:
-    return _vector(one.with_crank, one.with_angle), _vector(one.against, one.against_angle)
+def _weights(compensator: Compensator) -> tuple[complex, complex]:
+    return _vector(compensator.with_crank, compensator.with_angle), _vector(
+        compensator.against, compensator.against_angle
+    )
 
 
 def _vector(size: float, angle: float | None) -> complex:
@@ -236,22 +242,25 @@ def numbers(study: Study, by: str) -> Numbers:
             "moment": _peak(found.moment, found.moment_slack),
         }
     if COMPENSATORS in study.plans and found.compensators:
-        data["compensators"] = [_compensator(one) for one in found.compensators]
+        data["compensators"] = [_compensator(compensator) for compensator in found.compensators]
         data["left"] = {"force": _peak(found.left, found.left_slack)}
     return Numbers({"scene": study.scene.heading(), "by": found.by, "bank": data})
 
 
-def _harmonic(one: Harmonic) -> dict[str, Any]:
+def _harmonic(harmonic: Harmonic) -> dict[str, Any]:
     """Give a harmonic by its two vectors and the largest that it comes to; what vanishes is 0."""
-    ahead, back = (0j if abs(value) <= one.slack else value + 0.0 for value in (one.ahead, one.back))
-    return {"with_crank": [ahead.real, ahead.imag], "against": [back.real, back.imag], "size": one.size}
+    ahead, back = (0j if abs(value) <= harmonic.slack else value + 0.0 for value in (harmonic.ahead, harmonic.back))
+    return {"with_crank": [ahead.real, ahead.imag], "against": [back.real, back.imag], "size": harmonic.size}
 
 
-def _compensator(one: Compensator) -> dict[str, Any]:
-    weights = {"with_crank": (one.with_crank, one.with_angle), "against": (one.against, one.against_angle)}
-    told = {name: _weight(size, angle, one.asked.mass) for name, (size, angle) in weights.items()}
-    couple = None if one.couple is None else {"moment": one.couple, "angle": one.couple_angle}
-    return {"order": one.asked.order, **told, "residual": one.residual, "couple": couple}
+def _compensator(compensator: Compensator) -> dict[str, Any]:
+    weights = {
+        "with_crank": (compensator.with_crank, compensator.with_angle),
+        "against": (compensator.against, compensator.against_angle),
+    }
+    told = {name: _weight(size, angle, compensator.asked.mass) for name, (size, angle) in weights.items()}
+    couple = None if compensator.couple is None else {"moment": compensator.couple, "angle": compensator.couple_angle}
+    return {"order": compensator.asked.order, **told, "residual": compensator.residual, "couple": couple}
 
 
 def _weight(size: float, angle: float | None, mass: float | None) -> dict[str, Any]:

@@ -249,10 +249,10 @@ def _lengths(form: BankTable) -> Iterator[tuple[Path, Decimal]]:
     stated: dict[Path, Decimal | None] = {}
     if form.unit is not None:
         stated |= _of_unit(form.unit)
-    stated |= {("bank", "members", number, "place"): one.place for number, one in enumerate(form.members)}
-    for number, one in enumerate(form.compensators):
+    stated |= {("bank", "members", number, "place"): member.place for number, member in enumerate(form.members)}
+    for number, compensator in enumerate(form.compensators):
         path: Path = ("bank", "compensators", number)
-        stated |= {(*path, "offset"): one.offset, (*path, "shafts"): one.shafts}
+        stated |= {(*path, "offset"): compensator.offset, (*path, "shafts"): compensator.shafts}
     return ((path, abs(size)) for path, size in stated.items() if size)
 
 
@@ -262,7 +262,7 @@ def _of_unit(unit: UnitTable) -> dict[Path, Decimal | None]:
 
 def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
     """Find members that would stand in each other's way: in one place, with guides alike."""
-    stands = [one.stand[1:] for one in form.members]
+    stands = [member.stand[1:] for member in form.members]
     for number, stand in enumerate(stands):
         if stand in stands[:number]:
             yield scene.fault(("bank", "members", number), "stacked", other=stands.index(stand) + 1)
@@ -272,7 +272,7 @@ def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
 def _speed_notes(scene: Scene, form: BankTable) -> Iterator[Fault]:
     """Find a speed other than that of the drive: forces and balancing of the linkage are told at that one."""
     drive = scene.of(LinkageForm).drive.speed if scene.has(("drive",)) and form.unit is None else None
-    found, wanted = (f"{one:.5g}" if one else "" for one in (form.speed, drive))
+    found, wanted = (f"{speed:.5g}" if speed else "" for speed in (form.speed, drive))
     if found and wanted and found != wanted:
         yield scene.fault(("bank", "speed"), "bank_speed", found=found, drive=wanted)
 
@@ -307,17 +307,17 @@ def _speed(scene: Scene, form: BankTable) -> Decimal:
     return scene.of(LinkageForm).drive.omega if scene.has((LINKAGE,)) else Decimal(0)
 
 
-def _unit(one: UnitTable) -> Unit:
-    return Unit(float(one.crank), float(one.rod), float(one.rotating), float(one.reciprocating))
+def _unit(unit: UnitTable) -> Unit:
+    return Unit(float(unit.crank), float(unit.rod), float(unit.rotating), float(unit.reciprocating))
 
 
 def _members(form: BankTable) -> Iterator[Member]:
-    for number, one in enumerate(form.members, 1):
-        yield Member(str(number), Fraction(one.crank), Fraction(one.place), Fraction(one.axis))
+    for number, member in enumerate(form.members, 1):
+        yield Member(str(number), Fraction(member.crank), Fraction(member.place), Fraction(member.axis))
 
 
-def _asked(one: CompensatorTable) -> Asked:
-    return Asked(one.order, _float(one.mass), float(one.offset), _float(one.shafts))
+def _asked(compensator: CompensatorTable) -> Asked:
+    return Asked(compensator.order, _float(compensator.mass), float(compensator.offset), _float(compensator.shafts))
 
 
 def _float(value: Decimal | None) -> float | None:

@@ -93,10 +93,10 @@ class Whole(NamedTuple):
 
 def whole(source: Source, members: Sequence[Member]) -> Whole:
     """Add the forces of all mechanisms, and their moments about the plane of place 0."""
-    found = {phase: source.shaking(phase, STEPS) for phase in {one.phase % 360 for one in members}}
-    shares = [found[one.phase % 360] for one in members]
-    force = [heading(one.axis) * share.force for one, share in zip(members, shares, strict=True)]
-    places = [float(one.place) for one in members]
+    found = {phase: source.shaking(phase, STEPS) for phase in {member.phase % 360 for member in members}}
+    shares = [found[member.phase % 360] for member in members]
+    force = [heading(member.axis) * share.force for member, share in zip(members, shares, strict=True)]
+    places = [float(member.place) for member in members]
     moment = [place * each for place, each in zip(places, force, strict=True)]
     slacks = [_slack(source, share) for share in shares]
     lever = sum(abs(place) * slack for place, slack in zip(places, slacks, strict=True))
@@ -180,7 +180,7 @@ class BankStudy:
             single={order: self.single.harmonic(order) for order in orders},
             forces={order: drawing.force(order) for order in orders},
             moments={order: drawing.moment(order) for order in orders},
-            compensators=tuple(one.told for one in self.weights),
+            compensators=tuple(weight.told for weight in self.weights),
             phi=found.phi,
             force=found.force,
             left=left_over(found.force, self.weights, found.phi, self.task.speed),
@@ -192,7 +192,7 @@ class BankStudy:
 
 def orders_of(task: BankTask) -> tuple[int, ...]:
     """Give the orders that are told, with those that compensators are asked of."""
-    return tuple(dict.fromkeys((*task.orders, *(one.order for one in task.asked))))
+    return tuple(dict.fromkeys((*task.orders, *(asked.order for asked in task.asked))))
 
 
 def study_of(study: Study) -> BankStudy:

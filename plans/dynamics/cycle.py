@@ -88,7 +88,7 @@ class Level(NamedTuple):
         if self.load is not None and self.stroke is not None and self.load.during != ALWAYS:
             found &= working_of(self.load, self.stroke, motion) == (self.load.during in (WORKING, FORWARD))
         if self.point:
-            fastest = max(float(np.nanmax(np.abs(one.v), initial=0.0)) for one in motion.points.values())
+            fastest = max(float(np.nanmax(np.abs(point.v), initial=0.0)) for point in motion.points.values())
             found &= np.abs(motion.points[self.point].v) <= ROUNDING * fastest
         return found
 
@@ -179,7 +179,7 @@ def _away(own: str, far: str, line: tuple[str, str]) -> Height:
 
 def _without_rounding(speed: Floats, motions: Collection[PointMotion | LinkMotion]) -> Floats:
     """Give no speed at all where it is but rounding over the whole turn: what does not move does not reverse."""
-    fastest = max(float(np.nanmax(np.abs(one[1]), initial=0.0)) for one in motions)
+    fastest = max(float(np.nanmax(np.abs(motion[1]), initial=0.0)) for motion in motions)
     return speed if np.nanmax(np.abs(speed), initial=0.0) > ROUNDING * fastest else np.zeros_like(speed)
 
 

@@ -203,9 +203,10 @@ def loop(cycle: Cycle, task: Task) -> Loop:
     origin = board.meet("O", least.line, greatest.line, why=because("machine_origin"))
     both = least, greatest
     touches = [
-        Touch(float(cycle.turned[one.place]), float(varying[one.place]), float(surplus[one.place])) for one in both
+        Touch(float(cycle.turned[tangent.place]), float(varying[tangent.place]), float(surplus[tangent.place]))
+        for tangent in both
     ]
-    cuts = [complex(one.cut.point).imag for one in both]
+    cuts = [complex(tangent.cut.point).imag for tangent in both]
     found = Flywheel(
         CONSTRUCTION, (low, high), (touches[0], touches[1]), (cuts[0], cuts[1]), float(cycle.inertia[0]), task.present
     )

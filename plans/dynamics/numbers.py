@@ -71,7 +71,7 @@ def _flywheel(found: Flywheel) -> dict[str, Any]:
     return {
         "psi": np.arctan(found.slopes).tolist(),
         "cuts": list(found.cuts),
-        "touches": [one._asdict() for one in found.touches],
+        "touches": [touch._asdict() for touch in found.touches],
         "whole": found.whole,
         "energy": found.energy,
         "own": found.own,
@@ -143,8 +143,8 @@ def quantities_of(study: Study) -> tuple[Quantity, ...]:
 def results(own: Account, exact: Account) -> Iterator[Quantity]:
     """Put the results of the strips beside those without their error; segments are parts of one length."""
     cuts = () if exact.flywheel is None else exact.flywheel.cuts
-    for one, other in zip(_results(own), _results(exact), strict=True):
-        named, value = one
+    for drawn, other in zip(_results(own), _results(exact), strict=True):
+        named, value = drawn
         largest = sum(map(abs, cuts)) if named[1] in SEGMENTS else abs(other[1])
         yield Quantity.of(named, (value, other[1]), np.inf, largest)
 

@@ -128,7 +128,9 @@ class Chords:
     def _breaks(self) -> Quantity:
         """Compare where the moment jumps or bends, of each road the nearest of the other; position 0 is always one."""
         ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
-        pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
+        pairs = [(place, _nearest(place, theirs)) for place in ours] + [
+            (_nearest(place, ours), place) for place in theirs
+        ]
         both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
         return Quantity.of((WORKS, "φ", "rad"), (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
 
@@ -142,8 +144,8 @@ class Chords:
         cut = float(self._surplus.max()) + steep * mass
         largest = max(map(abs, (*ours.cuts, *theirs.cuts, _largest(self.ours.work))))
         names = ("o1l", "o1k")
-        for name, one, other in zip(names, ours.cuts, theirs.cuts, strict=True):
-            yield Quantity.of((FLYWHEEL, name, "J"), (one, other), cut + 4 * EPS * largest, largest)
+        for name, ours_cut, other in zip(names, ours.cuts, theirs.cuts, strict=True):
+            yield Quantity.of((FLYWHEEL, name, "J"), (ours_cut, other), cut + 4 * EPS * largest, largest)
         whole = self._whole(ours)
         yield Quantity.of((FLYWHEEL, "J_0", "kg*m2"), (ours.whole, theirs.whole), whole, abs(ours.whole))
         energy = steep * whole + cut
@@ -164,18 +166,18 @@ class Chords:
             "mertsalov": (told.mertsalov, (level[1] - level[0]) / even),
             "gutyar": (told.gutyar, (gutyar[1] - gutyar[0]) / even),
         }
-        for name, (one, other) in pairs.items():
-            yield Quantity.of((FLYWHEEL, f"J_0 {name}", "kg*m2"), (one, other), allowed, largest)
+        for name, (drawn, other) in pairs.items():
+            yield Quantity.of((FLYWHEEL, f"J_0 {name}", "kg*m2"), (drawn, other), allowed, largest)
 
     def _rim(self, theirs: Flywheel) -> Iterator[Quantity]:
         """Compare mass and section of the rim."""
-        one, other = self.study.wheel, wheel(theirs.inertia, self.study.task.rim)
-        if one is None or other is None or self.wheels[0] is None:
+        drawn, other = self.study.wheel, wheel(theirs.inertia, self.study.task.rim)
+        if drawn is None or other is None or self.wheels[0] is None:
             return
         share = self._whole(self.wheels[0]) / theirs.inertia + 16 * EPS
         for name, unit in (("inertia", "kg*m2"), ("mass", "kg"), ("thickness", "m"), ("breadth", "m")):
             size = abs(getattr(other, name))
-            yield Quantity.of((FLYWHEEL, name, unit), (getattr(one, name), getattr(other, name)), share * size, size)
+            yield Quantity.of((FLYWHEEL, name, unit), (getattr(drawn, name), getattr(other, name)), share * size, size)
 
     def _whole(self, ours: Flywheel) -> float:
         """Give how far rounding can have moved J0: both segments over the difference of the slopes."""
@@ -192,7 +194,7 @@ class Chords:
         masses = np.maximum(told.inertia + self.ours.varying, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             off = self._energy(told) / (masses * told.omega)
-        pair = [np.full_like(told.omega, np.nan) if one is None else one.omega for one in (ours, theirs)]
+        pair = [np.full_like(told.omega, np.nan) if road is None else road.omega for road in (ours, theirs)]
         yield Quantity.of((SPEEDS, names[0], "rad/s"), (pair[0], pair[1]), np.asarray(off))
         if ours is not None and theirs is not None:
             grown = self._growth(told, off, masses)
@@ -219,10 +221,10 @@ class Chords:
         return np.asarray((moved + largest * self.mass) / masses)
 
 
-def _nearest(one: float, places: Floats) -> float:
+def _nearest(value: float, places: Floats) -> float:
     """Give the nearest of some angles of a turn, on the same side of its end."""
-    apart = np.angle(np.exp(1j * (places - one)))
-    return float(one + apart[np.argmin(np.abs(apart))])
+    apart = np.angle(np.exp(1j * (places - value)))
+    return float(value + apart[np.argmin(np.abs(apart))])
 
 
 def _largest(values: Floats) -> float:
@@ -302,7 +304,7 @@ def _exact(
     found = flywheel(turn, task) if task.delta else None
     before = without_flywheel(turn, task)
     after = with_flywheel(turn, task, found) if found else None
-    speeds = [_told(one, cycle.turned) for one in (after, before)]
+    speeds = [_told(motion, cycle.turned) for motion in (after, before)]
     true = replace(theirs, cycle=exact_cycle(turn, cycle.turned), flywheel=found, speeds=speeds[0], before=speeds[1])
     if study.motor is not None:
         true = replace(true, run=_run(study, turn))

@@ -30,8 +30,8 @@ def task_of(scene: Scene) -> Task:
 def _shafts(form: DynamicsTable) -> Iterator[Shaft]:
     if form.motor is not None and form.motor.rotor is not None:
         yield Shaft("rotor", float(form.motor.rotor), float(form.motor.ratio))
-    for one in form.shafts:
-        yield Shaft(one.name, float(one.inertia), float(one.ratio))
+    for shaft in form.shafts:
+        yield Shaft(shaft.name, float(shaft.inertia), float(shaft.ratio))
 
 
 def _rim(form: DynamicsTable) -> Rim:
@@ -65,7 +65,7 @@ def _motor_faults(meaning: Meaning, speed: Decimal) -> Iterator[Fault]:
         if scene.has(("dynamics", "run")) and not doubted:
             yield scene.fault(("dynamics", "run"), "no_law")
     elif form.motor.speeds and form.motor.speeds[-1] < speed * abs(form.motor.ratio):
-        found, wanted = (f"{float(one):.5g}" for one in (form.motor.speeds[-1], speed * abs(form.motor.ratio)))
+        found, wanted = (f"{float(limit):.5g}" for limit in (form.motor.speeds[-1], speed * abs(form.motor.ratio)))
         path = ("dynamics", "motor", "speeds", len(form.motor.speeds) - 1)
         yield scene.fault(path, "speeds_end", found=found, wanted=wanted)
 

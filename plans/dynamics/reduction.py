@@ -138,9 +138,9 @@ class Reducing:
         return tuple(_moments(self.forces, self._names(INERTIA)))
 
     def _names(self, *kinds: str) -> frozenset[str]:
-        acting: list[Load | Couple] = [one for row in self.plan.loads.values() for one in row]
-        acting += [one for row in self.plan.couples.values() for one in row]
-        return frozenset(one.name for one in acting if one.kind in kinds)
+        acting: list[Load | Couple] = [load for row in self.plan.loads.values() for load in row]
+        acting += [load for row in self.plan.couples.values() for load in row]
+        return frozenset(load.name for load in acting if load.kind in kinds)
 
     @property
     def moment(self) -> Floats:

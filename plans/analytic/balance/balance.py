@@ -66,13 +66,13 @@ class Weighing:
 def shifted(course: Course, partial: Sequence[Counterweight], step: complex, share: float) -> tuple[Counterweight, ...]:
     """Give the counterweights at a share of the reciprocating mass."""
     crank = course.mechanism.drive.link
-    return tuple(_less(one, share * step) if one.link == crank else one for one in partial)
+    return tuple(_less(weight, share * step) if weight.link == crank else weight for weight in partial)
 
 
-def _less(one: Counterweight, given: complex) -> Counterweight:
+def _less(weight: Counterweight, given: complex) -> Counterweight:
     """Take a static moment kg*m off a counterweight; a difference within rounding is none."""
-    left = one.moment - given
-    return carrying(one, 0j if abs(left) <= ROUNDING * EPS * abs(given) else left)
+    left = weight.moment - given
+    return carrying(weight, 0j if abs(left) <= ROUNDING * EPS * abs(given) else left)
 
 
 def _largest(forces: Complexes) -> float:
@@ -96,24 +96,24 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
     """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds."""
     drive = course.mechanism.drive
     key = pair(FRAME, drive.link, drive.pivot).key
-    others = [one for one in partial if one.link != drive.link]
+    others = [weight for weight in partial if weight.link != drive.link]
     without = course.forces(others).reactions[key].force
     twisted = course.twisted().reactions[key].force
     turning, gravity = _turning(course), course.machine.gravity
     turn, epsilon = np.exp(1j * course.turn.links[drive.link].angle), course.turn.links[drive.link].epsilon
 
     def reaction(share: float) -> Complexes:
-        (one,) = (one for one in shifted(course, partial, step, share) if one.link == drive.link)
-        about = one.inertia + one.mass * one.distance**2 if one.needed else 0.0
-        moment = (np.conj(one.moment * turn) * gravity).imag - about * epsilon
-        return np.asarray(without - one.mass * gravity + one.moment * turning + moment * twisted)
+        (weight,) = (weight for weight in shifted(course, partial, step, share) if weight.link == drive.link)
+        about = weight.inertia + weight.mass * weight.distance**2 if weight.needed else 0.0
+        moment = (np.conj(weight.moment * turn) * gravity).imag - about * epsilon
+        return np.asarray(without - weight.mass * gravity + weight.moment * turning + moment * twisted)
 
     return reaction
 
 
 def _lightest(course: Course, partial: Sequence[Counterweight], step: complex) -> tuple[float, ...]:
     """Give the share at which a crank's counterweight whose mass follows is lightest: the weights bend there."""
-    crank = next(one for one in partial if one.link == course.mechanism.drive.link)
+    crank = next(weight for weight in partial if weight.link == course.mechanism.drive.link)
     if crank.place.mass is not None or not step:
         return ()
     share = (crank.moment * step.conjugate()).real / abs(step) ** 2
@@ -158,7 +158,7 @@ def _golden(height: Callable[[float], float], low: float, high: float) -> float:
 def _straight(forces: Forces) -> bool:
     """Tell whether the forces are straight in the share but for rounding."""
     ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
-    most = max(_largest(one) for one in ends)
+    most = max(_largest(end) for end in ends)
     return _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most
 
 
@@ -192,8 +192,8 @@ def _meetings(start: Complexes, slope: Complexes) -> list[float]:
     """Find where two of the parabolas |F0|^2 + 2 k F0.F1 + k^2 |F1|^2 meet."""
     found: list[float] = []
     rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
-    for one, other in combinations(rows, 2):
-        roots = _roots(*(one - other))
+    for row, other in combinations(rows, 2):
+        roots = _roots(*(row - other))
         found += [root for root in roots if np.isfinite(root)]
     return found
 
@@ -231,6 +231,6 @@ def _chosen(course: Course, task: Task, found: Found, share: float | None) -> tu
         return found, None
     told = weighing(course, found).shares
     best = told.least_force if task.least == FORCE else told.least_reaction
-    taken = next(one for one in (share, task.share, best.share) if one is not None)
+    taken = next(value for value in (share, task.share, best.share) if value is not None)
     step = shared(course.mechanism, found.left)
     return replace(found, counterweights=shifted(course, found.counterweights, step, taken)), told

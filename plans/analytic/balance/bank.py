@@ -94,13 +94,15 @@ class Linkage:
     def scale(self) -> float:
         """The largest sum of the sizes of all inertia forces, N."""
         motion = self.road.around(2 * np.pi * np.arange(LOOKS) / LOOKS)
-        rows = [np.abs(one.mass * acceleration(self.mechanism, motion, one.link, one.centre)) for one in self.bodies]
+        rows = [
+            np.abs(body.mass * acceleration(self.mechanism, motion, body.link, body.centre)) for body in self.bodies
+        ]
         return float(np.max(np.sum(rows, axis=0)))
 
     def harmonic(self, signed: int) -> complex:
         """Give the vector of a signed order, N."""
-        one = self._harmonics[abs(signed)]
-        return one.ahead if signed > 0 else one.back
+        harmonic = self._harmonics[abs(signed)]
+        return harmonic.ahead if signed > 0 else harmonic.back
 
     @cached_property
     def _harmonics(self) -> dict[int, Harmonic]:
@@ -201,12 +203,12 @@ def turn() -> Complexes:
 
 def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
     """Find the harmonics of a bank and its compensators."""
-    orders = tuple(dict.fromkeys((*task.orders, *(one.order for one in task.asked))))
+    orders = tuple(dict.fromkeys((*task.orders, *(asked.order for asked in task.asked))))
     single = {order: _single(mechanism, order) for order in orders}
-    forces = {order: _summed(one, task.members, [1.0] * len(task.members)) for order, one in single.items()}
-    places = [float(one.place) for one in task.members]
-    moments = {order: _summed(one, task.members, places) for order, one in single.items()}
-    found = tuple(_compensator(one, forces[one.order], task.speed) for one in task.asked)
+    forces = {order: _summed(harmonic, task.members, [1.0] * len(task.members)) for order, harmonic in single.items()}
+    places = [float(member.place) for member in task.members]
+    moments = {order: _summed(harmonic, task.members, places) for order, harmonic in single.items()}
+    found = tuple(_compensator(asked, forces[asked.order], task.speed) for asked in task.asked)
     phi, (force, moment, largest) = np.linspace(0.0, 2 * np.pi, STEPS + 1), _whole(mechanism, task.members, places)
     return BankBalance(
         by=ANALYSIS,
@@ -217,7 +219,7 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
         compensators=found,
         phi=phi,
         force=force,
-        left=np.sum([force, *(_pushes(one, task.speed, phi) for one in found)], axis=0),
+        left=np.sum([force, *(_pushes(compensator, task.speed, phi) for compensator in found)], axis=0),
         moment=moment,
         force_slack=HARMONIC * EPS * largest * len(places),
         moment_slack=HARMONIC * EPS * largest * math.fsum(map(abs, places)),
@@ -228,8 +230,8 @@ def _whole(
     mechanism: Mechanism, members: Sequence[Member], places: Sequence[float]
 ) -> tuple[Complexes, Complexes, float]:
     """Sum force N and moment N*m of the bank over the turn; give the largest force of one mechanism too, N."""
-    turns = {phase: mechanism.shaking(phase) for phase in {one.phase % 360 for one in members}}
-    terms = np.array([direction(one.axis) * turns[one.phase % 360] for one in members])
+    turns = {phase: mechanism.shaking(phase) for phase in {member.phase % 360 for member in members}}
+    terms = np.array([direction(member.axis) * turns[member.phase % 360] for member in members])
     return terms.sum(axis=0), np.array(places) @ terms, max(mechanism.scale, float(np.max(np.abs(terms))))
 
 
@@ -238,29 +240,29 @@ def _single(mechanism: Mechanism, order: int) -> Harmonic:
     return Harmonic(order, ahead, back, HARMONIC * EPS * mechanism.scale)
 
 
-def _summed(one: Harmonic, members: Sequence[Member], weights: Sequence[float]) -> Harmonic:
+def _summed(harmonic: Harmonic, members: Sequence[Member], weights: Sequence[float]) -> Harmonic:
     """Sum the vectors of an order over the bank, each with its weight."""
-    order, axes = one.order, [direction(member.axis) for member in members]
+    order, axes = harmonic.order, [direction(member.axis) for member in members]
     phases = [direction(order * member.phase) for member in members]
     rows = list(zip(weights, axes, phases, strict=True))
-    ahead = [one.ahead * (weight * axis * phase) for weight, axis, phase in rows]
-    back = [one.back * (weight * axis * phase.conjugate()) for weight, axis, phase in rows]
+    ahead = [harmonic.ahead * (weight * axis * phase) for weight, axis, phase in rows]
+    back = [harmonic.back * (weight * axis * phase.conjugate()) for weight, axis, phase in rows]
     sizes = [max(abs(a), abs(b)) for a, b in zip(ahead, back, strict=True)]
-    slack = one.slack * math.fsum(map(abs, weights)) + ROUNDING * EPS * math.fsum(sizes)
+    slack = harmonic.slack * math.fsum(map(abs, weights)) + ROUNDING * EPS * math.fsum(sizes)
     return Harmonic(order, _sum(ahead), _sum(back), slack)
 
 
 def _sum(terms: Iterable[complex]) -> complex:
     found = list(terms)
-    return complex(math.fsum(one.real for one in found), math.fsum(one.imag for one in found))
+    return complex(math.fsum(vector.real for vector in found), math.fsum(vector.imag for vector in found))
 
 
 def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
     """Find the masses whose forces are against those of an order, and those of the couple that their offset makes."""
     square = (asked.order * speed) ** 2
-    against = [0j if abs(one) <= force.slack else -one for one in (force.ahead, force.back)]
-    sizes = [abs(one) for one in against]
-    angles = [plain_angle(cmath.phase(one)) if one else None for one in against]
+    against = [0j if abs(vector) <= force.slack else -vector for vector in (force.ahead, force.back)]
+    sizes = [abs(vector) for vector in against]
+    angles = [plain_angle(cmath.phase(vector)) if vector else None for vector in against]
     single = asked.order == 1 and sizes[0] > 0.0 == sizes[1]  # on the crank, whatever offset is asked for
     residual = 0.0 if single else math.fsum(sizes) * abs(asked.offset)
     couple = None if asked.shafts is None else residual / (square * asked.shafts)
@@ -284,8 +286,8 @@ def _couple_angle(forces: Sequence[complex], offset: float) -> float:
     return plain_angle(cmath.phase(1j * offset * (ahead + twice * back.conjugate())))
 
 
-def _pushes(one: Compensator, speed: float, phi: Floats) -> Complexes:
+def _pushes(compensator: Compensator, speed: float, phi: Floats) -> Complexes:
     """Give the force of a compensator over a turn."""
-    square, turn = (one.asked.order * speed) ** 2, one.asked.order * phi
-    ahead = one.with_crank * np.exp(1j * (turn + (one.with_angle or 0.0)))
-    return np.asarray(square * (ahead + one.against * np.exp(1j * ((one.against_angle or 0.0) - turn))))
+    square, turn = (compensator.asked.order * speed) ** 2, compensator.asked.order * phi
+    ahead = compensator.with_crank * np.exp(1j * (turn + (compensator.with_angle or 0.0)))
+    return np.asarray(square * (ahead + compensator.against * np.exp(1j * ((compensator.against_angle or 0.0) - turn))))

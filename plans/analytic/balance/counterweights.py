@@ -38,7 +38,7 @@ class Formal:
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
         self.turned = _turned(mechanism)
-        leaders = sorted({one.leader for one in self.turned.values()} - {FRAME})
+        leaders = sorted({turned.leader for turned in self.turned.values()} - {FRAME})
         self.columns = {link: k for k, link in enumerate((FRAME, *leaders))}
         self.size = len(self.columns) + len(mechanism.slides)
         self.origins = {FRAME: self._none()}
@@ -66,7 +66,7 @@ class Formal:
         """Lay the links out joint by joint from the frame; what closes a loop gives its row."""
         waiting = list(_joints(self.mechanism))
         while waiting:
-            here = next(one for one in waiting if not self.origins.keys().isdisjoint(one[:2]))
+            here = next(hinge for hinge in waiting if not self.origins.keys().isdisjoint(hinge[:2]))
             waiting.remove(here)
             first, second, joint = here
             apart = self._slid(joint) if isinstance(joint, Slide) else self._pinned(first, second, joint)
@@ -150,10 +150,10 @@ class Course:
 def inertia(mechanism: Mechanism, machine: Machine, added: Sequence[Counterweight], motion: Motion) -> Loading:
     """Give weight and inertia of counterweights as loads: m (g - a) at the centre, -J epsilon."""
     forces, moments = [], []
-    for one in (weight for weight in added if weight.needed):
-        name, a = f"S{one.link}'", acceleration(mechanism, motion, one.link, one.centre)
-        forces.append(Applied(name, one.link, name, one.centre, one.mass * (machine.gravity - a)))
-        moments.append(Twist(name, one.link, -one.inertia * motion.links[one.link].epsilon))
+    for weight in (weight for weight in added if weight.needed):
+        name, a = f"S{weight.link}'", acceleration(mechanism, motion, weight.link, weight.centre)
+        forces.append(Applied(name, weight.link, name, weight.centre, weight.mass * (machine.gravity - a)))
+        moments.append(Twist(name, weight.link, -weight.inertia * motion.links[weight.link].epsilon))
     return Loading(tuple(forces), tuple(moments))
 
 
@@ -266,10 +266,10 @@ def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Fo
     return found
 
 
-def uncertain(one: Counterweight, slack: float) -> float:
+def uncertain(weight: Counterweight, slack: float) -> float:
     """Give how far a mass kg is off that follows from a static moment which `slack` kg*m is off."""
-    follows = one.needed and one.place.mass is None
-    return slack * one.mass / abs(one.moment) if follows else 0.0
+    follows = weight.needed and weight.place.mass is None
+    return slack * weight.mass / abs(weight.moment) if follows else 0.0
 
 
 def mass_of(place: Place, moment: complex) -> float:
@@ -287,9 +287,9 @@ def mass_of(place: Place, moment: complex) -> float:
     return solid * place.half_angle * outer**2
 
 
-def carrying(one: Counterweight, moment: complex) -> Counterweight:
+def carrying(weight: Counterweight, moment: complex) -> Counterweight:
     """Give a counterweight another static moment kg*m, with the mass that follows."""
-    return one._replace(moment=moment, mass=mass_of(one.place, moment) if moment else 0.0)
+    return weight._replace(moment=moment, mass=mass_of(weight.place, moment) if moment else 0.0)
 
 
 class Sums:
@@ -317,21 +317,24 @@ class Sums:
     def solve(self, known: Found) -> Found:
         """Find static moments and masses that stay, with the masses known so far where the links begin."""
         borne = [(body.mass, self.formal.place(body.link, body.centre)) for body in self.machine.bodies.values()]
-        added = [(one, self.formal.place(one.link, one.origin)) for one in known.counterweights]
-        borne += [(one.mass, row) for one, row in added]
+        added = [
+            (counterweight, self.formal.place(counterweight.link, counterweight.origin))
+            for counterweight in known.counterweights
+        ]
+        borne += [(weight.mass, row) for weight, row in added]
         total = -np.sum([mass * row for mass, row in borne], axis=0)[1:]
         found = np.zeros(len(self.lengths), dtype=np.complex128)
         for _ in range(REFINEMENTS + 1):
             found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
         sizes = ROUNDING * EPS * np.sum([mass * np.abs(row) for mass, row in borne], axis=0)
-        off = [uncertain(one, known.slack.get(one.link, 0.0)) * np.abs(row) for one, row in added]
+        off = [uncertain(weight, known.slack.get(weight.link, 0.0)) * np.abs(row) for weight, row in added]
         return self._told(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
 
     def _told(self, known: Found, found: Complexes, slack: Floats) -> Found:
         """Tell what is found; what rounding alone has left is nothing."""
         count, values = len(self.links), np.where(np.abs(found) <= slack + self.blurred, 0, found).tolist()
         moments = dict(zip(self.links, values, strict=False))
-        told = tuple(carrying(one, moments.get(one.link, 0j)) for one in known.counterweights)
+        told = tuple(carrying(weight, moments.get(weight.link, 0j)) for weight in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
         off = slack.tolist()
         return Found(

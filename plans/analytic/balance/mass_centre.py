@@ -16,7 +16,9 @@ from plans.model.motion import Motion
 
 def bodies(machine: Machine, counterweights: Sequence[Counterweight] = ()) -> list[Body]:
     """List what has mass: the links, then the counterweights that are needed."""
-    added = [Body(one.link, one.mass, one.inertia, one.centre) for one in counterweights if one.needed]
+    added = [
+        Body(weight.link, weight.mass, weight.inertia, weight.centre) for weight in counterweights if weight.needed
+    ]
     return [*machine.bodies.values(), *added]
 
 
@@ -60,7 +62,7 @@ class Begun(Protocol):
 
 def vectors(solid: Sequence[Body], begun: Iterable[Begun]) -> dict[int, complex]:
     """Give the vector h of each link in its own frame, m."""
-    stems = {one.link: one for one in begun}
+    stems = {stem.link: stem for stem in begun}
     terms: dict[int, list[complex]] = {link: [] for link in stems}
     for body in solid:
         for link, arm in _path(stems, body):

@@ -128,7 +128,7 @@ def smooth(reduction: Reduction, sample: Sample, noise: float) -> list[Curve]:
     while count <= MOST:
         rows, sizes = sample(reduction.even(count))
         found = [wave(row, float(size)) for row, size in zip(rows, sizes, strict=True)]
-        worst = max((one.error for one in found), default=0.0)
+        worst = max((curve.error for curve in found), default=0.0)
         if worst <= ROUNDINGS * EPS or (count == MOST and worst <= noise):
             return list(found)
         if not np.isfinite(worst):
@@ -145,7 +145,7 @@ def broken(reduction: Reduction, sample: Sample, breaks: Floats, noise: float) -
 
 def looks(curves: Sequence[Curve], *more: float) -> Floats:
     """Give the angles among which every change of sign of a combination of curves shows."""
-    return np.unique(np.concatenate([np.array((0.0, *more, TURN)), *(one.looks for one in curves)]))
+    return np.unique(np.concatenate([np.array((0.0, *more, TURN)), *(curve.looks for curve in curves)]))
 
 
 HALVINGS = 54  # of a stretch of the turn: its last place
@@ -263,10 +263,10 @@ def _reversals(reduction: Reduction, noise: float) -> Floats:
 
     def sample(motion: Motion) -> tuple[Floats, Floats]:
         moved = [motion.points[point] for point in points]
-        rows = [(one.v * one.a.conj()).real for one in moved]
+        rows = [(point.v * point.a.conj()).real for point in moved]
         rows += [_turning(motion.links[link].omega, noise) for link in links]
         rows += [_turning(_parting(motion, force), noise) for force in partings]
-        sizes = [np.abs(one.v).max() * np.abs(one.a).max() for one in moved] + [1.0] * len(links)
+        sizes = [np.abs(point.v).max() * np.abs(point.a).max() for point in moved] + [1.0] * len(links)
         sizes += [np.abs(row).max() or 1.0 for row in rows[len(sizes) :]]
         return np.array(rows), np.array(sizes)
 

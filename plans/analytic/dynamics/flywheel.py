@@ -55,7 +55,7 @@ class Exact:
     @property
     def error(self) -> float:
         """The share of the largest by which moment or inertia may be off; infinite where they are not known."""
-        return max(one.error for one in (self.load, self.mass, self.growth))
+        return max(curve.error for curve in (self.load, self.mass, self.growth))
 
     @property
     def settled(self) -> bool:

@@ -262,7 +262,7 @@ def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bo
     order = np.argsort(low)
     edges = np.append(low[order], high[order][-1])
     fitted = np.concatenate([part[2] for part in kept], axis=1)[:, order]
-    return [Pieces(edges, one, _integrals(one, np.diff(edges)), error, settled) for one in fitted]
+    return [Pieces(edges, fit, _integrals(fit, np.diff(edges)), error, settled) for fit in fitted]
 
 
 def _integrals(coefficients: Floats, wide: Floats) -> Floats:
