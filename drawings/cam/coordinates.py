@@ -55,21 +55,21 @@ def _analysed(found: CamFound) -> Contour:
     return contour(found.cam, found.sizes, found.roller, turns(found.cam))
 
 
-def _due(found: CamFound, own: Contour) -> Iterator[tuple[str, Floats]]:
+def _due(found: CamFound, at: Contour) -> Iterator[tuple[str, Floats]]:
     """Give what the columns must say, (N,) each in mm or degrees: the follower's way, the curves, how they bend."""
-    cam, way = found.cam, own.travel.s
-    yield ("travel_mm", MM * own.turned) if cam.translates else ("turned_deg", np.degrees(own.turned))
+    cam, way = found.cam, at.travel.s
+    yield ("travel_mm", MM * at.turned) if cam.translates else ("turned_deg", np.degrees(at.turned))
     yield ("s_deg", np.degrees(way)) if cam.rocks else ("s_mm", MM * way)
-    curves = {"": own.profile} | ({"pitch_": own.pitch} if own.profile is not own.pitch and not cam.flat else {})
-    for name, curve in (curves if own.outer is None else curves | {"outer_": own.outer}).items():
+    curves = {"": at.profile} | ({"pitch_": at.pitch} if at.profile is not at.pitch and not cam.flat else {})
+    for name, curve in (curves if at.outer is None else curves | {"outer_": at.outer}).items():
         yield from ((f"{name}x_mm", MM * np.real(curve)), (f"{name}y_mm", MM * np.imag(curve)))
         yield from (
             () if cam.translates else ((f"{name}radius_mm", MM * np.abs(curve)), (f"{name}angle_deg", _turn(curve)))
         )
     if not cam.translates:
-        turned = _turn(own.profile)
+        turned = _turn(at.profile)
         yield THETA, turned[0] - turned if cam.sense > 0 else turned - turned[0]
-    yield from (("pressure_deg", np.degrees(own.pressure)), (CURVATURE, MM * own.radius))
+    yield from (("pressure_deg", np.degrees(at.pressure)), (CURVATURE, MM * at.radius))
 
 
 def _turn(curve: Points) -> Floats:
@@ -95,7 +95,7 @@ def _bends_off(seen: Floats, exact: Floats) -> Floats:
 
     An edge, whose radius is no more than the rounding, bends by that: there it is the radii that are compared.
     """
-    bend, true = (np.copysign(1 / np.maximum(np.abs(one), ROUNDED), one) for one in (seen, exact))
+    bend, true = (np.copysign(1 / np.maximum(np.abs(radii), ROUNDED), radii) for radii in (seen, exact))
     bent = np.abs(bend - true) - ROUNDED * true**2 - KNOWN * np.abs(true).max()
     edge = np.abs(exact) <= ROUNDED
     with np.errstate(invalid="ignore"):  # of a straight place both are infinite

@@ -40,15 +40,19 @@ def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of one cam, or of the shaft of several (row of the table of sheets)."""
     name = subject(leaves[0])
     if name == EVERY:
-        yield from chart(cam_rows([one.cam for one in study.comparison("cam").analysis.cams]))
+        yield from chart(cam_rows([found.cam for found in study.comparison("cam").analysis.cams]))
     else:
-        told = (one.metadata["scales"] for one in leaves)
-        scales: Mapping[str, float] = next((own for own in told if SIZES in own), {})
-        drawn = {one.data["name"]: one.data for leaf in leaves for one in groups(leaf.groups) if _is_length(one.data)}
-        said = [one.states for leaf in leaves for one in stated(leaf.groups) if one.states is not None]
-        axes = {(one.figure, one.name): one.scale for one in said if one.kind is Kind.AXIS}
-        own = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
-        yield from chain(own.laws(), own.phases(), own.pressure(), own.profile(), own.sizes(), own.table())
+        told = (leaf.metadata["scales"] for leaf in leaves)
+        scales: Mapping[str, float] = next((named for named in told if SIZES in named), {})
+        drawn = {
+            group.data["name"]: group.data for leaf in leaves for group in groups(leaf.groups) if _is_length(group.data)
+        }
+        said = [mark.states for leaf in leaves for mark in stated(leaf.groups) if mark.states is not None]
+        axes = {
+            (statement.figure, statement.name): statement.scale for statement in said if statement.kind is Kind.AXIS
+        }
+        cam = _Cam(numbers_of(study, name), scales, drawn, axes, drafting_of(study.scene))
+        yield from chain(cam.laws(), cam.phases(), cam.pressure(), cam.profile(), cam.sizes(), cam.table())
     yield from every_cam(study)
 
 
@@ -78,19 +82,19 @@ class _Cam:
 
     def laws(self) -> Iterator[Expected]:
         """Give the diagrams of the law: ordinates, curves, impulses, how far chords are off."""
-        own, cam = self.values, self.values.cam
+        values, cam = self.values, self.values.cam
         letter = "ψ" if cam.rocks else "S"
-        for key, row in own.rows.items():
+        for key, row in values.rows.items():
             plan, slack = law_named(cam, key), self.numbers.slack(COMPARED[key])
-            for k, name in enumerate(own.names):
+            for k, name in enumerate(values.names):
                 yield Expected(Kind.VECTOR, plan, name, 1j * row.after[k], slack, k, may_lack=True, letter=name)
             ends = (0.0, cam.turn)
             yield Expected(Kind.CURVE, plan, letter + LETTERS[key], row.curve, slack, ends=ends)
-        for one in own.found.shocks:
-            if one.order == HARD:
-                yield from self._impulse(one.turned, math.copysign(1.0, one.jump))
-        slope, s = own.compared.chords
-        for key, chords, exact in ((VELOCITY, slope, own.before.slope[1:]), (TRAVEL, s, own.after.s)):
+        for shock in values.found.shocks:
+            if shock.order == HARD:
+                yield from self._impulse(shock.turned, math.copysign(1.0, shock.jump))
+        slope, s = values.compared.chords
+        for key, chords, exact in ((VELOCITY, slope, values.before.slope[1:]), (TRAVEL, s, values.after.s)):
             share = departure(chords, exact).share
             yield Expected(Kind.PHRASE, law_named(cam, key), "off", 100 * share, 100 * NEAREST, digits=2)
         for key, above in ((VELOCITY, ACCELERATION), (TRAVEL, VELOCITY)):
@@ -98,46 +102,46 @@ class _Cam:
 
     def _pole(self, plan: str, above: str) -> Iterator[Expected]:
         """Give the distance of the pole, mm: by it the scale of a diagram follows from the scales of the one above."""
-        turn, high, own = (self.axes.get(axis, math.nan) for axis in ((above, "x"), (above, "y"), (plan, "y")))
-        yield Expected(Kind.PHRASE, plan, "H", own / (high * turn), digits=4, may_lack=True)
+        turn, high, here = (self.axes.get(axis, math.nan) for axis in ((above, "x"), (above, "y"), (plan, "y")))
+        yield Expected(Kind.PHRASE, plan, "H", here / (high * turn), digits=4, may_lack=True)
 
     def _impulse(self, turned: float, sense: float) -> Iterator[Expected]:
         """Give the arrow of an impulse of S''; the end of a turn is its beginning."""
-        own = self.values
-        plan, turn = law_named(own.cam, ACCELERATION), own.cam.turn
-        for k, edge in enumerate(own.edges):
+        values = self.values
+        plan, turn = law_named(values.cam, ACCELERATION), values.cam.turn
+        for k, edge in enumerate(values.edges):
             off = abs(edge - turned)
-            if min(off, off if own.cam.translates else abs(turn - off)) <= NEAREST * turn:
-                yield Expected(Kind.DIRECTION, plan, own.names[k], 1j * sense, 0.0, k, may_lack=True)
+            if min(off, off if values.cam.translates else abs(turn - off)) <= NEAREST * turn:
+                yield Expected(Kind.DIRECTION, plan, values.names[k], 1j * sense, 0.0, k, may_lack=True)
 
     def phases(self) -> Iterator[Expected]:
         """Give the phases by their dimensions, arcs and numbers; a cam may rest so shortly that it has none."""
         cam = self.values.cam
         law, unit = law_named(cam, "phases"), MM if cam.translates else DEGREES
-        for k, one in enumerate(cam.phases):
-            name, size = f"φ_{k}", one.end - one.start
-            yield Expected(Kind.LENGTH, law, name, size, may_lack=not one.angle > 0)
+        for k, phase in enumerate(cam.phases):
+            name, size = f"φ_{k}", phase.end - phase.start
+            yield Expected(Kind.LENGTH, law, name, size, may_lack=not phase.angle > 0)
             kind = Kind.LENGTH if cam.translates else Kind.ANGLE
             yield Expected(kind, PROFILE, name, size, NEAREST)
             for figure in (law, PROFILE, PRESSURE):
-                lacks = figure == PRESSURE or not one.angle > 0
+                lacks = figure == PRESSURE or not phase.angle > 0
                 yield Expected(Kind.PHRASE, figure, name, unit * size, digits=DIGITS, may_lack=lacks)
 
     def pressure(self) -> Iterator[Expected]:
         """Give the graph of the pressure angle: curve, ordinates, extremes, limits."""
-        own, cam, found = self.values, self.values.cam, self.values.found
+        values, cam, found = self.values, self.values.cam, self.values.found
         if cam.flat and not cam.rocks:
             return
 
         def angle(turned: Floats) -> Floats:
-            return np.degrees(Curve(cam, own.sizes, turned).pressure)
+            return np.degrees(Curve(cam, values.sizes, turned).pressure)
 
         slack = DEGREES * self.numbers.slack("α")
         yield Expected(Kind.CURVE, PRESSURE, "α", angle, slack, ends=(0.0, cam.turn))
-        for k, value in enumerate(np.degrees(own.contour.pressure).tolist()):
+        for k, value in enumerate(np.degrees(values.contour.pressure).tolist()):
             yield Expected(Kind.VECTOR, PRESSURE, str(k), 1j * value, slack, k, may_lack=True, letter=str(k))
-        for kind, one in found.pressure.items():
-            value, off = DEGREES * one.value, DEGREES * self.numbers.slack(f"α_{kind}")
+        for kind, extreme in found.pressure.items():
+            value, off = DEGREES * extreme.value, DEGREES * self.numbers.slack(f"α_{kind}")
             lacks = not abs(value) > off
             row = Expected(Kind.VECTOR, PRESSURE, kind, 1j * value, off, may_lack=lacks)
             yield from measured(row, value, digits=4, unit=1.0)
@@ -154,13 +158,13 @@ class _Cam:
 
     def profile(self) -> Iterator[Expected]:
         """Give the figure of the profile: curves, points, normals, sizes, senses."""
-        own, cam, found = self.values, self.values.cam, self.values.found
-        for name, path in own.curves():
-            yield Expected(Kind.CURVE, PROFILE, name, path, self.slack + own.drawn)
-        for name, spots in own.points().items():
+        values, cam, found = self.values, self.values.cam, self.values.found
+        for name, path in values.curves():
+            yield Expected(Kind.CURVE, PROFILE, name, path, self.slack + values.drawn)
+        for name, spots in values.points().items():
             for k, spot in enumerate(spots.tolist()):
                 yield Expected(Kind.POINT, PROFILE, name, spot, self.slack, k, may_lack=True, letter=str(k))
-        for name, ways in own.normals().items():
+        for name, ways in values.normals().items():
             for k, way in enumerate(ways.tolist()):
                 yield Expected(Kind.VECTOR, PROFILE, name, way, self.slack, k, may_lack=True, letter=str(k))
         yield from self._lengths()
@@ -176,9 +180,9 @@ class _Cam:
 
     def _lengths(self) -> Iterator[Expected]:
         """Give the sizes in the figure of the profile; two of them go where there is room, or about a sharp place."""
-        own, sizes, found = self.values, self.values.sizes, self.values.found
-        true = {"R_0": complex(sizes.base), "e": complex(own.cam.sense * sizes.offset), "L": sizes.pivot}
-        true = {} if own.cam.translates else true
+        values, sizes, found = self.values, self.values.sizes, self.values.found
+        true = {"R_0": complex(sizes.base), "e": complex(values.cam.sense * sizes.offset), "L": sizes.pivot}
+        true = {} if values.cam.translates else true
         told = {name: self.numbers.size(name) for name in true}
         if found.sharpest is not None:
             true["ρ_min"], told["ρ_min"] = complex(found.sharpest.value), self.numbers.radius("ρ_min", found.sharpest)
@@ -192,23 +196,23 @@ class _Cam:
 
     def sizes(self) -> Iterator[Expected]:
         """Give the diagram of the sizes: its curve and points, O, the sizes that are dimensioned, the limits."""
-        own, cam = self.values, self.values.cam
+        values, cam = self.values, self.values.cam
         if cam.translates:
             return
         slack = self.slack + max(self._off("S'") if not cam.flat else self._off("S''"), 0.0) * self._arm
-        yield Expected(Kind.POINT, SIZES, "O", -own.zero, self._off("R_0"))
+        yield Expected(Kind.POINT, SIZES, "O", -values.zero, self._off("R_0"))
         if not (cam.flat and cam.rocks):
-            yield Expected(Kind.CURVE, SIZES, "D", own.diagram, slack)
-            for k, end in enumerate(own.ends(own.contour).tolist()):
+            yield Expected(Kind.CURVE, SIZES, "D", values.diagram, slack)
+            for k, end in enumerate(values.ends(values.contour).tolist()):
                 yield Expected(Kind.POINT, SIZES, "D", end, slack, k, may_lack=True, letter=str(k))
-            for k in range(1, len(own.edges)):
-                yield Expected(Kind.POINT, SIZES, f"T_{k}", own.diagram, slack, may_lack=True)
-        yield Expected(Kind.POINT, SIZES, "O'", -own.zero, math.inf, may_lack=True)  # by the chord: beside O
-        reaches = {"L": own.zero} if cam.rocks else {}
+            for k in range(1, len(values.edges)):
+                yield Expected(Kind.POINT, SIZES, f"T_{k}", values.diagram, slack, may_lack=True)
+        yield Expected(Kind.POINT, SIZES, "O'", -values.zero, math.inf, may_lack=True)  # by the chord: beside O
+        reaches = {"L": values.zero} if cam.rocks else {}
         if not cam.flat:
-            reaches["R_0"] = own.lowest
+            reaches["R_0"] = values.lowest
         elif cam.rocks:
-            reaches["R_0"] = complex(own.contour.lever[0]) * own.turned_back * own.sizes.base
+            reaches["R_0"] = complex(values.contour.lever[0]) * values.turned_back * values.sizes.base
         for name, reach in reaches.items():
             yield Expected(Kind.VECTOR, SIZES, name, reach, self._off("R_0"))
         yield from self._dimensions()
@@ -258,17 +262,17 @@ class _Cam:
         if found.roller:
             yield "r_{rol}", "mm", numbers.size("r_rol"), cam.roller is not None
         yield "Ψ" if cam.rocks else "H", "°" if cam.rocks else "mm", (numbers.way * cam.lift, 0.0), True
-        for name, mark, one in (("ρ_min", "ρ_{min}", found.sharpest), ("ρ_hollow", "ρ_{hol}", found.hollow)):
-            if one is not None:
-                yield mark, "mm", numbers.radius(name, one), False
-                yield self._at(mark, one.turned)
+        for name, mark, extreme in (("ρ_min", "ρ_{min}", found.sharpest), ("ρ_hollow", "ρ_{hol}", found.hollow)):
+            if extreme is not None:
+                yield mark, "mm", numbers.radius(name, extreme), False
+                yield self._at(mark, extreme.turned)
         for k, far in enumerate(found.face if cam.flat else (), 1):
             yield f"b_{k}", "mm", (MM * abs(far), MM * self._off(f"face_{'back' if k == 1 else 'front'}")), False
         for kind in (RISE, RETURN) if cam.rocks or not cam.flat else ():
             if kind in found.pressure:
-                mark, one = f"α_{{{kind}}}", found.pressure[kind]
-                yield mark, "°", (DEGREES * one.value, DEGREES * self._off(f"α_{kind}")), False
-                yield self._at(mark, one.turned)
+                mark, extreme = f"α_{{{kind}}}", found.pressure[kind]
+                yield mark, "°", (DEGREES * extreme.value, DEGREES * self._off(f"α_{kind}")), False
+                yield self._at(mark, extreme.turned)
         yield from self._motion()
 
     def _motion(self) -> Iterator[tuple[str, str, Any, bool]]:
@@ -279,10 +283,10 @@ class _Cam:
             unit = f"{'rad' if cam.rocks else 'm'}/s{'' if order == HARD else '2'}"
             yield f"{way[order - 1]}_{{max}}", unit, (abs(peak.value) * speed, self._off(f"{name}_max") * speed), False
         bare = "ψ" if cam.rocks else "S"
-        for k, one in enumerate(found.shocks, 1):
-            what = bare + "'" * one.order if cam.speed is None else way[one.order - 1]
-            yield f"Δ{what}_{{{k}}}", self.numbers.unit(one), self.numbers.jump(one), False
-            yield self._at(f"Δ{what}_{{{k}}}", one.turned)
+        for k, shock in enumerate(found.shocks, 1):
+            what = bare + "'" * shock.order if cam.speed is None else way[shock.order - 1]
+            yield f"Δ{what}_{{{k}}}", self.numbers.unit(shock), self.numbers.jump(shock), False
+            yield self._at(f"Δ{what}_{{{k}}}", shock.turned)
 
     def _at(self, letter: str, turned: float) -> tuple[str, str, Any, bool]:
         key, unit = ("cam travel at", "mm") if self.values.cam.translates else ("cam angle at", "°")

@@ -40,10 +40,14 @@ def every_cam(study: Study) -> Iterator[Expected]:
 def numbers_of(study: Study, name: str) -> CamNumbers:
     """Give the numbers of one cam of a scene; each of its sheets asks for them."""
     comparison = study.comparison("cam")
-    cams = {one.cam.name: one for one in comparison.analysis.cams}
+    cams = {found.cam.name: found for found in comparison.analysis.cams}
     beside = f" {name}" if len(cams) > 1 else ""
-    own = {one.name.removesuffix(beside): one for one in comparison.findings if one.name.endswith(beside)}
-    return CamNumbers(CamValues(cams[name], study.of(CamStudy).drawings[name]), own)
+    quantities = {
+        quantity.name.removesuffix(beside): quantity
+        for quantity in comparison.findings
+        if quantity.name.endswith(beside)
+    }
+    return CamNumbers(CamValues(cams[name], study.of(CamStudy).drawings[name]), quantities)
 
 
 @dataclass(frozen=True)
@@ -83,38 +87,38 @@ class CamNumbers:
 
     def size(self, name: str) -> tuple[float, float]:
         """A main size, mm or degrees."""
-        own, slack = self.found.sizes, self.slack("R_0")
-        level = math.sqrt(max(own.base**2 - own.offset**2, 0.0))
-        moved = own.base * slack + (abs(own.offset) * self.slack("e") if own.offset else 0.0)
+        sizes, slack = self.found.sizes, self.slack("R_0")
+        level = math.sqrt(max(sizes.base**2 - sizes.offset**2, 0.0))
+        moved = sizes.base * slack + (abs(sizes.offset) * self.slack("e") if sizes.offset else 0.0)
         known = {
-            "R_0": (MM * own.base, MM * slack),
-            "e": (MM * own.offset, MM * self.slack("e")),
+            "R_0": (MM * sizes.base, MM * slack),
+            "e": (MM * sizes.offset, MM * self.slack("e")),
             "S_0": (MM * level, MM * moved / level if level else math.inf),
-            "L": (MM * own.centre, MM * self.slack("L")),
-            "ψ_0": (DEGREES * own.initial, DEGREES * self.slack("ψ_0")),
+            "L": (MM * sizes.centre, MM * self.slack("L")),
+            "ψ_0": (DEGREES * sizes.initial, DEGREES * self.slack("ψ_0")),
             "r_rol": (MM * self.found.roller, MM * self.slack("r_r")),
         }
         return known[name]
 
-    def radius(self, name: str, one: Extreme) -> tuple[float, float]:
+    def radius(self, name: str, extreme: Extreme) -> tuple[float, float]:
         """A radius of curvature, mm; its reciprocal is compared."""
-        return MM * one.value, MM * one.value**2 * self.slack(name)
+        return MM * extreme.value, MM * extreme.value**2 * self.slack(name)
 
-    def jump(self, one: Shock) -> tuple[float, float]:
+    def jump(self, shock: Shock) -> tuple[float, float]:
         """What jumps at a shock: with the cam's speed of velocity or acceleration, else of S' or S''."""
-        speed = (self.cam.speed or 1.0) ** one.order
-        return speed * one.jump, speed * self.slack("ΔS'" if one.order == HARD else "ΔS''")
+        speed = (self.cam.speed or 1.0) ** shock.order
+        return speed * shock.jump, speed * self.slack("ΔS'" if shock.order == HARD else "ΔS''")
 
-    def unit(self, one: Shock) -> str:
+    def unit(self, shock: Shock) -> str:
         """The unit of what jumps."""
         if self.cam.speed is None:
-            unit = dimensions(self.cam)[one.order]
+            unit = dimensions(self.cam)[shock.order]
             return "" if unit == RATIO else unit
-        return f"{'rad' if self.cam.rocks else 'm'}/s{'' if one.order == HARD else '2'}"
+        return f"{'rad' if self.cam.rocks else 'm'}/s{'' if shock.order == HARD else '2'}"
 
     def notes(self) -> Iterator[Expected]:
         """Give the rows of all that may be told; what is not told of this cam may lack."""
-        told = ((f"{name} {self.cam.name}", *own) for name, own in dict(self._told()).items())
+        told = ((f"{name} {self.cam.name}", *numbers) for name, numbers in dict(self._told()).items())
         yield from phrases(NOTES, told, DIGITS, may_lack=True)
 
     def _told(self) -> Iterator[tuple[str, tuple[float, float]]]:
@@ -125,9 +129,9 @@ class CamNumbers:
         yield from (("n", (RPM * speed, 0.0)), ("ω", (speed, 0.0)), ("setting", (DEGREES * cam.setting, 0.0)))
         for side, far in zip(("back", "front"), found.face, strict=True):
             yield side, (MM * (far if cam.rocks else abs(far)), MM * self.slack(f"face_{side}"))
-        for kind, one in found.pressure.items():
-            yield f"α {kind}", (DEGREES * one.value, DEGREES * self.slack(f"α_{kind}"))
-            yield f"φ α {kind}", self.place(one.turned)
+        for kind, largest in found.pressure.items():
+            yield f"α {kind}", (DEGREES * largest.value, DEGREES * self.slack(f"α_{kind}"))
+            yield f"φ α {kind}", self.place(largest.turned)
         for name, extreme, sign in (("ρ_min", found.sharpest, 1), ("ρ_hol", found.hollow, -1)):
             if extreme is not None:
                 value, slack = self.radius(name.replace("hol", "hollow"), extreme)
@@ -139,13 +143,13 @@ class CamNumbers:
         yield from self._smoothed()
 
     def _pressing(self) -> Iterator[tuple[str, tuple[float, float]]]:
-        own = self.found.pressing
-        if own is None:
+        pressing = self.found.pressing
+        if pressing is None:
             return
-        for name, one in (("N_min", own.least), ("N_max", own.most), ("wear", own.wear)):
-            yield name, (one.value, self.slack(name.replace("wear", "N·v_sl")))
-            yield f"φ {name}", self.place(one.turned)
-        yield "preload", (own.preload, self.slack("preload"))
+        for name, extreme in (("N_min", pressing.least), ("N_max", pressing.most), ("wear", pressing.wear)):
+            yield name, (extreme.value, self.slack(name.replace("wear", "N·v_sl")))
+            yield f"φ {name}", self.place(extreme.turned)
+        yield "preload", (pressing.preload, self.slack("preload"))
 
     def _flaws(self) -> Iterator[tuple[str, tuple[float, float]]]:
         """Give each flaw with its ends and its worst place, and what would mend them."""

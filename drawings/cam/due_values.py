@@ -76,8 +76,8 @@ class CamValues:
 
     def ways(self, directions: Complexes | complex, turned: Floats | float) -> Complexes:
         """Turn directions of the frame so."""
-        own = self.back(directions, turned) if not self.cam.translates else directions + 0 * np.asarray(turned)
-        return np.asarray(own)
+        ways = self.back(directions, turned) if not self.cam.translates else directions + 0 * np.asarray(turned)
+        return np.asarray(ways)
 
     def at(self, turned: Floats, before: bool = False) -> Contour:
         """Give the profile at turns of the cam."""
@@ -105,8 +105,8 @@ class CamValues:
             elif math.isclose(edge, numbered[k], rel_tol=EQUAL, abs_tol=EQUAL * last):
                 names.append(str(k))
             else:
-                before = sum(one < edge for one in numbered) - 1
-                names.append(f"{before}" + "'" * (1 + sum(one.startswith(f"{before}'") for one in names)))
+                before = sum(turn < edge for turn in numbered) - 1
+                names.append(f"{before}" + "'" * (1 + sum(name.startswith(f"{before}'") for name in names)))
         return tuple(names)
 
     @cached_property
@@ -127,7 +127,7 @@ class CamValues:
         first = LawRow(ACCELERATION, *self._sides(*bends, HARD, SOFT), lambda at: travel(self.cam, at).bend)
         second = LawRow(VELOCITY, *self._sides(begin, slope, HARD), self._cubics((begin, slope), bends))
         third = LawRow(TRAVEL, s, s, self._cubics((s[:-1], s[1:]), (begin, slope)))
-        return {one.key: self._ended(one) for one in (first, second, third)}
+        return {row.key: self._ended(row) for row in (first, second, third)}
 
     def means(self, key: str) -> Floats:
         """Give the mean ordinates of the strips, (n,): of S'', or of S'."""
@@ -137,10 +137,10 @@ class CamValues:
     def _sides(self, begin: Floats, end: Floats, *orders: int) -> tuple[Floats, Floats]:
         """Give values after and before the edges; at a shock at its ends a cam that turns goes on from the other."""
         after, before = np.append(begin, end[-1]), np.append(begin[:1], end)
-        turned = [one.turned / self.cam.turn for one in self.found.shocks if one.order in orders]
-        if any(one <= EQUAL for one in turned):
+        turned = [shock.turned / self.cam.turn for shock in self.found.shocks if shock.order in orders]
+        if any(share <= EQUAL for share in turned):
             before[0] = 0.0 if self.cam.translates else end[-1]
-        if self.cam.translates and any(one >= 1 - EQUAL for one in turned):
+        if self.cam.translates and any(share >= 1 - EQUAL for share in turned):
             after[-1] = 0.0
         return after, before
 
@@ -148,8 +148,8 @@ class CamValues:
         """Let a curve come from what is before the turn, and go on to what is after it."""
 
         def curve(turned: Floats) -> Floats:
-            own = np.where(turned >= self.cam.turn, row.after[-1], row.curve(turned))
-            return np.where(turned <= 0.0, row.before[0], own)
+            values = np.where(turned >= self.cam.turn, row.after[-1], row.curve(turned))
+            return np.where(turned <= 0.0, row.before[0], values)
 
         return row._replace(curve=curve)
 
@@ -186,28 +186,28 @@ class CamValues:
             return pivot + (start - pivot) * self.turned_back
         return complex(start - 1j * self.contour.travel.s[0])
 
-    def ends(self, own: Contour) -> Complexes:
+    def ends(self, contour: Contour) -> Complexes:
         """Give D of the diagram of the sizes: on the line of OD, of a flat face S'' across from S."""
         if self.cam.flat:
-            return np.asarray(own.travel.bend + 1j * own.travel.s)
-        return np.asarray(own.lever - self.zero)
+            return np.asarray(contour.travel.bend + 1j * contour.travel.s)
+        return np.asarray(contour.lever - self.zero)
 
     @cached_property
     def diagram(self) -> Complexes:
         """The diagram of the sizes densely, m, from its origin."""
         shares = np.clip(np.linspace(0.0, 1.0, DENSE), EQUAL, 1 - EQUAL)  # within what jumps at both ends
-        own = (
-            one.phase.start + one.phase.angle * (one.start + (one.end - one.start) * shares)
-            for one in stretches(self.cam, (RISE, RETURN))
+        turns = (
+            stretch.phase.start + stretch.phase.angle * (stretch.start + (stretch.end - stretch.start) * shares)
+            for stretch in stretches(self.cam, (RISE, RETURN))
         )
-        return np.concatenate([self.ends(self.at(turned)) for turned in own])
+        return np.concatenate([self.ends(self.at(turned)) for turned in turns])
 
     def points(self) -> Mapping[str, Complexes]:
         """Give the points of the numbered positions by their letters, (N,) m, in the cam; K and O_1 as they are due."""
-        cam, own = self.cam, self.contour
-        division = cam.sense * self.sizes.offset + 1j * own.tip.imag if cam.flat else own.tip
-        pivots = self.ways(np.full(len(own.turned), self.sizes.pivot), own.turned)
-        return {"P" if self.found.roller > 0 else "Q": own.pitch, "K": np.asarray(division), "O_1": pivots}
+        cam, contour = self.cam, self.contour
+        division = cam.sense * self.sizes.offset + 1j * contour.tip.imag if cam.flat else contour.tip
+        pivots = self.ways(np.full(len(contour.turned), self.sizes.pivot), contour.turned)
+        return {"P" if self.found.roller > 0 else "Q": contour.pitch, "K": np.asarray(division), "O_1": pivots}
 
     def normals(self) -> Mapping[str, Complexes]:
         """Give what leads from the roller's centre to the profile, (N,) m; a follower without a roller has none."""
@@ -216,7 +216,7 @@ class CamValues:
     @property
     def drawn(self) -> float:
         """How far the pieces of a drawn curve may lie from it, m; past a cusp of a loop they go farther than at it."""
-        looped = any(one.kind in LOOPED for one in self.found.flaws)
+        looped = any(flaw.kind in LOOPED for flaw in self.found.flaws)
         return self.cam.tolerance * (CUSP if looped else 1.0)
 
     def curves(self) -> Iterator[tuple[str, Complexes]]:
@@ -228,29 +228,29 @@ class CamValues:
         shown = ("profile", "pitch", "outer") if rolls else ("profile",)
         stretches = self._stretches
         for name in shown if self.contour.outer is not None else shown[:2]:
-            own = [np.append(getattr(one, name)[:-1], getattr(end, name)) for one, end in stretches]
-            own += [] if self.cam.translates else [own[0][:1]]
+            parts = [np.append(getattr(contour, name)[:-1], getattr(end, name)) for contour, end in stretches]
+            parts += [] if self.cam.translates else [parts[0][:1]]
             corners = [complex(end.pitch[0]) for _, end in stretches]
-            turned = [_corner(*pair, at) for pair, at in zip(pairwise(own), corners, strict=False) if rolls]
-            turned += [np.zeros(0, dtype=complex)] * (len(own) - len(turned))
-            yield name, np.concatenate([part for pair in zip(own, turned, strict=True) for part in pair])
+            turned = [_corner(*pair, at) for pair, at in zip(pairwise(parts), corners, strict=False) if rolls]
+            turned += [np.zeros(0, dtype=complex)] * (len(parts) - len(turned))
+            yield name, np.concatenate([part for pair in zip(parts, turned, strict=True) for part in pair])
 
     @cached_property
     def _stretches(self) -> list[tuple[Contour, Contour]]:
         """The contour between shocks, each stretch with its end again, before what jumps there."""
-        found, bounds = [], sorted({0.0, *(one.turned for one in self.found.shocks), self.cam.turn})
+        found, bounds = [], sorted({0.0, *(shock.turned for shock in self.found.shocks), self.cam.turn})
         for start, end in pairwise(bounds):
             turned = np.linspace(start, end, max(int(DENSE * (end - start) / self.cam.turn), 3))
             for _ in range(ROUNDS):
-                own = self.at(turned)
-                curves = (own.profile, own.pitch, own.profile if own.outer is None else own.outer)
-                wide = np.max([bows(one) for one in curves], axis=0) > self.cam.tolerance
+                contour = self.at(turned)
+                curves = (contour.profile, contour.pitch, contour.profile if contour.outer is None else contour.outer)
+                wide = np.max([bows(curve) for curve in curves], axis=0) > self.cam.tolerance
                 if not wide.any():
                     break
                 turned = np.sort(np.append(turned, ((turned[:-1] + turned[1:]) / 2)[wide]))
             else:
-                own = self.at(turned)
-            found.append((own, self.at(turned[-1:], True)))
+                contour = self.at(turned)
+            found.append((contour, self.at(turned[-1:], True)))
         return found
 
 

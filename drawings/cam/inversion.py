@@ -103,14 +103,14 @@ def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
     inner = rings.place.length(abs(view.at((start + end) / 2)[0]) + view.found.roller)
     first, second = (inner + share * (rings.ends - inner) for share in WITHIN)
     aside, sweep = min(ASIDE * (end - start), MOST), view.cam.sense * min(SWEEP * (end - start), WIDE)
-    own = TurnArrow(zero, first, view.quiet - aside - sweep / 2, sweep)
-    return Sense("ω", own), Sense("−ω", TurnArrow(zero, second, view.quiet + aside + sweep / 2, -sweep))
+    turning = TurnArrow(zero, first, view.quiet - aside - sweep / 2, sweep)
+    return Sense("ω", turning), Sense("−ω", TurnArrow(zero, second, view.quiet + aside + sweep / 2, -sweep))
 
 
 def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex]]:
     """Give the ends of the arrow of a cam that translates, within its body."""
     if view.cam.translates:
-        left, right = (rings.place.on(one) for one in view.body)
+        left, right = (rings.place.on(corner) for corner in view.body)
         middle = (left + right) / 2 + 1j * rings.place.length(view.cam.lift) * 0.4
         half = view.cam.sense * STRAIGHT / 2 * rings.hand.symbol
         yield middle + half, middle - half
@@ -144,8 +144,8 @@ def _shaft(view: ProfileView, place: Place, hand: Hand) -> tuple[Mask, ...]:
     zero, (high, half, more) = place.on(0j), (size * hand.symbol for size in STAND)
     wide, low = half + more, zero - 1j * (high + HATCH * hand.symbol)
     outlines = (Circle(zero, HINGE * hand.symbol), Polyline((zero, low - wide, low + wide), True))
-    spots = [place.on(one) for one in view.contour.pitch.tolist()]
-    return tuple(one for one in outlines if not any(holds(one, spot) for spot in spots))
+    spots = [place.on(point) for point in view.contour.pitch.tolist()]
+    return tuple(outline for outline in outlines if not any(holds(outline, spot) for spot in spots))
 
 
 def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -231,7 +231,7 @@ def _notches(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
             yield _notch(place.on(view.back(view.sizes.pivot, turned)), spot, hand)
     carried = _carried(view)
     if carried is not None:
-        start, end = (place.on(complex(one[carried])) - zero for one in (view.contour.tip, view.contour.pitch))
+        start, end = (place.on(complex(curve[carried])) - zero for curve in (view.contour.tip, view.contour.pitch))
         first, last = (start, end) if view.cam.sense < 0 else (end, start)
         yield Arc(zero, abs(start), cmath.phase(first), cmath.phase(last), hand.drafted)
 
@@ -245,8 +245,8 @@ def _notch(centre: complex, spot: complex, hand: Hand) -> Arc:
 def _carried(view: ProfileView) -> int | None:
     """Choose the position whose notch is drawn whole, from the initial frame on: the middle one of the first motion."""
     first = [*view.cam.moving()][:1]
-    own = [k for k, turned in view.positions for one in first if one.start < turned < one.end]
-    return own[len(own) // 2] if own else None
+    within = [k for k, turned in view.positions for phase in first if phase.start < turned < phase.end]
+    return within[len(within) // 2] if within else None
 
 
 def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:

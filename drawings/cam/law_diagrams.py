@@ -53,7 +53,7 @@ class LawFrame(RowFrame[LawRow]):
         """The edges that have room for their numbers: the ends, those of phases, jumps, then every so many."""
         strips, cam, size = self.plate.shown.strips, self.plate.cam, APART * self.plate.hand.number
         places = strips.edges / cam.turn * self.length
-        ends = np.flatnonzero(np.isin(strips.edges, [one.start for one in cam.phases])).tolist()
+        ends = np.flatnonzero(np.isin(strips.edges, [phase.start for phase in cam.phases])).tolist()
         step = every(size / max(float(np.diff(places).min()), LEAST), cam.divisions)
         rest = [k for k, name in enumerate(strips.names) if name.isdigit() and int(name) % step == 0]
         order = (0, len(places) - 1, *ends, *strips.jumps, *rest, *range(len(places)))
@@ -76,7 +76,7 @@ class LawFrame(RowFrame[LawRow]):
         lines = (
             *axes.lines((0.0, plate.cam.turn), row.span, hand, graph.name),
             *self._edges(row, graph),
-            *(_polyline(one, axes, hand.drafted) for one in row.chords),
+            *(_polyline(chord, axes, hand.drafted) for chord in row.chords),
             *_exact(row, axes, hand),
             graph.stated(row.letter, [_polyline(row.result, axes, hand.result)]),
             *_given(row, axes, hand),
@@ -149,7 +149,7 @@ def _exact(row: LawRow, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 def _given(row: LawRow, axes: Axes, hand: Hand) -> Iterator[Circle]:
     """Draw the points of tables, where they can be told apart."""
     radius, spots = GIVEN * hand.symbol, [axes.on(x, y) for x, y in row.given]
-    if all(abs(other - one) > GRAPH_CLEAR * radius for one, other in pairwise(spots)):
+    if all(abs(other - spot) > GRAPH_CLEAR * radius for spot, other in pairwise(spots)):
         yield from (Circle(spot, radius, hand.other) for spot in spots)
 
 
@@ -171,12 +171,12 @@ def draw(shown: LawDiagrams, room: Picture, spot: Spot, drafting: Drafting) -> P
     masks = [around(part.lines[0], CLEAR) for part in frame.parts[: len(plate.rows)]]
     joining = Group(tuple(fit_dashes(trim(frame.bounds(), masks))), plate.named("bounds"))
     sizes = tuple(frame.phases())
-    drawn = tuple(line for one in sizes for line in one.draw(drafting.hand))
+    drawn = tuple(line for size in sizes for line in size.draw(drafting.hand))
     phases = LetteredFigure(name, drawn, partial(_lettered, sizes, name, drafting.hand), False)
     return Parts((joining,), (phases, *frame.parts))
 
 
 def _lettered(sizes: Sequence[Dimension], name: str, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter the dimensions of the phases along their lines."""
-    for one in sizes:
-        yield telling(name, labels.along(*one.lines[0], one.letter, hand.number, ABOVE, 1.5))
+    for size in sizes:
+        yield telling(name, labels.along(*size.lines[0], size.letter, hand.number, ABOVE, 1.5))

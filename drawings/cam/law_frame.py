@@ -85,7 +85,7 @@ def _acceleration(shown: LawDiagrams) -> LawRow:
 def _jump(shown: LawDiagrams, k: int) -> float:
     """Give by how much S' jumps at an edge."""
     shocks = shown.strips.course.shocks
-    return min(shocks, key=lambda one: (one.order, abs(one.turned - shown.strips.edges[k]))).jump
+    return min(shocks, key=lambda shock: (shock.order, abs(shock.turned - shown.strips.edges[k]))).jump
 
 
 def _velocity(shown: LawDiagrams) -> LawRow:
@@ -93,7 +93,7 @@ def _velocity(shown: LawDiagrams) -> LawRow:
     x = _dense(shown)
     y = cubics(x, (begin, end), (strips.after.bend[:-1], strips.before.bend[1:]))
     sides = _sides(shown, begin, end, strips.hard)
-    chords = tuple(Curve(one.edges, one.values) for one in shown.slopes)
+    chords = tuple(Curve(run.edges, run.values) for run in shown.slopes)
     exact = strips.course.at(x.ravel()).slope.reshape(x.shape)
     exact[:, -1] = strips.before.slope[1:]
     row = _row(shown, VELOCITY, *sides, _joined(x, y, sides))

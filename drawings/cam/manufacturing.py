@@ -90,7 +90,7 @@ class Manufacture(NamedTuple):
         if self.view.cam.translates:
             left, right = self.view.body
             return [left, complex(right.real, float(self.view.curve.pitch.imag.max()))]
-        return [complex(spot) for one in (*self.view.outlines, self.view.curve.pitch) for spot in one]
+        return [complex(spot) for curve in (*self.view.outlines, self.view.curve.pitch) for spot in curve]
 
 
 def manufacture(found: CamFound) -> Manufacture:
@@ -159,14 +159,14 @@ def _letters(shown: Manufacture, place: Place, drafting: Drafting, labels: Label
 
 def _end(shown: Manufacture, place: Place, hand: Hand) -> complex:
     """Give the end of the zero ray, mm."""
-    out = max(place.length(abs(complex(one[0]))) for one in shown.view.outlines)
+    out = max(place.length(abs(complex(outline[0]))) for outline in shown.view.outlines)
     return place.on(0j) + (out + PAST * hand.symbol) * zero(shown.table)
 
 
 def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the axes of the shaft, and the zero ray; of a cam that translates the level of O."""
     if shown.view.cam.translates:
-        left, right = (place.on(complex(one.real)) for one in shown.view.body)
+        left, right = (place.on(complex(corner.real)) for corner in shown.view.body)
         yield Line(left, right, fit(hand.axis, abs(right - left)))
         return
     centre, end = place.on(0j), _end(shown, place, hand)
@@ -180,7 +180,7 @@ def _arrow(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, float
     view = shown.view
     middle = sum(view.step) / 2
     spot, _ = view.at(middle)
-    outermost = max(float(np.interp(middle, view.curve.turned, abs(one))) for one in view.outlines)
+    outermost = max(float(np.interp(middle, view.curve.turned, abs(outline))) for outline in view.outlines)
     radius = place.length(max(outermost, abs(spot))) + OUT * hand.symbol
     turn = cmath.phase(spot)
     return place.on(0j) + cmath.rect(radius, turn), turn
@@ -188,7 +188,7 @@ def _arrow(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, float
 
 def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, complex]:
     """Give the ends of the arrow of a cam that translates, within its body."""
-    left, right = (place.on(one) for one in shown.view.body)
+    left, right = (place.on(corner) for corner in shown.view.body)
     middle, half = (
         (left + right) / 2 + 0.25j * place.length(shown.view.cam.lift),
         shown.view.cam.sense * PAST * hand.symbol,
@@ -238,7 +238,7 @@ def notes(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
         yield from _dwells(shown, drafting)
         yield drafting.word("bore of cam")
     yield drafting.word("drawn pieces", tolerance=drafting.number(MM * cam.tolerance))
-    wrong = dict.fromkeys(one.kind for one in shown.found.flaws if one.kind in SHOWN)
+    wrong = dict.fromkeys(flaw.kind for flaw in shown.found.flaws if flaw.kind in SHOWN)
     if wrong:
         yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
 
@@ -260,8 +260,8 @@ def _roller(shown: ToldProfile, drafting: Drafting) -> str:
 def _dwells(shown: ToldProfile, drafting: Drafting) -> Iterator[str]:
     """Tell the radii of the arcs, and between which turns they are."""
     told = []
-    for k, (one, radius) in enumerate(dwells(shown)):
-        turns = (("r", MM * radius), ("start", math.degrees(one.start)), ("end", math.degrees(one.end)))
+    for k, (phase, radius) in enumerate(dwells(shown)):
+        turns = (("r", MM * radius), ("start", math.degrees(phase.start)), ("end", math.degrees(phase.end)))
         size, *ends = (drafting.slot(Slot(f"{name} {k} {shown.cam.name}", value, DIGITS)) for name, value in turns)
         told.append(joined("", ("r = ", size, ", φ ", joined(" … ", ends), "°")))
     if told:

@@ -47,7 +47,7 @@ REST = "rest"
 
 def phase_indices(cam: Cam) -> tuple[str, ...]:
     """Give the index of each phase: a dwell at the lowest level is a rest, several of one kind are numbered."""
-    kinds = [_kind(cam, one) for one in cam.phases]
+    kinds = [_kind(cam, phase) for phase in cam.phases]
     return tuple(
         kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
         for k, kind in enumerate(kinds)
@@ -62,9 +62,9 @@ def phase_letter(cam: Cam, number: int, drafting: Drafting) -> Phrase:
     return joined("", told)
 
 
-def _kind(cam: Cam, one: Phase) -> str:
-    lowest = min(min(own.level, own.level + own.change) for own in cam.phases)
-    return REST if one.change == 0 and one.level == lowest else one.kind
+def _kind(cam: Cam, phase: Phase) -> str:
+    lowest = min(min(other.level, other.level + other.change) for other in cam.phases)
+    return REST if phase.change == 0 and phase.level == lowest else phase.kind
 
 
 RPM = 30 / math.pi  # of a rad/s
@@ -115,7 +115,7 @@ class CamNotes(NamedTuple):
 
     def phases(self) -> Iterator[str]:
         """Tell the phases in their order, with their laws."""
-        told = ";  ".join(self._phase(k, one) for k, one in enumerate(self.cam.phases))
+        told = ";  ".join(self._phase(k, phase) for k, phase in enumerate(self.cam.phases))
         yield self.drafting.word("cam phases", phases=told)
 
     def _phase(self, number: int, phase: Phase) -> str:
@@ -151,7 +151,7 @@ class CamNotes(NamedTuple):
         """Say how far contact goes on a flat face, and how far that reaches if the scene says it."""
         if self.cam.flat and not self.cam.translates:
             ends = zip(("back", "front"), self.found.face, strict=True)
-            sides = {side: self._mm(side, one if self.cam.rocks else abs(one)) for side, one in ends}
+            sides = {side: self._mm(side, far if self.cam.rocks else abs(far)) for side, far in ends}
             key = ("cam face rocking" if self.cam.rocks else "cam face") + (" reach" if self._reach() else "")
             yield self.drafting.phrase(key, **sides, **self._reach())
 
@@ -174,7 +174,7 @@ class CamNotes(NamedTuple):
             if permitted is None:
                 yield self.drafting.phrase("cam pressure", **told)
             else:
-                low, high = (self.drafting.number(math.degrees(one), self.digits) for one in permitted)
+                low, high = (self.drafting.number(math.degrees(limit), self.digits) for limit in permitted)
                 yield self.drafting.phrase("cam pressure limit", low=low, high=high, **told)
 
     def roller(self) -> Iterator[str]:
@@ -202,29 +202,29 @@ class CamNotes(NamedTuple):
 
     def shocks(self) -> Iterator[str]:
         """Say where it knocks, and how hard."""
-        for k, one in enumerate(self.found.shocks):
-            key = "cam hard shock" if one.order == HARD else "cam soft shock"
-            at = self.place(f"jump {k}", one.turned)
-            yield self.drafting.phrase(key, what=self._jumping(one), jump=self._jump(f"jump {k}", one), phi=at)
+        for k, shock in enumerate(self.found.shocks):
+            key = "cam hard shock" if shock.order == HARD else "cam soft shock"
+            at = self.place(f"jump {k}", shock.turned)
+            yield self.drafting.phrase(key, what=self._jumping(shock), jump=self._jump(f"jump {k}", shock), phi=at)
 
-    def _jumping(self, one: Shock) -> str:
+    def _jumping(self, shock: Shock) -> str:
         """Name what jumps: without a speed the derivative by the cam's turn."""
         if self.cam.speed is None:
-            return letters(self.cam)[0] + "'" * one.order
-        return self.drafting.word("cam velocity" if one.order == HARD else "cam acceleration")
+            return letters(self.cam)[0] + "'" * shock.order
+        return self.drafting.word("cam velocity" if shock.order == HARD else "cam acceleration")
 
-    def _jump(self, name: str, one: Shock) -> Phrase:
+    def _jump(self, name: str, shock: Shock) -> Phrase:
         cam = self.cam
         if cam.speed is None:
-            unit = units(cam)[VELOCITY if one.order == HARD else ACCELERATION]
-            return self._of(name, one.jump, "" if unit == RATIO else unit)
-        unit = ("rad" if cam.rocks else "m") + ("/s" if one.order == HARD else "/s2")
-        return self._of(name, one.jump * cam.speed**one.order, unit)
+            unit = units(cam)[VELOCITY if shock.order == HARD else ACCELERATION]
+            return self._of(name, shock.jump, "" if unit == RATIO else unit)
+        unit = ("rad" if cam.rocks else "m") + ("/s" if shock.order == HARD else "/s2")
+        return self._of(name, shock.jump * cam.speed**shock.order, unit)
 
     def flaws(self) -> Iterator[str]:
         """Say what is wrong from where to where, and what would help."""
-        yield from (self.flaw(k, one) for k, one in enumerate(self.found.flaws))
-        mending, kinds = self.found.mending, {one.kind for one in self.found.flaws}
+        yield from (self.flaw(k, flaw) for k, flaw in enumerate(self.found.flaws))
+        mending, kinds = self.found.mending, {flaw.kind for flaw in self.found.flaws}
         if mending is not None and "pressure" in kinds:
             parts = {"base": self._mm("mending", mending), "offset": self._mm("e", self.found.sizes.offset)}
             yield self.drafting.phrase("cam mending", **parts)
@@ -233,12 +233,12 @@ class CamNotes(NamedTuple):
         if self.found.advised is not None:
             yield self._advised(self.found.advised)
 
-    def _advised(self, one: Sizes) -> str:
+    def _advised(self, sizes: Sizes) -> str:
         """Say which main sizes would keep the pressure angle to its limits."""
-        base = self._mm("R_0 advised", one.base)
+        base = self._mm("R_0 advised", sizes.base)
         if self.cam.rocks:
-            return self.drafting.phrase("cam advised rocking", base=base, centre=self._mm("L advised", one.centre))
-        return self.drafting.phrase("cam advised translating", base=base, offset=self._mm("e advised", one.offset))
+            return self.drafting.phrase("cam advised rocking", base=base, centre=self._mm("L advised", sizes.centre))
+        return self.drafting.phrase("cam advised translating", base=base, offset=self._mm("e advised", sizes.offset))
 
     def pressing(self) -> Iterator[str]:
         """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it.
@@ -257,21 +257,21 @@ class CamNotes(NamedTuple):
             preload = self._of("preload", found.preload, "N*m" if self.cam.rocks else "N")
             yield self.drafting.phrase("cam preload", preload=preload)
 
-    def flaw(self, number: int, one: Flaw) -> str:
+    def flaw(self, number: int, flaw: Flaw) -> str:
         """Say one flaw."""
-        name, value = f"flaw {number}", one.worst.value
+        name, value = f"flaw {number}", flaw.worst.value
         ends: dict[str, object] = {
-            "start": self.place(f"{name} start", one.start),
-            "end": self.turn(f"φ {name} end", one.end),
-            "phi": self.place(name, one.worst.turned),
+            "start": self.place(f"{name} start", flaw.start),
+            "end": self.turn(f"φ {name} end", flaw.end),
+            "phi": self.place(name, flaw.worst.turned),
         }
-        if one.kind in CORNERED and abs(value) < SHARP:
-            return self.drafting.phrase(f"cam flaw {one.kind} corner", phi=ends["phi"])
-        if one.kind == "crossing":
+        if flaw.kind in CORNERED and abs(value) < SHARP:
+            return self.drafting.phrase(f"cam flaw {flaw.kind} corner", phi=ends["phi"])
+        if flaw.kind == "crossing":
             return self._crossing(name, value, ends)
-        unit = math.degrees(1) if one.kind == "pressure" else self._unit(one)
-        most = {"most": self._slot(f"{name} most", MM * abs(value))} if one.kind in CORNERED else {}
-        return self.drafting.phrase(f"cam flaw {one.kind}", worst=self._slot(name, unit * value), **most, **ends)
+        unit = math.degrees(1) if flaw.kind == "pressure" else self._unit(flaw)
+        most = {"most": self._slot(f"{name} most", MM * abs(value))} if flaw.kind in CORNERED else {}
+        return self.drafting.phrase(f"cam flaw {flaw.kind}", worst=self._slot(name, unit * value), **most, **ends)
 
     def _crossing(self, name: str, lost: float, ends: Mapping[str, object]) -> str:
         """Say what a loop that is cut away costs, where the follower rests on what is left at all."""
@@ -280,8 +280,8 @@ class CamNotes(NamedTuple):
         key = "cam flaw crossing and loss" if lost > 0 else "cam flaw crossing and no loss"
         return self.drafting.phrase(key, worst=self.way(name, lost), **ends)
 
-    def _unit(self, one: Flaw) -> float:
-        return 1.0 if one.kind in ("lift-off", "outrun") else MM
+    def _unit(self, flaw: Flaw) -> float:
+        return 1.0 if flaw.kind in ("lift-off", "outrun") else MM
 
     def way(self, name: str, value: float) -> Phrase:
         """Write how far the follower goes: mm, or degrees of one that rocks."""

@@ -61,24 +61,26 @@ class PressureView:
     @property
     def span(self) -> tuple[float, float]:
         """The least and the greatest angle, 0 and the limits among them, degrees."""
-        every = [*self.angles.tolist(), *(math.degrees(one.value) for one in self._moving), 0.0]
+        every = [*self.angles.tolist(), *(math.degrees(extreme.value) for extreme in self._moving), 0.0]
         every += [level for _, level in self.levels]
         return min(every), max(every)
 
     @property
     def _moving(self) -> tuple[Extreme, ...]:
-        return tuple(one for kind, one in self.extremes.items() if kind != DWELL)
+        return tuple(extreme for kind, extreme in self.extremes.items() if kind != DWELL)
 
     @property
     def marked(self) -> tuple[tuple[str, Extreme], ...]:
         """The extremes that are marked, with their phases."""
-        return tuple((kind, one) for kind, one in self.extremes.items() if kind != DWELL and one.value)
+        return tuple((kind, extreme) for kind, extreme in self.extremes.items() if kind != DWELL and extreme.value)
 
 
 def pressure_view(limits: Limits, curve: Contour, found: CamFound) -> PressureView:
     """Give what the graph shows of a cam: its contour at many turns, and what is found at its numbered positions."""
-    own, angles = found.contour, np.degrees(curve.pressure)
-    return PressureView(found.cam, limits, curve.turned, angles, own.turned, np.degrees(own.pressure), found.pressure)
+    contour, angles = found.contour, np.degrees(curve.pressure)
+    return PressureView(
+        found.cam, limits, curve.turned, angles, contour.turned, np.degrees(contour.pressure), found.pressure
+    )
 
 
 def measure(view: PressureView, drafting: Drafting) -> Picture:
@@ -141,7 +143,7 @@ def _bottom(view: PressureView, axes: Axes, hand: Hand) -> float:
 def _phases(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Part the phases by thin lines down to their row."""
     level = _bottom(view, axes, hand)
-    for turned in (*(one.start for one in view.cam.phases), view.cam.turn):
+    for turned in (*(phase.start for phase in view.cam.phases), view.cam.turn):
         at = axes.on(turned).real
         yield Line(complex(at, axes.on(0.0, view.span[1]).imag), complex(at, level - TICK), hand.drafted)
 
@@ -149,9 +151,9 @@ def _phases(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the limits over their own phases."""
     for kind, level in view.levels:
-        for one in view.cam.phases:
-            if one.kind == kind:
-                start, end = (axes.on(at, level) for at in (one.start, one.end))
+        for phase in view.cam.phases:
+            if phase.kind == kind:
+                start, end = (axes.on(at, level) for at in (phase.start, phase.end))
                 yield Line(start, end, fit(hand.path, abs(end - start)))
 
 
@@ -162,39 +164,39 @@ def _stations(view: PressureView, graph: Graph) -> Iterator[Stroke]:
         yield from graph.station(turned, [angle], str(k), k, k in numbered)
 
 
-def _degrees(kind: str, one: Extreme, drafting: Drafting) -> Phrase:
-    return joined("", (drafting.slot(Slot(kind, math.degrees(one.value))), "°"))
+def _degrees(kind: str, extreme: Extreme, drafting: Drafting) -> Phrase:
+    return joined("", (drafting.slot(Slot(kind, math.degrees(extreme.value))), "°"))
 
 
 def _marks(view: PressureView, graph: Graph, drafting: Drafting) -> Iterator[Stroke]:
     """Draw the extremes, which can be measured from the axis."""
-    for kind, one in view.marked:
-        angle, hand = math.degrees(one.value), drafting.hand
-        yield from graph.ordinate(one.turned, angle, kind, None, hand.other, _degrees(kind, one, drafting), 0.0)
-        yield graph.dot(one.turned, angle, 1.5 * DOT, hand.body)
+    for kind, extreme in view.marked:
+        angle, hand = math.degrees(extreme.value), drafting.hand
+        yield from graph.ordinate(extreme.turned, angle, kind, None, hand.other, _degrees(kind, extreme, drafting), 0.0)
+        yield graph.dot(extreme.turned, angle, 1.5 * DOT, hand.body)
 
 
 def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
     """Letter the limits and the extremes."""
     hand = drafting.hand
-    for kind, one in view.marked:
-        at = axes.on(one.turned, math.degrees(one.value))
-        side = math.copysign(math.pi / 2, one.value)
-        yield Letter(at, _degrees(kind, one, drafting), hand.number, side, 1.6)
+    for kind, extreme in view.marked:
+        at = axes.on(extreme.turned, math.degrees(extreme.value))
+        side = math.copysign(math.pi / 2, extreme.value)
+        yield Letter(at, _degrees(kind, extreme, drafting), hand.number, side, 1.6)
     for kind, level in view.named:
-        own = next((one for one in view.cam.phases if one.kind == kind), None)
-        if own is not None:
+        phase = next((phase for phase in view.cam.phases if phase.kind == kind), None)
+        if phase is not None:
             size = drafting.slot(Slot(f"[α_{kind}]", abs(level)))
             text = joined("", (drafting.letter(f"[α_{{{kind}}}] = "), size, "°"))
             side = math.pi / 2 if kind == RISE else -math.pi / 2
-            yield Letter(axes.on(own.start + 0.8 * own.angle, level), text, hand.number, side)
+            yield Letter(axes.on(phase.start + 0.8 * phase.angle, level), text, hand.number, side)
 
 
 def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
     """Name the phases in their row."""
     level = _bottom(view, axes, drafting.hand)
-    for k, one in enumerate(view.cam.phases):
-        middle = axes.on(one.start + one.angle / 2).real
+    for k, phase in enumerate(view.cam.phases):
+        middle = axes.on(phase.start + phase.angle / 2).real
         yield Letter(
             complex(middle, level), phase_letter(view.cam, k, drafting), drafting.hand.number, -math.pi / 2, 0.0
         )

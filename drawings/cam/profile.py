@@ -125,10 +125,10 @@ def divisions(view: ProfileView, place: Place, hand: Hand) -> tuple[Division, ..
     """Give the divisions that bear their numbers: on the rise on one side of the way, on the return on the other."""
     kept: list[Division] = []
     start = place.on(complex(view.curve.tip[0]))
-    for one in _divisions(view, place):
-        near = [start, *(other.spot for other in kept if other.towards == one.towards)]
-        if all(tied(abs(one.spot - other) - APART * hand.number) >= 0 for other in near):
-            kept.append(one)
+    for division in _divisions(view, place):
+        near = [start, *(other.spot for other in kept if other.towards == division.towards)]
+        if all(tied(abs(division.spot - other) - APART * hand.number) >= 0 for other in near):
+            kept.append(division)
     return tuple(kept)
 
 
@@ -156,18 +156,20 @@ def graduated(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the ticks of all divisions, the arc of a rocker's, and the points of those that bear numbers."""
     if view.cam.rocks and not view.cam.flat:
         yield _arc(view, place, hand)
-    for one in _divisions(view, place):
-        yield tick(one.spot, _across(view, one, place), hand)
-    for one in divisions(view, place, hand):
-        dot = Circle(one.spot, POINT * hand.symbol, INK)
-        yield point(Subject(NAME, QUANTITY, one.position), "K", one.true, place, dot, title=str(one.position))
+    for division in _divisions(view, place):
+        yield tick(division.spot, _across(view, division, place), hand)
+    for division in divisions(view, place, hand):
+        dot = Circle(division.spot, POINT * hand.symbol, INK)
+        yield point(
+            Subject(NAME, QUANTITY, division.position), "K", division.true, place, dot, title=str(division.position)
+        )
 
 
-def _across(view: ProfileView, one: Division, place: Place) -> complex:
+def _across(view: ProfileView, division: Division, place: Place) -> complex:
     """Give the direction of the follower's way at a division."""
     if not view.cam.rocks:
         return 1j
-    arm = one.spot - place.on(view.sizes.pivot)
+    arm = division.spot - place.on(view.sizes.pivot)
     return 1j * arm / abs(arm)
 
 
@@ -213,7 +215,7 @@ def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> Le
         *_around(view, rings, drafting),
         *follower(view, place, hand),
         *profile_view.curves(view, NAME, place, hand),
-        *(one.draw(place, hand) for one in size_marks.size_marks(view, place, drafting)),
+        *(mark.draw(place, hand) for mark in size_marks.size_marks(view, place, drafting)),
         *inversion.pivots(view, place, hand),
         *inversion.marks(view, place, hand),
         *graduated(view, place, hand),
@@ -229,8 +231,8 @@ def _letters(view: ProfileView, rings: Rings, drafting: Drafting, labels: Labels
     yield from _points(view, rings, labels)
     for arc in (*size_marks.phase_arcs(view, rings, drafting), *size_marks.rocking(view, place, drafting)):
         yield arc.letter_beside(labels, hand)
-    for one in size_marks.travels(view, rings, drafting):
-        yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, math.pi / 2))
+    for travel in size_marks.travels(view, rings, drafting):
+        yield telling(NAME, labels.along(*travel.lines[0], travel.letter, hand.number, BESIDE, math.pi / 2))
     for size in size_marks.size_marks(view, place, drafting):
         yield telling(NAME, labels.along(size.start, size.end, size.letter, hand.number, BESIDE, math.pi / 2))
     yield from _numbers(view, rings, labels)
@@ -246,8 +248,8 @@ def _points(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke]
     yield labels.beside(place.on(0j), ORIGIN, hand.letter, gap, view.quiet)
     if view.sizes.pivot:
         yield labels.beside(place.on(view.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
-    for one in inversion.senses(view, rings):
-        yield one.letter_beside(labels, hand)
+    for sense in inversion.senses(view, rings):
+        yield sense.letter_beside(labels, hand)
     for start, end in inversion.straight(view, rings):
         yield labels.along(start, end, "v", hand.letter, BESIDE, math.pi / 2)
 
@@ -282,8 +284,8 @@ def _around(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[Str
         yield from arc.draw(hand)
     if not view.cam.translates:
         yield from size_marks.bounds(view, rings, hand)
-    for one in size_marks.travels(view, rings, drafting):
-        yield from one.draw(hand)
+    for travel in size_marks.travels(view, rings, drafting):
+        yield from travel.draw(hand)
     for sense in inversion.senses(view, rings):
         yield from sense.draw(hand)
     for ends in inversion.straight(view, rings):

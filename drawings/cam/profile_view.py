@@ -89,8 +89,8 @@ class ProfileView(NamedTuple):
     @property
     def outlines(self) -> tuple[Complexes, ...]:
         """The working profile by points, m; of a groove its other side too."""
-        own = self.curve
-        return (own.profile,) if own.outer is None or not self.apart else (own.profile, own.outer)
+        curve = self.curve
+        return (curve.profile,) if curve.outer is None or not self.apart else (curve.profile, curve.outer)
 
     @property
     def axis(self) -> float:
@@ -100,12 +100,12 @@ class ProfileView(NamedTuple):
     @property
     def reach(self) -> float:
         """How far from O the cam and its rollers reach, m."""
-        own = self.curve
+        curve = self.curve
         if self.cam.flat and not self.cam.rocks:
-            return float(abs(own.tip.imag + 1j * max(map(abs, self.face))).max())
-        far = [abs(own.pitch).max() + self.found.roller, *(abs(one).max() for one in self.outlines)]
+            return float(abs(curve.tip.imag + 1j * max(map(abs, self.face))).max())
+        far = [abs(curve.pitch).max() + self.found.roller, *(abs(outline).max() for outline in self.outlines)]
         if self.cam.follower.reach is not None:  # the end of a rocker's face
-            end = self.sizes.pivot - 1j * own.lever * max(self.face, key=abs) + self.cam.follower.face * own.lever
+            end = self.sizes.pivot - 1j * curve.lever * max(self.face, key=abs) + self.cam.follower.face * curve.lever
             far.append(abs(end).max())
         return float(max(far))
 
@@ -146,8 +146,8 @@ class ProfileView(NamedTuple):
         """Give the point of the pitch curve at a turn, m, and the unit normal out of the cam."""
         curve, turns = self.curve, self.curve.turned
         spot, lever = (
-            complex(np.interp(turned, turns, one.real), np.interp(turned, turns, one.imag))
-            for one in (curve.pitch, curve.lever)
+            complex(np.interp(turned, turns, points.real), np.interp(turned, turns, points.imag))
+            for points in (curve.pitch, curve.lever)
         )
         normal = self.way(lever, turned)
         return spot, normal / abs(normal)
@@ -241,48 +241,48 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
     Loops are thin and dashed, the contour that is left stands in main lines. A stretch
     that is touched and has a flaw is heavier and dashed.
     """
-    for one in sorted(view.curves, key=lambda one: one.name != PITCH):
-        flawed = any(SHOWN.get(flaw.kind) == one.name for flaw in view.found.flaws)
-        style = hand.axis if one.name == PITCH else hand.path if flawed else hand.result
-        yield profile_curve(one.path, place, plan, one.name, style)
+    for curve in sorted(view.curves, key=lambda curve: curve.name != PITCH):
+        flawed = any(SHOWN.get(flaw.kind) == curve.name for flaw in view.found.flaws)
+        style = hand.axis if curve.name == PITCH else hand.path if flawed else hand.result
+        yield profile_curve(curve.path, place, plan, curve.name, style)
         if flawed:
-            yield from _contour(view, one, place, hand)
+            yield from _contour(view, curve, place, hand)
     if view.cam.translates:
         yield from _body(view, place, hand)
 
 
-def _contour(view: ProfileView, one: ShownCurve, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw what of a curve with flaws lies between its loops."""
-    own = [flaw for flaw in view.found.flaws if SHOWN.get(flaw.kind) == one.name]
-    turns = {0.0, view.cam.turn, *(end for flaw in own for end in (flaw.start, flaw.end))}
-    bounds = [Bound(turned, _spot(view, one, turned)) for turned in sorted(turns)]
+    flaws = [flaw for flaw in view.found.flaws if SHOWN.get(flaw.kind) == curve.name]
+    turns = {0.0, view.cam.turn, *(end for flaw in flaws for end in (flaw.start, flaw.end))}
+    bounds = [Bound(turned, _spot(view, curve, turned)) for turned in sorted(turns)]
     for low, high in pairwise(bounds):
-        kinds = [flaw.kind for flaw in own if _holds(flaw, (low.turned + high.turned) / 2)]
-        pieces = one.path.between(low, high, view.cam.turn)
+        kinds = [flaw.kind for flaw in flaws if _holds(flaw, (low.turned + high.turned) / 2)]
+        pieces = curve.path.between(low, high, view.cam.turn)
         if pieces and not any(kind in LOOPS for kind in kinds):
             style = LineStyle(HEAVY * hand.main, hand.dashed) if kinds else hand.result
             placed = tuple(piece.placed(1 / place.scale.mu, place.on(0j)) for piece in pieces)
             yield from fit_dashes([Curve(placed, False, style)])
 
 
-def _spot(view: ProfileView, one: ShownCurve, turned: float) -> complex:
+def _spot(view: ProfileView, curve: ShownCurve, turned: float) -> complex:
     """Give the point of a curve at a turn, m."""
-    return complex(np.interp(turned, view.curve.turned, _points(view, one.name)))
+    return complex(np.interp(turned, view.curve.turned, _points(view, curve.name)))
 
 
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:
     """Give the flaws of the curves' shapes, each at its worst place."""
-    for one in view.found.flaws:
-        if one.kind in BESIDE_CURVE:
-            nearest = int(np.argmin(abs(view.curve.turned - one.worst.turned)))
-            yield FlawMark(one.kind, place.on(complex(_points(view, BESIDE_CURVE[one.kind])[nearest])))
+    for flaw in view.found.flaws:
+        if flaw.kind in BESIDE_CURVE:
+            nearest = int(np.argmin(abs(view.curve.turned - flaw.worst.turned)))
+            yield FlawMark(flaw.kind, place.on(complex(_points(view, BESIDE_CURVE[flaw.kind])[nearest])))
 
 
 def lettered(view: ProfileView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Name the flaws at their worst places, outside the curve."""
-    for one in flaws(view, place):
-        towards = cmath.phase(one.spot - place.on(0j))
-        yield labels.beside(one.spot, drafting.word(f"cam {one.kind}"), drafting.hand.number, BESIDE, towards)
+    for mark in flaws(view, place):
+        towards = cmath.phase(mark.spot - place.on(0j))
+        yield labels.beside(mark.spot, drafting.word(f"cam {mark.kind}"), drafting.hand.number, BESIDE, towards)
 
 
 def _points(view: ProfileView, name: str) -> Complexes:
@@ -291,16 +291,16 @@ def _points(view: ProfileView, name: str) -> Complexes:
     return view.curve.profile if name == WORKING or outer is None else outer
 
 
-def _holds(one: Flaw, turned: float) -> bool:
+def _holds(flaw: Flaw, turned: float) -> bool:
     """Tell whether a flaw's stretch holds a turn; one may run over the beginning of the turn."""
-    if one.start <= one.end:
-        return one.start <= turned <= one.end
-    return not one.end < turned < one.start
+    if flaw.start <= flaw.end:
+        return flaw.start <= turned <= flaw.end
+    return not flaw.end < turned < flaw.start
 
 
 def _body(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Close the body of a cam that translates below its profile, on the ground that it slides on."""
-    left, right = (place.on(one) for one in view.body)
+    left, right = (place.on(corner) for corner in view.body)
     ends = (place.on(complex(view.curve.profile[k])) for k in (0, -1))
     first, last = sorted(ends, key=lambda spot: spot.real)
     yield Polyline((first, left, right, last), False, hand.result)

@@ -33,10 +33,10 @@ ENGLISH = "en"  # of the gallery's page
 def subject(study: Study) -> Subject:
     """Tell a scene's cams in a few words, for the gallery's page."""
     found, drafting = study.of(CamStudy).found, drafting_of(study.scene)._replace(language=ENGLISH)
-    kinds = [drafting.word(f"cam {one.cam.follower.motion} {one.cam.follower.end}") for one in found]
+    kinds = [drafting.word(f"cam {result.cam.follower.motion} {result.cam.follower.end}") for result in found]
     structure = kinds[0] if len(kinds) == 1 else f"{len(kinds)} cams on a shaft"
     cams = "A cam with a " if len(kinds) == 1 else "Cams, each with its follower: "
-    laws = ", ".join(dict.fromkeys(one.law.name for cam in found for one in cam.cam.moving() if one.law))
+    laws = ", ".join(dict.fromkeys(phase.law.name for cam in found for phase in cam.cam.moving() if phase.law))
     return Subject(structure, f"law: {laws}", f"{cams}{'; '.join(kinds)} ({laws}).")
 
 
@@ -58,7 +58,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     return Chapters(
         subject=[*chain.from_iterable(_task(notes) for _, notes in told)],
         values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in told)],
-        conditions=[*chain.from_iterable(_conditions(*one, LAWS in study.plans) for one in told)],
+        conditions=[*chain.from_iterable(_conditions(*pair, LAWS in study.plans) for pair in told)],
         left_out=[word(drafting.language, "report.cam_left_out")],
     )
 
@@ -87,7 +87,7 @@ def _head(name: str, found: CamFound, drafting: Drafting) -> str:
     """Head a column: the first bears the number of the position beside the turn, or the travel."""
     turn = letters(found.cam)[1]
     ways = dict(zip(("S", "S'", "S''"), ways_told(found.cam), strict=True))
-    units = {"φ": "mm" if found.cam.translates else "°", "α": "°", **{one: ways[one].unit for one in ways}}
+    units = {"φ": "mm" if found.cam.translates else "°", "α": "°", **{way: ways[way].unit for way in ways}}
     unit = units.get(name, "mm")
     said = f"{name.replace('φ', turn)}, {drafting.word(unit)}" if unit else name
     return f"i | {said}" if name == "φ" else said
@@ -97,7 +97,7 @@ def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
     contour, cam = found.contour, found.cam
     columns = (
         contour.turned * (MM if cam.translates else DEGREES),
-        *(way.size * one for way, one in zip(ways_told(cam), contour.travel, strict=True)),
+        *(way.size * column for way, column in zip(ways_told(cam), contour.travel, strict=True)),
         MM * contour.pitch.real,
         MM * contour.pitch.imag,
         DEGREES * contour.pressure,

@@ -49,10 +49,10 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     scene, cams = study.scene, study.of(CamStudy).drawings.values()
     comparison, drafting = study.comparison("cam"), drafting_of(scene)
     pairs = [
-        (one, exact, of_cam(comparison, one.cam.name))
-        for one, exact in zip(cams, comparison.analysis.cams, strict=True)
+        (drawing, exact, of_cam(comparison, drawing.cam.name))
+        for drawing, exact in zip(cams, comparison.analysis.cams, strict=True)
     ]
-    shared = [] if CYCLOGRAM in scene.sheets else charts([one.cam for one in cams], drafting)
+    shared = [] if CYCLOGRAM in scene.sheets else charts([drawing.cam for drawing in cams], drafting)
     return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
 
@@ -120,13 +120,13 @@ def _pressed(cam: Cam) -> bool:
 
 def _results(drawing: CamDrawing, exact: CamFound, by_hand: bool, drafting: Drafting) -> RuledTable:
     """Tell sizes, extremes and shocks by both roads, and what a hand may be out."""
-    own, other = (results(one) for one in (drawing.found, exact))
-    return size_view.sizes(own, other, by_hand, drafting)
+    ours, theirs = (results(found) for found in (drawing.found, exact))
+    return size_view.sizes(ours, theirs, by_hand, drafting)
 
 
 def charts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
     """Give the draft of the charts; a cam alone has its phases on its own sheet."""
-    turning = [one for one in cams if not one.translates]
+    turning = [cam for cam in cams if not cam.translates]
     if len(turning) < 2:
         return []
     said, title = tuple(settings_of(turning, drafting)), drafting.word("cyclogram sheet title")
@@ -135,7 +135,7 @@ def charts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:
 
 def _charts(cams: Sequence[Cam], drafting: Drafting) -> Iterator[Exhibit]:
     chart = Chart(rows_of_cams(cams), cams[0].sense)
-    yield from (exhibit(one, chart, drafting) for one in (bar_chart, circular_chart))
+    yield from (exhibit(figures, chart, drafting) for figures in (bar_chart, circular_chart))
 
 
 KIND = "profile"
@@ -144,12 +144,12 @@ EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
 
 def workshop_leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, one for each (row of the table of sheets)."""
-    return workshop_sheets(study.scene, [manufacture(one) for one in study.of(CamStudy).found])
+    return workshop_sheets(study.scene, [manufacture(found) for found in study.of(CamStudy).found])
 
 
 def workshop_sheets(scene: Scene, parts: Sequence[Manufacture]) -> tuple[Leaf, ...]:
     """Lay out the sheets of cams whose profiles are found."""
-    return lay_out_each([_workshop_draft(scene, one, len(parts) > 1) for one in parts])
+    return lay_out_each([_workshop_draft(scene, part, len(parts) > 1) for part in parts])
 
 
 def _workshop_draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draft]:
@@ -190,7 +190,7 @@ def _true(scene: Scene, draft: Draft) -> bool:
         composed, *further = compositions(scene, draft)
     except SheetError:  # there is not even room for its heading
         return False
-    (room,) = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    (room,) = (show.panel.item for show in draft.shows if isinstance(show.panel.item, Picture))
     natural = max(room.wide, room.high) * TRUE
     return not further and room.extent(composed.spots[room.name].scale) >= max(natural, room.least) * SMALLER
 
@@ -212,4 +212,4 @@ def _workshop_told(shown: Manufacture, every: int, several: bool, drafting: Draf
 
 def of_cams(scene: Scene) -> None:
     """See that the names of a scene's cams can be lettered; whatever else is read of them can be shown."""
-    letter(scene, [(("cam", k, "name"), one.name) for k, one in enumerate(scene.of(CamForm).cam)])
+    letter(scene, [(("cam", k, "name"), cam.name) for k, cam in enumerate(scene.of(CamForm).cam)])

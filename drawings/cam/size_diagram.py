@@ -47,7 +47,7 @@ def measure(view: SizeView, drafting: Drafting) -> Picture:
     hand = drafting.hand
     title = text_width(Text(0j, _title(view, drafting), hand.title))
     margins = around(MARGINS, hand, AXIS, above=AXIS)
-    corners = [*view.box, *(end for one in view.sizing.tangents for end in view.ruler(one))]
+    corners = [*view.box, *(end for tangent in view.sizing.tangents for end in view.ruler(tangent))]
     found = picture(NAME, corners, ("l", "m"), margins, title, LETTERS * hand.letter)
     return found._replace(most=MOST * hand.letter)
 
@@ -65,7 +65,7 @@ def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> Lette
         *_construction(view, place, hand),
         *_curves(view, place, hand),
         *drawn,
-        *(stroke for one in sizes for stroke in one.draw(hand)),
+        *(stroke for size in sizes for stroke in size.draw(hand)),
         *_lengths(view, place, drafting),
         *_points(view, place, hand),
     )
@@ -75,8 +75,8 @@ def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> Lette
 
 def _lettered(sizes: Sequence[Dimension], letters: Sequence[Letter], hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter the sizes along their lines, then points and angles, those of small numbers last."""
-    for one in sizes:
-        yield telling(NAME, labels.along(*one.lines[0], one.letter, hand.number, BESIDE, cmath.phase(one.off)))
+    for size in sizes:
+        yield telling(NAME, labels.along(*size.lines[0], size.letter, hand.number, BESIDE, cmath.phase(size.off)))
     yield from placed(NAME, letters, labels)
 
 
@@ -90,7 +90,7 @@ def _axes(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     if view.cam.rocks:
         yield from _beside_face(view, place, hand) if view.faced else _arc(view, place, hand)
         return
-    low, high, zero = (place.on(one) for one in (*view.box, 0j))
+    low, high, zero = (place.on(corner) for corner in (*view.box, 0j))
     foot = complex(zero.real, min(place.on(view.centre).imag, zero.imag))
     yield from arrow(foot, complex(zero.real, high.imag + AXIS), hand)
     yield from arrow(complex(low.real - AXIS / 2, zero.imag), complex(high.real + AXIS, zero.imag), hand)
@@ -99,7 +99,7 @@ def _axes(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _arc(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the arc of a rocker's end, and the arm at both ends of it."""
     zero = place.on(0j)
-    start, end = (place.on(one) - zero for one in (view.start, _top(view)))
+    start, end = (place.on(tip) - zero for tip in (view.start, _top(view)))
     low, high = (start, end) if view.cam.rising > 0 else (end, start)
     yield Arc(zero, abs(start), cmath.phase(low), cmath.phase(high), hand.other)
     for arm in (start, end):
@@ -110,27 +110,27 @@ def _beside_face(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a piece of the arc of L, and the face of a rocker at the start."""
     away = cmath.phase(view.centre)
     yield Arc(place.on(0j), place.length(abs(view.centre)), away - SHOWN, away + SHOWN, hand.drafted)
-    root, end, _ = (place.on(one) for one in view.face)
+    root, end, _ = (place.on(spot) for spot in view.face)
     yield Line(root, end, hand.result)
 
 
 def _top(view: SizeView) -> complex:
     """Give K where the follower is highest."""
-    return max((complex(one) for one in view.tips), key=lambda one: one.imag)
+    return max((complex(tip) for tip in view.tips), key=lambda spot: spot.imag)
 
 
 def _construction(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw K with its tick, and KD."""
     for tip, end in zip(view.tips.tolist(), view.ends.tolist(), strict=True):
-        one, other = place.on(tip), place.on(end)
-        if abs(other - one) > LEAST / 10:
-            yield Line(one, other, hand.drafted)
+        start, other = place.on(tip), place.on(end)
+        if abs(other - start) > LEAST / 10:
+            yield Line(start, other, hand.drafted)
         across = tip / abs(tip) if view.cam.rocks else 1 + 0j
-        yield Line(one - TICK * hand.symbol * across, one + TICK * hand.symbol * across, hand.drafted)
+        yield Line(start - TICK * hand.symbol * across, start + TICK * hand.symbol * across, hand.drafted)
 
 
 def _curves(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    curves = (Polyline(tuple(place.on(one) for one in curve.tolist()), False, hand.result) for curve in view.curves)
+    curves = (Polyline(tuple(place.on(spot) for spot in curve.tolist()), False, hand.result) for curve in view.curves)
     yield from (stating(Statement(Kind.CURVE, NAME, "D"), *curves),) if view.curves else ()
 
 
@@ -141,9 +141,9 @@ def _points(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
         dot = Circle(place.on(end), DOT * hand.symbol, INK)
         subject = SUBJECT._replace(position=k)
         yield point(subject, "D", end, place, dot, title=str(k)) if k in numbered else dot
-    for one in _touched(view, place):
-        spot = complex(one.point.point)
-        yield point(SUBJECT, one.point.name, spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
+    for tangent in _touched(view, place):
+        spot = complex(tangent.point.point)
+        yield point(SUBJECT, tangent.point.name, spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
     chord = view.sizing.chord
     if chord is not None:
         spot = complex(chord.centre.point)
@@ -164,12 +164,12 @@ def _lengths(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Strok
 
 def _reaches(view: SizeView, drafting: Drafting) -> Iterator[tuple[str, complex, str]]:
     """Give what reaches from O: its name, its end, its letter with the value."""
-    own = view.sizing.sizes
+    sizes = view.sizing.sizes
     if not view.bent:
         end = view.face[2] if view.faced else view.start
-        yield "R_0", end, _told("R_0", own.base, drafting)
+        yield "R_0", end, _told("R_0", sizes.base, drafting)
     if view.cam.rocks:
-        yield "L", 0j, _told("L", own.centre, drafting)
+        yield "L", 0j, _told("L", sizes.centre, drafting)
 
 
 def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimension]:
@@ -188,9 +188,9 @@ def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimensi
     side = left * (1 if view.sizing.sizes.offset < 0 else -1)
     yield from _long("S_0", level, (foot, zero), side * off + 0j, place, drafting)
     below = OFF_BELOW * drafting.hand.letter + place.length(view.centre.imag - view.box[0].imag)
-    own = view.sizing.sizes
-    if offset_seen(own):
-        yield _dimension("e", own.offset, (centre, foot), -1j * below, place, drafting)
+    sizes = view.sizing.sizes
+    if offset_seen(sizes):
+        yield _dimension("e", sizes.offset, (centre, foot), -1j * below, place, drafting)
 
 
 Ends: TypeAlias = tuple[complex, complex]
@@ -247,19 +247,19 @@ def _numbers(view: SizeView, place: Place, hand: Hand) -> Iterator[Letter]:
     for k in _numbered(view, place, hand):
         side = direction(complex(view.tips[k]), complex(view.ends[k]))
         yield Letter(place.on(complex(view.ends[k])), str(k), hand.number, side, BESIDE)
-    for one in _touched(view, place):
-        spot = complex(one.point.point)
-        yield Letter(place.on(spot), one.point.name, hand.number, direction(view.centre, spot), BESIDE + TOUCH)
+    for tangent in _touched(view, place):
+        spot = complex(tangent.point.point)
+        yield Letter(place.on(spot), tangent.point.name, hand.number, direction(view.centre, spot), BESIDE + TOUCH)
 
 
 def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
     """Give the positions whose numbers have room."""
     moved = [k for k, apart in enumerate(np.abs(view.ends - view.tips).tolist()) if tied(place.length(apart))]
-    return spaced([place.on(one) for one in view.ends.tolist()], APART * hand.number, moved)
+    return spaced([place.on(end) for end in view.ends.tolist()], APART * hand.number, moved)
 
 
 def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
     """Give the tangents that touch the diagram elsewhere than at A; of a rocker all."""
-    for one in () if view.faced else view.sizing.tangents:
-        if view.cam.rocks or place.length(abs(complex(one.point.point))) >= LEAST:
-            yield one
+    for tangent in () if view.faced else view.sizing.tangents:
+        if view.cam.rocks or place.length(abs(complex(tangent.point.point))) >= LEAST:
+            yield tangent

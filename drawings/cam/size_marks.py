@@ -71,7 +71,7 @@ def bounds(view: ProfileView, rings: Rings, hand: Hand) -> Iterator[Stroke]:
     zero = rings.place.on(0j)
     for phase in view.cam.phases:
         ends = (rings.crossing(phase.start, radius) for radius in (rings.ends, rings.phases + PAST * hand.symbol))
-        start, end = (zero + one for one in ends)
+        start, end = (zero + off for off in ends)
         yield Line(start, end, hand.drafted)
 
 
@@ -83,8 +83,8 @@ def travels(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Dimens
     off = 1j * (beyond(hand) + 2 * hand.number)
     said = partial(Statement, Kind.LENGTH, PROFILE, scale=rings.place.scale.mu)
     return tuple(
-        Dimension(phase_letter(view.cam, number, drafting), *_over(view, rings, one), off, said(f"φ_{number}"))
-        for number, one in enumerate(view.cam.phases)
+        Dimension(phase_letter(view.cam, number, drafting), *_over(view, rings, phase), off, said(f"φ_{number}"))
+        for number, phase in enumerate(view.cam.phases)
     )
 
 
@@ -123,7 +123,7 @@ class LimitAngle(NamedTuple):
     def draw(self, hand: Hand) -> Iterator[Stroke]:
         """Draw the way of K beyond the tangent's upper end, and the arc."""
         yield Line(self.corner, self.corner - OVER * self.arm * self.way, hand.drafted)
-        turns = sorted(cmath.phase(-one) % (2 * math.pi) for one in (self.line, self.way))
+        turns = sorted(cmath.phase(-ray) % (2 * math.pi) for ray in (self.line, self.way))
         yield Arc(self.corner, self.arm, turns[0], turns[1], hand.other)
 
 
@@ -132,37 +132,37 @@ def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stro
     lines: list[Stroke] = []
     letters: list[Letter] = []
     taken: list[complex] = []
-    for one in view.sizing.tangents:
-        past, foot = (place.on(end) for end in view.ruler(one))
-        style = drafting.hand.relative if one.binding else drafting.hand.other
+    for tangent in view.sizing.tangents:
+        past, foot = (place.on(end) for end in view.ruler(tangent))
+        style = drafting.hand.relative if tangent.binding else drafting.hand.other
         lines.append(Line(past, foot, style))
-        angle = _angle(view, one, past, drafting.hand, taken)
+        angle = _angle(view, tangent, past, drafting.hand, taken)
         if angle is not None:
             taken.append(angle.middle)
             lines += angle.draw(drafting.hand)
-            letters.append(Letter(angle.middle, _told(one, drafting), drafting.hand.number, angle.side, GAP))
+            letters.append(Letter(angle.middle, _told(tangent, drafting), drafting.hand.number, angle.side, GAP))
         elif not view.cam.rocks:
             letters.append(Letter(past, "45°", drafting.hand.number, 0.0))
     lines += _chord(view, place, drafting.hand)
     return tuple(lines), tuple(letters)
 
 
-def _angle(view: SizeView, one: Tangent, past: complex, hand: Hand, taken: Sequence[complex]) -> LimitAngle | None:
+def _angle(view: SizeView, tangent: Tangent, past: complex, hand: Hand, taken: Sequence[complex]) -> LimitAngle | None:
     """Give the angle of a tangent, its arc where no other one is; none of a tangent at 45 degrees."""
-    way, line, arm = leaning(one, view), complex(one.direction.point), ARM * hand.letter
+    way, line, arm = leaning(tangent, view), complex(tangent.direction.point), ARM * hand.letter
     if way is None:
         return None
     line *= math.copysign(1.0, line.imag) / abs(line)
     ways = (LimitAngle(past, line, way, radius) for radius in (arm, NEARER * arm))
-    return max(ways, key=lambda own: min((CROWD, *(abs(own.middle - spot) for spot in taken))))
+    return max(ways, key=lambda angle: min((CROWD, *(abs(angle.middle - spot) for spot in taken))))
 
 
-def _told(one: Tangent, drafting: Drafting) -> str:
+def _told(tangent: Tangent, drafting: Drafting) -> str:
     """Write a limit of the pressure angle."""
-    assert isinstance(one.bound, PressureBound)
-    sign, minus = (-1, "−") if lower(one) else (1, "")
-    size = drafting.slot(Slot(f"{minus}α_{one.bound.kind}", sign * math.degrees(one.bound.angle)))
-    return joined("", (minus, drafting.letter(f"α_{{{one.bound.kind}}}"), " = ", size, "°"))
+    assert isinstance(tangent.bound, PressureBound)
+    sign, minus = (-1, "−") if lower(tangent) else (1, "")
+    size = drafting.slot(Slot(f"{minus}α_{tangent.bound.kind}", sign * math.degrees(tangent.bound.angle)))
+    return joined("", (minus, drafting.letter(f"α_{{{tangent.bound.kind}}}"), " = ", size, "°"))
 
 
 def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -170,20 +170,20 @@ def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     chord = view.sizing.chord
     if chord is None:
         return
-    start, end = place.on(view.start), place.on(max((complex(one) for one in view.tips), key=lambda one: one.imag))
+    start, end = place.on(view.start), place.on(max((complex(tip) for tip in view.tips), key=lambda spot: spot.imag))
     yield Line(start, end, fit(hand.path, abs(end - start)))
     centre = place.on(complex(chord.centre.point))
-    for one in chord.tangents:
-        touched = place.on(complex(one.point.point))
+    for tangent in chord.tangents:
+        touched = place.on(complex(tangent.point.point))
         yield Line(touched, centre, fit(hand.path, abs(centre - touched)))
 
 
 def region(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Hatch the region that is left to O, and draw its edge where it does not go on beyond what is shown."""
-    corners = [*{tied_spot(place.on(one)): one for one in view.region}.values()]  # a sliver has no edge
+    corners = [*{tied_spot(place.on(corner)): corner for corner in view.region}.values()]  # a sliver has no edge
     if len(corners) < 3:
         return
-    yield from hatching([place.on(one) for one in corners], hand)
+    yield from hatching([place.on(corner) for corner in corners], hand)
     for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
         if not view.ends_at(start, end):
             yield Polyline((place.on(start), place.on(end)), False, hand.drafted)
@@ -224,7 +224,7 @@ class SizeMark(NamedTuple):
 def size_marks(view: ProfileView, place: Place, drafting: Drafting) -> tuple[SizeMark, ...]:
     """Give the sizes that are long enough on paper to bear a letter."""
     every = (*_main(view, place, drafting), *_sharpest(view, place, drafting))
-    return tuple(one for one in every if one.both or abs(one.end - one.start) >= LEAST)
+    return tuple(mark for mark in every if mark.both or abs(mark.end - mark.start) >= LEAST)
 
 
 def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
@@ -253,17 +253,17 @@ def _level(view: ProfileView) -> float:
 
 def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
     """Give the least radius of curvature of the pitch curve, from the centre to the curve."""
-    one = view.found.sharpest
-    if one is not None and _seen(view, one, place, drafting.hand):
-        spot, normal = view.at(one.turned)
-        yield _mark("ρ_min", spot - one.value * normal, spot, one.value, place, drafting)
+    sharpest = view.found.sharpest
+    if sharpest is not None and _seen(view, sharpest, place, drafting.hand):
+        spot, normal = view.at(sharpest.turned)
+        yield _mark("ρ_min", spot - sharpest.value * normal, spot, sharpest.value, place, drafting)
 
 
-def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
+def _seen(view: ProfileView, extreme: Extreme, place: Place, hand: Hand) -> bool:
     """Tell whether the circle of the least radius is drawn: not one of a dwell, of a hollow, or larger than the cam."""
-    turns = one.turned, one.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
-    still = any(own.kind == DWELL and own.start <= turn <= own.end for own in view.cam.phases for turn in turns)
-    return not still and 0 < place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
+    turns = extreme.turned, extreme.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
+    still = any(phase.kind == DWELL and phase.start <= turn <= phase.end for phase in view.cam.phases for turn in turns)
+    return not still and 0 < place.length(extreme.value) < place.length(view.reach) + LARGE * hand.letter
 
 
 def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:
@@ -276,9 +276,9 @@ def thin(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     if offset_seen(view.sizes) and not view.cam.translates:
         top = place.on(1j * _level(view))
         yield Line(place.on(0j), top + 2j * hand.symbol, hand.drafted)
-    one = view.found.sharpest
-    if one is not None and _seen(view, one, place, hand):
-        yield from _circle(view, one.turned, one.value, place, hand)
+    sharpest = view.found.sharpest
+    if sharpest is not None and _seen(view, sharpest, place, hand):
+        yield from _circle(view, sharpest.turned, sharpest.value, place, hand)
 
 
 def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand: Hand) -> Iterator[Stroke]:

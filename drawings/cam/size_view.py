@@ -70,10 +70,10 @@ class SizeView:
         if self.faced:
             return ()
         diagram = SlopeDiagram(self.cam)
-        motions = [sampled(one)[1] for one in stretches(self.cam, (RISE, RETURN))]
+        motions = [sampled(stretch)[1] for stretch in stretches(self.cam, (RISE, RETURN))]
         if self.bent:
-            return tuple(np.asarray(one.bend + 1j * one.s) for one in motions)
-        return tuple(diagram.end(one) for one in motions)
+            return tuple(np.asarray(motion.bend + 1j * motion.s) for motion in motions)
+        return tuple(diagram.end(motion) for motion in motions)
 
     @property
     def faced(self) -> bool:
@@ -92,17 +92,17 @@ class SizeView:
     @property
     def points(self) -> list[complex]:
         """All that must be on the paper, but the ends of the tangents."""
-        own = [self.centre, self.start, *self.tips.tolist(), *self.ends.tolist()]
-        own += [0j] if self.cam.rocks else []
-        own += [*self.face, self.centre + SIDE * abs(self.centre)] if self.faced else []
-        own += [one for curve in self.curves for one in curve.tolist()]
+        spots = [self.centre, self.start, *self.tips.tolist(), *self.ends.tolist()]
+        spots += [0j] if self.cam.rocks else []
+        spots += [*self.face, self.centre + SIDE * abs(self.centre)] if self.faced else []
+        spots += [spot for curve in self.curves for spot in curve.tolist()]
         chord = self.sizing.chord
-        return own + ([_spot(chord.centre)] if chord else [])
+        return spots + ([_spot(chord.centre)] if chord else [])
 
     @cached_property
     def box(self) -> tuple[complex, complex]:
         """The corners of what is shown, with room below O for the region."""
-        xs, ys = [one.real for one in self.points], [one.imag for one in self.points]
+        xs, ys = [spot.real for spot in self.points], [spot.imag for spot in self.points]
         spare = DEPTH * max(max(ys) - min(ys), max(xs) - min(xs))
         low = self.centre.imag - (spare if self.shaded else spare / 4)
         return complex(min(xs), min(*ys, low)), complex(max(xs), max(ys) + spare / 4)
@@ -130,17 +130,17 @@ class SizeView:
         """Tell whether an edge of the region lies where no more of it is shown."""
         low, high = self.box
         levels = ((start.real, end.real, low.real, high.real), (start.imag, end.imag, low.imag, high.imag))
-        return any(one == other and one in sides for one, other, *sides in levels)
+        return any(begin == end and begin in sides for begin, end, *sides in levels)
 
-    def ruler(self, one: Tangent) -> tuple[complex, complex]:
+    def ruler(self, tangent: Tangent) -> tuple[complex, complex]:
         """Give the ends of a tangent: past the point that it touches, and down to the region's end."""
-        touched, line = _spot(one.point), one.line.value
+        touched, line = _spot(tangent.point), tangent.line.value
         assert isinstance(line, Ruler)
         along = complex(line.direction)
         along *= math.copysign(1.0, along.imag) / abs(along)
         low, high = self.box
         past = touched + PAST * (high.imag - low.imag) * along
-        level = low.imag if one.binding and not self.bent else min(self.centre.imag, touched.imag)
+        level = low.imag if tangent.binding and not self.bent else min(self.centre.imag, touched.imag)
         foot = touched + (level - touched.imag) / along.imag * along
         return past, _within(foot, along, low, high)
 
@@ -161,7 +161,7 @@ def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[compl
     >>> cut([0j, 2 + 0j, 2 + 2j, 2j], 1 + 0j, 1.0)
     [0j, (1+0j), (1+2j), 2j]
     """
-    beyond = [(normal.conjugate() * one).real - reach for one in outline]
+    beyond = [(normal.conjugate() * corner).real - reach for corner in outline]
     return [
         spot for k in range(len(outline)) for spot in _corner((outline[k - 1], outline[k]), (beyond[k - 1], beyond[k]))
     ]
@@ -175,18 +175,18 @@ def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Itera
         yield end
 
 
-def leaning(one: Tangent, view: SizeView) -> complex | None:
+def leaning(tangent: Tangent, view: SizeView) -> complex | None:
     """Give the direction from which the angle of a tangent is counted; None of one at 45 degrees."""
-    if not isinstance(one.bound, PressureBound):
+    if not isinstance(tangent.bound, PressureBound):
         return None
     diagram = SlopeDiagram(view.cam)
-    return 1j * complex(diagram.leaning(one.touch.instant.s)[0])
+    return 1j * complex(diagram.leaning(tangent.touch.instant.s)[0])
 
 
-def lower(one: Tangent) -> bool:
+def lower(tangent: Tangent) -> bool:
     """Tell whether a tangent is at the limit below 0 of a rise, which is held to both of its limits then."""
-    own = one.bound
-    return isinstance(own, PressureBound) and own.kind == RISE and own.side < 0
+    bound = tangent.bound
+    return isinstance(bound, PressureBound) and bound.kind == RISE and bound.side < 0
 
 
 def direction(start: complex, end: complex) -> float:
@@ -205,29 +205,29 @@ def _spots(mark: Mark | None) -> Points:
 NOTHING = "—"
 
 
-def sizes(own: Sequence[Result], exact: Sequence[Result], by_hand: bool, drafting: Drafting) -> RuledTable:
+def sizes(ours: Sequence[Result], exact: Sequence[Result], by_hand: bool, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, and what a hand may be out; of what is given that it is.
 
     Without `by_hand` nothing is read off a construction in which a hand might err.
     """
     heads = tuple(drafting.word(key) for key in (BY_HAND if by_hand else BY_HAND[:-1]))
-    lines = [_line(one, other, drafting) for one, other in zip(own, exact, strict=True)]
+    lines = [_line(result, true, drafting) for result, true in zip(ours, exact, strict=True)]
     lines = [line._replace(cells=line.cells[: len(heads)]) for line in lines]
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME)
 
 
-def title(one: Result, drafting: Drafting) -> str:
+def title(result: Result, drafting: Drafting) -> str:
     """Write the name of a row."""
-    letter = drafting.letter(one.letter)
-    named = drafting.word(one.where, letter=letter) if one.where else letter
-    return f"{named}, {drafting.word(one.unit)}" if one.unit else named
+    letter = drafting.letter(result.letter)
+    named = drafting.word(result.where, letter=letter) if result.where else letter
+    return f"{named}, {drafting.word(result.unit)}" if result.unit else named
 
 
-def _line(own: Result, exact: Result, drafting: Drafting) -> TableRow:
-    name = title(own, drafting)
+def _line(result: Result, exact: Result, drafting: Drafting) -> TableRow:
+    name = title(result, drafting)
     largest = abs(exact.value) or 1.0
-    finding = Quantity.of((NAME, own.letter, own.unit), (own.value, exact.value), 0.0, largest)
+    finding = Quantity.of((NAME, result.letter, result.unit), (result.value, exact.value), 0.0, largest)
     line = row_by_hand(finding, name, (0,), drafting.language)
-    if own.given:
+    if result.given:
         return TableRow(name, (line.cells[0], drafting.word("cam given"), NOTHING))
-    return line._replace(cells=(*line.cells[:-1], NOTHING)) if own.where else line
+    return line._replace(cells=(*line.cells[:-1], NOTHING)) if result.where else line

@@ -112,7 +112,7 @@ class Course:
     @cached_property
     def stretches(self) -> tuple[Stretch, ...]:
         """The pieces of all phases, in their order."""
-        return tuple(one for number, phase in enumerate(self.cam.phases) for one in _stretches(number, phase))
+        return tuple(stretch for number, phase in enumerate(self.cam.phases) for stretch in _stretches(number, phase))
 
     @cached_property
     def _columns(self) -> tuple[Floats, Floats]:
@@ -129,8 +129,8 @@ class Course:
         if before and not self.cam.translates:
             phi = np.where(phi == 0.0, self.cam.turn, phi)
         starts, columns = self._columns
-        own = np.clip(np.searchsorted(starts, phi, side="left" if before else "right") - 1, 0, None)
-        (numbers, pieces, shares), gone = columns[:, own], phi - starts[own]
+        interval = np.clip(np.searchsorted(starts, phi, side="left" if before else "right") - 1, 0, None)
+        (numbers, pieces, shares), gone = columns[:, interval], phi - starts[interval]
         found = np.empty((3, len(phi)))
         for number, phase in enumerate(self.cam.phases):
             here = numbers == number
@@ -149,7 +149,7 @@ class Course:
     @cached_property
     def corners(self) -> tuple[float, ...]:
         """The ends of the phases, and the joints at which S'' jumps or has a corner, rad: no strip goes beyond one."""
-        return tuple(sorted({0.0, *(one.start for one in self.cam.phases), *self._bends(), self.cam.turn}))
+        return tuple(sorted({0.0, *(phase.start for phase in self.cam.phases), *self._bends(), self.cam.turn}))
 
     def _bends(self) -> Iterator[float]:
         for phase in self.cam.moving():
@@ -171,7 +171,7 @@ class Course:
     @property
     def _usual(self) -> Floats:
         """The size of S' and S'': the lift of a phase over its angle, and over the square of it, the largest."""
-        sizes = [(abs(one.change) / one.angle, abs(one.change) / one.angle**2) for one in self.cam.moving()]
+        sizes = [(abs(phase.change) / phase.angle, abs(phase.change) / phase.angle**2) for phase in self.cam.moving()]
         return np.asarray(np.array([(0.0, 0.0), *sizes]).max(axis=0))
 
     @property
@@ -203,8 +203,8 @@ def _follow(phase: Phase, pieces: Pieces, turned: Floats, shares: Floats) -> Flo
 
 def positions(cam: Cam) -> Floats:
     """Give the turns of the numbered positions, rad: each phase that moves in equal parts, a dwell by its ends."""
-    edges = [np.linspace(one.start, one.end, cam.divisions + 1)[:-1] for one in cam.moving()]
-    edges += [np.array([one.start]) for one in cam.phases if one.law is None]
+    edges = [np.linspace(phase.start, phase.end, cam.divisions + 1)[:-1] for phase in cam.moving()]
+    edges += [np.array([phase.start]) for phase in cam.phases if phase.law is None]
     found = np.unique(np.concatenate([*edges, *([np.array([cam.turn])] if cam.translates else [])]))
     return settled(found, Course(cam))
 

@@ -57,7 +57,7 @@ class Strips:
         return tuple(sorted({*self.hard, *self._at(2)}))
 
     def _at(self, order: int) -> tuple[int, ...]:
-        turned = [one.turned for one in self.course.shocks if one.order == order]
+        turned = [shock.turned for shock in self.course.shocks if shock.order == order]
         turned += [self.course.cam.turn] if 0.0 in turned and not self.course.cam.translates else []
         return tuple(np.flatnonzero(np.isin(self.edges, turned)).tolist())
 
@@ -71,8 +71,8 @@ def strips_of(cam: Cam) -> Strips:
     """Divide the turn: each phase that moves the follower in equal strips, a dwell is one."""
     course = Course(cam)
     edges = [np.zeros(1)]
-    for phase in (one for one in cam.phases if one.angle > 0):
-        inside = [one for one in course.corners if phase.start < one < phase.end]
+    for phase in (phase for phase in cam.phases if phase.angle > 0):
+        inside = [corner for corner in course.corners if phase.start < corner < phase.end]
         edges.append(strips(phase.start, phase.end, cam.divisions if phase.law else 1, inside)[1:])
     return Strips(course, settled(np.concatenate(edges), course))
 
@@ -91,8 +91,8 @@ class LawDiagrams:
     @cached_property
     def slope(self) -> tuple[Floats, Floats]:
         """S' at the beginning and at the end of every strip, (n,) each."""
-        parts = [one.values for one in self.slopes]
-        return np.concatenate([one[:-1] for one in parts]), np.concatenate([one[1:] for one in parts])
+        parts = [run.values for run in self.slopes]
+        return np.concatenate([part[:-1] for part in parts]), np.concatenate([part[1:] for part in parts])
 
     @cached_property
     def slope_departure(self) -> Departure:
@@ -124,58 +124,60 @@ def law_diagrams(cam: Cam, means: str = MIDDLE) -> LawDiagrams:
     >>> law_diagrams(cam).slope[1].round(12).tolist(), law_diagrams(cam).travel.values.round(12).tolist()
     ([0.6, 0.0], [0.0, 0.45, 0.9])
     """
-    own = strips_of(cam)
-    ordinates = np.where(_straight(own), _true_bends(own), _bends_by(own, means))
+    divided = strips_of(cam)
+    ordinates = np.where(_straight(divided), _true_bends(divided), _bends_by(divided, means))
     board = Board("law")
-    bounds = sorted({0, *own.hard, len(own.edges) - 1})
+    bounds = sorted({0, *divided.hard, len(divided.edges) - 1})
     runs = tuple(slice(low, high) for low, high in pairwise(bounds))
-    slopes = tuple(_slopes(board, own, ordinates, runs))
-    start = float(own.after.s[0])
-    travel = integral(board, TRAVEL, own.edges, _slopes_by(own, slopes, means), start=start, why=REASONS)
-    return LawDiagrams(own, board, ordinates, runs, slopes, travel)
+    slopes = tuple(_slopes(board, divided, ordinates, runs))
+    start = float(divided.after.s[0])
+    travel = integral(board, TRAVEL, divided.edges, _slopes_by(divided, slopes, means), start=start, why=REASONS)
+    return LawDiagrams(divided, board, ordinates, runs, slopes, travel)
 
 
-def _bends_by(own: Strips, means: str) -> Floats:
+def _bends_by(strips: Strips, means: str) -> Floats:
     """Give the mean ordinates of S'' over the strips, (n,), as they are read."""
     if means == TRUE:
-        return _true_bends(own)
-    middle = own.course.at(middles(own.edges)).bend
-    return middle if means == MIDDLE else (own.after.bend[:-1] + 4 * middle + own.before.bend[1:]) / 6
+        return _true_bends(strips)
+    middle = strips.course.at(middles(strips.edges)).bend
+    return middle if means == MIDDLE else (strips.after.bend[:-1] + 4 * middle + strips.before.bend[1:]) / 6
 
 
-def _slopes_by(own: Strips, slopes: tuple[Integral, ...], means: str) -> Floats:
+def _slopes_by(strips: Strips, slopes: tuple[Integral, ...], means: str) -> Floats:
     """Give those of S': of its chords; by three of the smooth curve, which S'' tells to bend; or the true ones."""
-    width = np.diff(own.edges)
+    width = np.diff(strips.edges)
     if means == TRUE:
-        return np.asarray((own.before.s[1:] - own.after.s[:-1]) / width)
-    chords = np.concatenate([(one.values[1:] + one.values[:-1]) / 2 for one in slopes])
-    return chords if means == MIDDLE else chords + width * (own.after.bend[:-1] - own.before.bend[1:]) / 12
+        return np.asarray((strips.before.s[1:] - strips.after.s[:-1]) / width)
+    chords = np.concatenate([(run.values[1:] + run.values[:-1]) / 2 for run in slopes])
+    return chords if means == MIDDLE else chords + width * (strips.after.bend[:-1] - strips.before.bend[1:]) / 12
 
 
-def _slopes(board: Board, own: Strips, means: Floats, runs: tuple[slice, ...]) -> Iterator[Integral]:
+def _slopes(board: Board, strips: Strips, means: Floats, runs: tuple[slice, ...]) -> Iterator[Integral]:
     for number, run in enumerate(runs, 1):
         name = SLOPE if len(runs) == 1 else f"{SLOPE}_{number}"
-        edges = own.edges[run.start : run.stop + 1]
-        start = float(own.after.slope[run.start])
+        edges = strips.edges[run.start : run.stop + 1]
+        start = float(strips.after.slope[run.start])
         yield integral(board, name, edges, means[run], start=start, why=REASONS)
 
 
-def _straight(own: Strips) -> npt.NDArray[np.bool_]:
+def _straight(strips: Strips) -> npt.NDArray[np.bool_]:
     """Tell the strips in which S'' goes straight from point to point, (n,)."""
-    at = middles(own.edges)
-    own_phases = [one for one in own.course.cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
-    inside = [np.zeros(len(at), dtype=bool), *((one.start < at) & (at < one.end) for one in own_phases)]
+    at = middles(strips.edges)
+    own_phases = [
+        phase for phase in strips.course.cam.moving() if phase.law is not None and phase.law.name in (TABLE, SHAPE)
+    ]
+    inside = [np.zeros(len(at), dtype=bool), *((phase.start < at) & (at < phase.end) for phase in own_phases)]
     return np.asarray(np.any(inside, axis=0))
 
 
-def _true_bends(own: Strips) -> Floats:
+def _true_bends(strips: Strips) -> Floats:
     """Give the mean of S'' over each strip, in which it has no impulse: what S' gains by its width."""
-    return np.asarray((own.before.slope[1:] - own.after.slope[:-1]) / np.diff(own.edges))
+    return np.asarray((strips.before.slope[1:] - strips.after.slope[:-1]) / np.diff(strips.edges))
 
 
 def by_table(cam: Cam) -> bool:
     """Whether S itself is given, so that it is to be differentiated."""
-    return any(one.law is not None and one.law.name == TABLE for one in cam.moving())
+    return any(phase.law is not None and phase.law.name == TABLE for phase in cam.moving())
 
 
 def _names(edges: Floats, cam: Cam) -> Iterator[str]:

@@ -29,11 +29,11 @@ EXAMPLES = ("P", "Q", "D", "R_0", "S''", "alpha", "P_1")
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark of a cam's profile in one numbered position, or of its sizes."""
     cams = study.of(CamStudy)
-    drawing, own = _asked(cams, name)
+    drawing, bare = _asked(cams, name)
     count = len(drawing.turned)
     if not 0 <= position < count:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
-    found = _explained(drawing, position, own)
+    found = _explained(drawing, position, bare)
     if found is None:
         return _none(cams, drawing)
     steps = in_position(behind(*found.marks), position, count)
@@ -59,7 +59,7 @@ def _title(cam: Cam, turned: float, **parts: object) -> Message:
 def _none(cams: CamStudy, drawing: CamDrawing) -> NoMark:
     """Say which marks there are: some of a cam, and how those of another cam are asked for."""
     named = (*dict.fromkeys(_names(drawing)), *WAYS, *POLES, *PRESSURE[:1])
-    examples = tuple(one for one in EXAMPLES if _explained(drawing, 0, one) is not None)
+    examples = tuple(example for example in EXAMPLES if _explained(drawing, 0, example) is not None)
     other = [*cams.drawings][1:2]
     listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
     return NoMark(named, listed, examples)
@@ -71,8 +71,10 @@ def _explained(drawing: CamDrawing, position: int, name: str) -> Found | None:
         return _way(drawing, position, name)
     if name in PRESSURE:
         return _pressure(drawing, position)
-    own = [one for board in _boards(drawing, position) for one in board if one.name in _called(name)]
-    mark = min(own, key=lambda one: one.role == GIVEN, default=None)  # what one board is given another may construct
+    marks = [mark for board in _boards(drawing, position) for mark in board if mark.name in _called(name)]
+    mark = min(
+        marks, key=lambda mark: mark.role == GIVEN, default=None
+    )  # what one board is given another may construct
     if mark is not None:
         return Found((mark,))
     return _radius(drawing.sizing) if name == "R_0" else None
@@ -94,7 +96,7 @@ def _pressure(drawing: CamDrawing, position: int) -> Found:
     """Give the normal of the profile in a position, with the angle that it makes with the follower's way."""
     board = drawing.profile(drawing.turned[position : position + 1]).drawing.board
     angle = math.degrees(float(drawing.found.contour.pressure[position]))
-    lines = tuple(one for one in board if one.name == ("n" if drawing.cam.flat else "OD"))
+    lines = tuple(mark for mark in board if mark.name == ("n" if drawing.cam.flat else "OD"))
     return Found(lines, (message("explain.pressure", angle=f"{angle:.10g}"),))
 
 
@@ -108,7 +110,7 @@ def _radius(sizing: Sizing) -> Found | None:
 
 def _asked(cams: CamStudy, name: str) -> tuple[CamDrawing, str]:
     """Tell which cam's mark is asked for: without a cam's name the first one's."""
-    named = (one for one in cams.drawings if name.startswith(one + OF))
+    named = (cam for cam in cams.drawings if name.startswith(cam + OF))
     cam = next(named, "")
     return (cams.drawings[cam], name[len(cam + OF) :]) if cam else (next(iter(cams.drawings.values())), name)
 

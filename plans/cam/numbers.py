@@ -29,42 +29,42 @@ def numbers(study: Study, by: str) -> Numbers:
     """Give the cams of a scene by a road (row of the table of techniques)."""
     cams = study.of(CamStudy)
     found: Sequence[CamFound] = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
-    told = {one.cam.name: _cam(one, study.plans) for one in found}
-    return Numbers({"scene": study.scene.heading(), "by": by, "cams": told}, any(one.flaws for one in found))
+    told = {result.cam.name: _cam(result, study.plans) for result in found}
+    return Numbers({"scene": study.scene.heading(), "by": by, "cams": told}, any(result.flaws for result in found))
 
 
-def _cam(one: CamFound, plans: Collection[str]) -> dict[str, Any]:
-    contour = one.contour
+def _cam(result: CamFound, plans: Collection[str]) -> dict[str, Any]:
+    contour = result.contour
     data: dict[str, Any] = {"phi": plain(contour.turned)}
     if LAWS in plans:
         travel = contour.travel
         data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
-        data["peaks"] = {name: _extreme(found) for name, found in one.peaks.items()}
-        data["shocks"] = [_shock(shock) for shock in one.shocks]
+        data["peaks"] = {name: _extreme(found) for name, found in result.peaks.items()}
+        data["shocks"] = [_shock(shock) for shock in result.shocks]
     if SIZES in plans:
-        data["sizes"] = _sizes(one.sizes, one)
-        data["pressure"] = {kind: _extreme(found) for kind, found in one.pressure.items()}
+        data["sizes"] = _sizes(result.sizes, result)
+        data["pressure"] = {kind: _extreme(found) for kind, found in result.pressure.items()}
     if PROFILE in plans:
         data |= _profile(contour)
-        data["sharpest"], data["hollow"] = _extreme(one.sharpest), _extreme(one.hollow)
-        if one.pressing is not None:
-            data["forces"] = _forces(one.pressing, one.cam.follower.end == ROLLER)
-        data["flaws"] = [_flaw(flaw) for flaw in one.flaws]
+        data["sharpest"], data["hollow"] = _extreme(result.sharpest), _extreme(result.hollow)
+        if result.pressing is not None:
+            data["forces"] = _forces(result.pressing, result.cam.follower.end == ROLLER)
+        data["flaws"] = [_flaw(flaw) for flaw in result.flaws]
     return data
 
 
-def _sizes(sizes: Sizes, one: CamFound) -> dict[str, Any]:
-    if one.cam.translates:
-        return {"roller": one.roller}
-    data: dict[str, Any] = {"R0": sizes.base, "roller": one.roller}
-    if one.cam.rocks:
+def _sizes(sizes: Sizes, found: CamFound) -> dict[str, Any]:
+    if found.cam.translates:
+        return {"roller": found.roller}
+    data: dict[str, Any] = {"R0": sizes.base, "roller": found.roller}
+    if found.cam.rocks:
         pivot = [sizes.pivot.real, sizes.pivot.imag]
-        return data | {"L": sizes.centre, "psi0": sizes.initial, "O1": pivot, **_face(one)}
-    return data | ({} if one.cam.flat else {"e": sizes.offset}) | _face(one)
+        return data | {"L": sizes.centre, "psi0": sizes.initial, "O1": pivot, **_face(found)}
+    return data | ({} if found.cam.flat else {"e": sizes.offset}) | _face(found)
 
 
-def _face(one: CamFound) -> dict[str, Any]:
-    return {"face": list(one.face)} if one.cam.flat else {}
+def _face(found: CamFound) -> dict[str, Any]:
+    return {"face": list(found.face)} if found.cam.flat else {}
 
 
 def _profile(contour: Contour) -> dict[str, Any]:
@@ -78,22 +78,22 @@ def _profile(contour: Contour) -> dict[str, Any]:
     return data if contour.outer is None else data | {"outer": pairs(contour.outer)}
 
 
-def _forces(one: Pressing, rolls: bool) -> dict[str, Any]:
+def _forces(pressing: Pressing, rolls: bool) -> dict[str, Any]:
     """Give what presses the follower on the cam; what a roller would wear, stuck on its pin, is not told."""
-    data = {"least": _extreme(one.least), "most": _extreme(one.most), "preload": one.preload}
-    return data if rolls else data | {"wear": _extreme(one.wear)}
+    data = {"least": _extreme(pressing.least), "most": _extreme(pressing.most), "preload": pressing.preload}
+    return data if rolls else data | {"wear": _extreme(pressing.wear)}
 
 
-def _shock(one: Shock) -> dict[str, Any]:
-    return {"phi": one.turned, "order": one.order, "jump": one.jump}
+def _shock(shock: Shock) -> dict[str, Any]:
+    return {"phi": shock.turned, "order": shock.order, "jump": shock.jump}
 
 
-def _extreme(one: Extreme | None) -> dict[str, float] | None:
-    return None if one is None else {"value": one.value, "phi": one.turned}
+def _extreme(extreme: Extreme | None) -> dict[str, float] | None:
+    return None if extreme is None else {"value": extreme.value, "phi": extreme.turned}
 
 
-def _flaw(one: Flaw) -> dict[str, Any]:
-    return {"kind": one.kind, "from": one.start, "to": one.end, "worst": _extreme(one.worst)}
+def _flaw(flaw: Flaw) -> dict[str, Any]:
+    return {"kind": flaw.kind, "from": flaw.start, "to": flaw.end, "worst": _extreme(flaw.worst)}
 
 
 Moves: TypeAlias = Mapping[Mark, Slopes]
@@ -119,8 +119,8 @@ def cam_by_hand(
         return {}
     read = list(readings(drawing))
     hand = SlippingHand(SLIP, {BOARD: np.array([scales[BOARD]])})
-    found = by(hand, *(mark for one in read for mark in one.marks))
-    return {(one.name, 0): float(one.error(found)[0]) for one in read}
+    found = by(hand, *(mark for reading in read for mark in reading.marks))
+    return {(reading.name, 0): float(reading.error(found)[0]) for reading in read}
 
 
 def readings(drawing: CamDrawing) -> Iterator[Reading]:
@@ -152,7 +152,7 @@ def _rocking(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
     if cam.given.centre is None:
         yield _distance("L", pivot, centre)
     first = () if cam.flat else (start,)  # the arm of a flat rocker is drawn where it is given
-    yield _turned("ψ_0", ((pivot, centre), *((pivot, one) for one in first)))
+    yield _turned("ψ_0", ((pivot, centre), *((pivot, end) for end in first)))
 
 
 def _level(sizing: Sizing, centre: Mark) -> Reading:
@@ -165,9 +165,11 @@ def _angles(drawing: CamDrawing, sizing: Sizing, start: Mark, centre: Mark) -> I
     """Read the largest pressure angles at D: between DO and the way of K, which on an arc leans with the arm."""
     for kind, most in drawing.found.pressure.items():
         touches = (
-            one.point
-            for one in sizing.binding
-            if isinstance(one.bound, PressureBound) and one.bound.kind == kind and one.bound.side * most.value > 0
+            tangent.point
+            for tangent in sizing.binding
+            if isinstance(tangent.bound, PressureBound)
+            and tangent.bound.kind == kind
+            and tangent.bound.side * most.value > 0
         )
         end = next(touches, None) or _end(drawing, sizing, start, most.turned)
         arm = ((sizing.origin, end.step.inputs[0]),) if sizing.cam.rocks and sizing.origin is not None else ()
@@ -217,15 +219,15 @@ def results(found: CamFound) -> tuple[Result, ...]:
 
 
 def _main_sizes(found: CamFound) -> Iterator[Result]:
-    cam, own = found.cam, found.sizes
+    cam, sizes = found.cam, found.sizes
     if not cam.translates:
-        yield Result("R_0", "mm", MM * own.base, cam.given.base is not None)
+        yield Result("R_0", "mm", MM * sizes.base, cam.given.base is not None)
     if not (cam.rocks or cam.flat or cam.translates):
-        yield Result("e", "mm", MM * own.offset, cam.given.offset is not None)
-        yield Result("S_0", "mm", MM * math.sqrt(own.base**2 - own.offset**2))
+        yield Result("e", "mm", MM * sizes.offset, cam.given.offset is not None)
+        yield Result("S_0", "mm", MM * math.sqrt(sizes.base**2 - sizes.offset**2))
     if cam.rocks:
-        yield Result("L", "mm", MM * own.centre, cam.given.centre is not None)
-        yield Result("ψ_0", "°", math.degrees(own.initial))
+        yield Result("L", "mm", MM * sizes.centre, cam.given.centre is not None)
+        yield Result("ψ_0", "°", math.degrees(sizes.initial))
     if found.roller:
         yield Result("r_{rol}", "mm", MM * found.roller, cam.roller is not None)
     yield Result("Ψ", "°", math.degrees(cam.lift), True) if cam.rocks else Result("H", "mm", MM * cam.lift, True)
@@ -233,10 +235,10 @@ def _main_sizes(found: CamFound) -> Iterator[Result]:
 
 def _curvature(found: CamFound) -> Iterator[Result]:
     """Give the least radii of curvature of the pitch curve, convex and hollow; the breadth of a face."""
-    for letter, one in (("ρ_{min}", found.sharpest), ("ρ_{hol}", found.hollow)):
-        if one is not None:
-            yield Result(letter, "mm", MM * one.value)
-            yield _where(found.cam, letter, one.turned)
+    for letter, extreme in (("ρ_{min}", found.sharpest), ("ρ_{hol}", found.hollow)):
+        if extreme is not None:
+            yield Result(letter, "mm", MM * extreme.value)
+            yield _where(found.cam, letter, extreme.turned)
     if found.cam.flat:
         yield from (Result(f"b_{side + 1}", "mm", MM * abs(far)) for side, far in enumerate(found.face))
 
@@ -267,10 +269,10 @@ def _motion(found: CamFound) -> Iterator[Result]:
 
 def _shock_rows(found: CamFound) -> Iterator[Result]:
     """Give the shocks, each by its jump: of the velocity a hard one, of the acceleration a soft one."""
-    for number, one in enumerate(found.shocks):
-        letter = f"Δ{_jumps(found.cam, one)}_{{{number + 1}}}"
-        yield Result(letter, _unit(found.cam, one), one.jump * (found.cam.speed or 1.0) ** one.order)
-        yield _where(found.cam, letter, one.turned)
+    for number, shock in enumerate(found.shocks):
+        letter = f"Δ{_jumps(found.cam, shock)}_{{{number + 1}}}"
+        yield Result(letter, _unit(found.cam, shock), shock.jump * (found.cam.speed or 1.0) ** shock.order)
+        yield _where(found.cam, letter, shock.turned)
 
 
 def _jumps(cam: Cam, shock: Shock) -> str:

@@ -50,8 +50,8 @@ class ProfilePath:
     def between(self, low: Bound, high: Bound, turn: float) -> tuple[Piece, ...]:
         """Give its pieces between two turns of the whole `turn`, rad."""
         ends = (*self.starts[1:], turn)
-        cut = (_cut(*one, low, high) for one in zip(self.pieces, self.starts, ends, strict=True))
-        return tuple(one for one in cut if one is not None)
+        cut = (_cut(*part, low, high) for part in zip(self.pieces, self.starts, ends, strict=True))
+        return tuple(piece for piece in cut if piece is not None)
 
 
 class _Cubics(NamedTuple):
@@ -92,15 +92,15 @@ def _cut(piece: Piece, start: float, end: float, low: Bound, high: Bound) -> Pie
     """Cut a piece to what lies between two turns; None: nothing of it does."""
     if start == end:
         return piece if low.turned < start <= high.turned else None
-    first, last = (_share(piece, start, end, one) for one in (low, high))
+    first, last = (_share(piece, start, end, bound) for bound in (low, high))
     return piece.part(first, last) if first < last else None
 
 
-def _share(piece: Piece, start: float, end: float, one: Bound) -> float:
+def _share(piece: Piece, start: float, end: float, bound: Bound) -> float:
     """Give the share of a piece at a turn, 0 or 1 of one beyond it."""
-    if not start < one.turned < end:
-        return float(one.turned >= end)
-    return piece.nearest(one.spot, (one.turned - start) / (end - start))
+    if not start < bound.turned < end:
+        return float(bound.turned >= end)
+    return piece.nearest(bound.spot, (bound.turned - start) / (end - start))
 
 
 _Part = tuple[float, Piece, float]
@@ -108,7 +108,7 @@ _Part = tuple[float, Piece, float]
 
 def _rests(cam: Cam, turned: float) -> bool:
     """Tell whether the follower rests at a turn; at a joint itself the end of a phase is rounded."""
-    return cam.lift == 0 or any(one.kind == DWELL and one.start < turned < one.end for one in cam.phases)
+    return cam.lift == 0 or any(phase.kind == DWELL and phase.start < turned < phase.end for phase in cam.phases)
 
 
 def _between(outline: Outline, spans: list[tuple[float, float]], pieces: int, exact: bool) -> Iterator[_Part]:
@@ -118,15 +118,15 @@ def _between(outline: Outline, spans: list[tuple[float, float]], pieces: int, ex
     tolerance, whole = outline.cam.tolerance, outline.cam.turn
     counts = [max(math.ceil(round((end - start) / whole * pieces, 9)), 1) for start, end in spans]
     edges = [np.linspace(*span, count + 1) for span, count in zip(spans, counts, strict=True)]
-    low, high = (np.concatenate([one[cut] for one in edges]) for cut in (np.s_[:-1], np.s_[1:]))
+    low, high = (np.concatenate([span[cut] for span in edges]) for cut in (np.s_[:-1], np.s_[1:]))
     cubics, off = _fitted(outline, low, high)
     for _ in range(ROUNDS if exact else 0):
         if not (wide := off > tolerance).any():
             break
         middle = (low + high)[wide] / 2
-        low, high = (np.sort(np.concatenate([one, middle])) for one in (low, high))
+        low, high = (np.sort(np.concatenate([column, middle])) for column in (low, high))
         cubics, off = _fitted(outline, low, high)
-    found = (CubicPiece(*one) for one in zip(*(column.tolist() for column in cubics), strict=True))
+    found = (CubicPiece(*cubic) for cubic in zip(*(column.tolist() for column in cubics), strict=True))
     yield from zip(low.tolist(), found, off.tolist(), strict=True)
 
 
@@ -168,7 +168,7 @@ def _fitted(outline: Outline, low: Floats, high: Floats) -> tuple[_Cubics, Float
     handles = _Handles(first, last)
     even = handles.even(high - low)
     either = [handles.cubics(*lengths) for lengths in (even, handles.nearest(*even, points, tangents, shares))]
-    off = [np.abs(_apart(one, points, shares)[1]).max(axis=1) for one in either]
+    off = [np.abs(_apart(cubic, points, shares)[1]).max(axis=1) for cubic in either]
     better = off[1] < off[0]
     cubics = _Cubics(*(np.where(better, fitted, plain) for plain, fitted in zip(*either, strict=True)))
     return cubics, np.where(better, off[1], off[0])
@@ -190,7 +190,7 @@ class _Handles(NamedTuple):
 
     def nearest(self, a: Floats, b: Floats, points: Points, tangents: Points, shares: Floats) -> tuple[Floats, Floats]:
         """Give the handles of cubics that pass by points of the outline, (N, M), at the least sum of squares."""
-        even, (leaving, coming) = (a, b), (one.tangent[:, None] for one in (self.first, self.last))
+        even, (leaving, coming) = (a, b), (end.tangent[:, None] for end in (self.first, self.last))
         with np.errstate(all="ignore"):  # of a straight piece any handles are as good: its even ones stay
             for _ in range(STEPS):
                 near, apart = _apart(self.cubics(a, b), points, shares)

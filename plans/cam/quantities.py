@@ -33,14 +33,14 @@ Value = Callable[[Curve], Floats]
 def settled(theirs: CamFound, ours: CamFound) -> CamFound:
     """Give what the analysis found with each extreme where the construction has it, if it finds it as large there."""
     pressure = {
-        kind: _settled(theirs, one, ours.pressure.get(kind), lambda curve: curve.pressure)
-        for kind, one in theirs.pressure.items()
+        kind: _settled(theirs, extreme, ours.pressure.get(kind), lambda curve: curve.pressure)
+        for kind, extreme in theirs.pressure.items()
     }
-    same = [one.kind for one in theirs.flaws] == [one.kind for one in ours.flaws]
+    same = [flaw.kind for flaw in theirs.flaws] == [flaw.kind for flaw in ours.flaws]
     pairs = zip(theirs.flaws, ours.flaws, strict=True) if same else ()
     return replace(
         theirs,
-        pressure={kind: one for kind, one in pressure.items() if one is not None},
+        pressure={kind: extreme for kind, extreme in pressure.items() if extreme is not None},
         sharpest=_settled(theirs, theirs.sharpest, ours.sharpest, lambda curve: curve.radius),
         hollow=_settled(theirs, theirs.hollow, ours.hollow, lambda curve: curve.radius),
         flaws=tuple(_flaw(theirs, *pair) for pair in pairs) if same else theirs.flaws,
@@ -50,25 +50,25 @@ def settled(theirs: CamFound, ours: CamFound) -> CamFound:
 
 def _pressing(theirs: CamFound, ours: CamFound) -> Pressing | None:
     """Give the contact's forces so: under a steady load they are as large in many places of a dwell."""
-    own, other = theirs.pressing, ours.pressing
+    pressing, other = theirs.pressing, ours.pressing
     forces = forces_of(theirs.cam, theirs.roller)
-    if own is None or other is None or forces is None:
-        return own
-    return own._replace(
-        least=_settled(theirs, own.least, other.least, forces.normal) or own.least,
-        most=_settled(theirs, own.most, other.most, forces.normal) or own.most,
-        wear=_settled(theirs, own.wear, other.wear, forces.wear) or own.wear,
+    if pressing is None or other is None or forces is None:
+        return pressing
+    return pressing._replace(
+        least=_settled(theirs, pressing.least, other.least, forces.normal) or pressing.least,
+        most=_settled(theirs, pressing.most, other.most, forces.normal) or pressing.most,
+        wear=_settled(theirs, pressing.wear, other.wear, forces.wear) or pressing.wear,
     )
 
 
-def _settled(found: CamFound, own: Extreme | None, ours: Extreme | None, value: Value) -> Extreme | None:
+def _settled(found: CamFound, extreme: Extreme | None, ours: Extreme | None, value: Value) -> Extreme | None:
     """Give an extreme at the other place, if it is as large there; a pressure angle may have the other sign."""
-    if own is None or ours is None:
-        return own
+    if extreme is None or ours is None:
+        return extreme
     for there in _sides(found, ours.turned, value):
-        if math.isclose(abs(there), abs(own.value), rel_tol=EQUAL) and there * ours.value > 0:
+        if math.isclose(abs(there), abs(extreme.value), rel_tol=EQUAL) and there * ours.value > 0:
             return Extreme(there, ours.turned)
-    return own
+    return extreme
 
 
 def _sides(found: CamFound, turned: float, value: Value) -> list[float]:
@@ -77,13 +77,13 @@ def _sides(found: CamFound, turned: float, value: Value) -> list[float]:
     return [float(value(curve)[0]) for curve in curves]
 
 
-def _flaw(found: CamFound, own: Flaw, ours: Flaw) -> Flaw:
+def _flaw(found: CamFound, flaw: Flaw, ours: Flaw) -> Flaw:
     """Give a flaw with its worst place so: of one by its radius anywhere, of others only hard by."""
     turned, near = ours.worst.turned, NEAR * found.cam.turn
-    beside = abs(turned - own.worst.turned) <= near
-    radii = _sides(found, turned, lambda curve: curve.radius) if own.kind in ("undercut", "hollow") else []
-    equal = any(math.isclose(abs(one), abs(own.worst.value), rel_tol=EQUAL) for one in radii)
-    return own._replace(worst=own.worst._replace(turned=turned)) if beside or equal else own
+    beside = abs(turned - flaw.worst.turned) <= near
+    radii = _sides(found, turned, lambda curve: curve.radius) if flaw.kind in ("undercut", "hollow") else []
+    equal = any(math.isclose(abs(radius), abs(flaw.worst.value), rel_tol=EQUAL) for radius in radii)
+    return flaw._replace(worst=flaw.worst._replace(turned=turned)) if beside or equal else flaw
 
 
 @dataclass(frozen=True)
@@ -107,10 +107,12 @@ def comparison_of(study: Study) -> Comparison:
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
     """Find each cam by analysis too, and put every quantity beside that of the construction."""
     drawings = [*cams.drawings.values()]
-    theirs = tuple(settled(cam_found(one.cam, sizes(one.cam), one.turned), one.found) for one in drawings)
+    theirs = tuple(
+        settled(cam_found(drawing.cam, sizes(drawing.cam), drawing.turned), drawing.found) for drawing in drawings
+    )
     pairs = zip(drawings, theirs, strict=True)
     lone = len(drawings) == 1
-    findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
+    findings = [finding for drawing, exact in pairs for finding in Compared(drawing, exact, lone).findings(plans)]
     return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
 
 
@@ -118,20 +120,24 @@ def quantities_of(study: Study) -> tuple[Quantity, ...]:
     """Give what is compared of a scene's cams, and what the tables of their sizes tell."""
     found: Comparison = study.comparison("cam")
     ours, theirs = found.construction.cams, found.analysis.cams
-    names = ["" if len(ours) == 1 else f" {one.cam.name}" for one in ours]
-    return *found.findings, *(one for both in zip(ours, theirs, names, strict=True) for one in _told(*both))
+    names = ["" if len(ours) == 1 else f" {cam.cam.name}" for cam in ours]
+    return *found.findings, *(quantity for both in zip(ours, theirs, names, strict=True) for quantity in _told(*both))
 
 
 def _told(ours: CamFound, theirs: CamFound, of: str) -> Iterator[Quantity]:
     pairs = zip(results(ours), results(theirs), strict=True)
-    for one, other in ((one, other) for one, other in pairs if not one.where):
-        yield Quantity.of((SIZES, f"{one.letter}{of}", one.unit), (one.value, other.value), np.inf)
+    for result, exact in ((result, exact) for result, exact in pairs if not result.where):
+        yield Quantity.of((SIZES, f"{result.letter}{of}", result.unit), (result.value, exact.value), np.inf)
 
 
 def of_cam(comparison: Comparison, name: str) -> list[Quantity]:
     """List what was compared of one cam beside its law: sizes, profile, extremes, forces."""
     lone = len(comparison.analysis.cams) == 1
-    return [one for one in comparison.findings if one.plan != LAWS and (lone or one.name.endswith(f" {name}"))]
+    return [
+        quantity
+        for quantity in comparison.findings
+        if quantity.plan != LAWS and (lone or quantity.name.endswith(f" {name}"))
+    ]
 
 
 @dataclass(frozen=True)
@@ -152,16 +158,16 @@ class Compared:
         """How far rounding can move it."""
         return Slack(self.ours, self.drawing.sizing, self.ours.contour)
 
-    def near(self, one: Extreme | None) -> tuple[Slack, ...]:
+    def near(self, extreme: Extreme | None) -> tuple[Slack, ...]:
         """How far rounding can move it at the place of an extreme, on either side of it."""
-        if one is None:
+        if extreme is None:
             return (self.slack,)
-        sides = (self.drawing.profile(np.array([one.turned]), before).contour for before in (False, True))
+        sides = (self.drawing.profile(np.array([extreme.turned]), before).contour for before in (False, True))
         return tuple(Slack(self.ours, self.drawing.sizing, contour) for contour in sides)
 
-    def bent(self, one: Extreme | None) -> float:
+    def bent(self, extreme: Extreme | None) -> float:
         """How far rounding can move 1/ρ at the place of an extreme, 1/m."""
-        return max(float(np.max(slack.curvature)) for slack in self.near(one))
+        return max(float(np.max(slack.curvature)) for slack in self.near(extreme))
 
     def findings(self, plans: frozenset[str]) -> Iterator[Quantity]:
         """Compare what is asked for."""
@@ -186,16 +192,16 @@ class Compared:
         verdicts = self.verdicts
         yield from map(self._of, (*verdicts.forces(), *verdicts.flaws(), *verdicts.remedies()))
 
-    def _of(self, one: Quantity) -> Quantity:
-        return one if self.lone else one._replace(name=f"{one.name} {self.ours.cam.name}")
+    def _of(self, quantity: Quantity) -> Quantity:
+        return quantity if self.lone else quantity._replace(name=f"{quantity.name} {self.ours.cam.name}")
 
     def laws(self) -> Iterator[Quantity]:
         """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
-        own, other = self.ours.contour.travel, self.theirs.contour.travel
+        ours, theirs = self.ours.contour.travel, self.theirs.contour.travel
         for order, name in enumerate(("S", "S'", "S''")):
-            yield self._row(LAWS, name, self._units[order], own[order], other[order], self.slack.travel(order))
-        for order, (name, one) in enumerate(self.ours.peaks.items(), 1):
-            size, its = abs(one.value), abs(self.theirs.peaks[name].value)
+            yield self._row(LAWS, name, self._units[order], ours[order], theirs[order], self.slack.travel(order))
+        for order, (name, extreme) in enumerate(self.ours.peaks.items(), 1):
+            size, its = abs(extreme.value), abs(self.theirs.peaks[name].value)
             yield self._one(LAWS, f"{name}_max", self._units[order], size, its, self.slack.travel(order))
 
     def diagrams(self) -> Iterator[Quantity]:
@@ -226,34 +232,34 @@ class Compared:
 
     def sizes(self) -> Iterator[Quantity]:
         """Compare the main sizes and the roller."""
-        own, other = self.ours, self.theirs
-        if not own.cam.translates:
-            yield self._one(SIZES, "R_0", "m", own.sizes.base, other.sizes.base, self.slack.centre)
-        if own.cam.rocks and not own.cam.translates:
-            yield self._one(SIZES, "L", "m", own.sizes.centre, other.sizes.centre, self.slack.centre)
-            turned = self.slack.centre / own.sizes.centre
-            yield self._one(SIZES, "ψ_0", "rad", own.sizes.initial, other.sizes.initial, turned + TERM)
-            yield self._one(SIZES, "O1", "m", own.sizes.pivot, other.sizes.pivot, self.slack.centre)
-        elif not own.cam.flat and not own.cam.translates:
-            yield self._one(SIZES, "e", "m", own.sizes.offset, other.sizes.offset, self.slack.centre)
-        if own.roller:
-            radius = own.sharpest.value**2 * self.bent(own.sharpest) if own.sharpest else 0.0
-            yield self._one(SIZES, "r_r", "m", own.roller, other.roller, radius + self.slack.centre)
+        ours, theirs = self.ours, self.theirs
+        if not ours.cam.translates:
+            yield self._one(SIZES, "R_0", "m", ours.sizes.base, theirs.sizes.base, self.slack.centre)
+        if ours.cam.rocks and not ours.cam.translates:
+            yield self._one(SIZES, "L", "m", ours.sizes.centre, theirs.sizes.centre, self.slack.centre)
+            turned = self.slack.centre / ours.sizes.centre
+            yield self._one(SIZES, "ψ_0", "rad", ours.sizes.initial, theirs.sizes.initial, turned + TERM)
+            yield self._one(SIZES, "O1", "m", ours.sizes.pivot, theirs.sizes.pivot, self.slack.centre)
+        elif not ours.cam.flat and not ours.cam.translates:
+            yield self._one(SIZES, "e", "m", ours.sizes.offset, theirs.sizes.offset, self.slack.centre)
+        if ours.roller:
+            radius = ours.sharpest.value**2 * self.bent(ours.sharpest) if ours.sharpest else 0.0
+            yield self._one(SIZES, "r_r", "m", ours.roller, theirs.roller, radius + self.slack.centre)
 
     def profile(self) -> Iterator[Quantity]:
         """Compare the profile at the numbered positions."""
-        own, other, slack = self.ours.contour, self.theirs.contour, self.slack
-        yield self._row(PROFILE, "K", "m", own.tip, other.tip, slack.lever)
-        yield self._row(PROFILE, "P", "m", own.pitch, other.pitch, slack.lever)
+        ours, theirs, slack = self.ours.contour, self.theirs.contour, self.slack
+        yield self._row(PROFILE, "K", "m", ours.tip, theirs.tip, slack.lever)
+        yield self._row(PROFILE, "P", "m", ours.pitch, theirs.pitch, slack.lever)
         if self.ours.roller:
-            yield self._row(PROFILE, "Q", "m", own.profile, other.profile, slack.profile)
-        if own.outer is not None and other.outer is not None:
-            yield self._row(PROFILE, "Q'", "m", own.outer, other.outer, slack.profile)
-        yield self._row(PROFILE, "α", "rad", own.pressure, other.pressure, slack.angle)
+            yield self._row(PROFILE, "Q", "m", ours.profile, theirs.profile, slack.profile)
+        if ours.outer is not None and theirs.outer is not None:
+            yield self._row(PROFILE, "Q'", "m", ours.outer, theirs.outer, slack.profile)
+        yield self._row(PROFILE, "α", "rad", ours.pressure, theirs.pressure, slack.angle)
         yield self._row(PROFILE, "1/ρ", "1/m", *self._bends, slack.curvature)
         if self.ours.cam.flat:
-            yield self._row(PROFILE, "ρ", "m", own.radius, other.radius, slack.radius)
-        yield self._row(PROFILE, "v_sl/ω", "m", own.sliding, other.sliding, slack.lever)
+            yield self._row(PROFILE, "ρ", "m", ours.radius, theirs.radius, slack.radius)
+        yield self._row(PROFILE, "v_sl/ω", "m", ours.sliding, theirs.sliding, slack.lever)
 
     @property
     def _bends(self) -> tuple[Floats, Floats]:
@@ -263,26 +269,26 @@ class Compared:
 
     def extremes(self) -> Iterator[Quantity]:
         """Compare the largest pressure angles and the sharpest places."""
-        own, other = self.ours, self.theirs
-        for kind, one in own.pressure.items():
-            angle = max(float(np.max(slack.angle)) for slack in self.near(one))
-            yield self._one(PROFILE, f"α_{kind}", "rad", abs(one.value), abs(other.pressure[kind].value), angle)
-        for name, one_, its in (("ρ_min", own.sharpest, other.sharpest), ("ρ_hollow", own.hollow, other.hollow)):
+        ours, theirs = self.ours, self.theirs
+        for kind, extreme in ours.pressure.items():
+            angle = max(float(np.max(slack.angle)) for slack in self.near(extreme))
+            yield self._one(PROFILE, f"α_{kind}", "rad", abs(extreme.value), abs(theirs.pressure[kind].value), angle)
+        for name, one_, its in (("ρ_min", ours.sharpest, theirs.sharpest), ("ρ_hollow", ours.hollow, theirs.hollow)):
             yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), self.bent(one_))
-        for k, side in enumerate(("back", "front") if own.cam.flat else ()):
-            yield self._one(PROFILE, f"face_{side}", "m", own.face[k], other.face[k], self.slack.lever)
+        for k, side in enumerate(("back", "front") if ours.cam.flat else ()):
+            yield self._one(PROFILE, f"face_{side}", "m", ours.face[k], theirs.face[k], self.slack.lever)
 
     @property
     def _units(self) -> Sequence[str]:
         return dimensions(self.ours.cam)
 
-    def _one(self, plan: str, name: str, unit: str, own: complex, other: complex, allowed: float) -> Quantity:
-        return self._row(plan, name, unit, np.array([own]), np.array([other]), allowed)
+    def _one(self, plan: str, name: str, unit: str, ours: complex, theirs: complex, allowed: float) -> Quantity:
+        return self._row(plan, name, unit, np.array([ours]), np.array([theirs]), allowed)
 
     def _row(
-        self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
+        self, plan: str, name: str, unit: str, ours: Floats | Points, theirs: Floats | Points, allowed: Floats | float
     ) -> Quantity:
-        return self._of(Quantity.of((plan, name, unit), (own, other), allowed, _most(own)))
+        return self._of(Quantity.of((plan, name, unit), (ours, theirs), allowed, _most(ours)))
 
 
 def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:
@@ -292,8 +298,8 @@ def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:
     """
     middles, width = (edges[:-1] + edges[1:]) / 2, np.diff(edges)
     first, last = travel(cam, edges[:-1]), travel(cam, edges[1:], before=True)
-    by_points = [one for one in cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
-    straight = [(one.start < middles) & (middles < one.end) for one in by_points]
+    by_points = [phase for phase in cam.moving() if phase.law is not None and phase.law.name in (TABLE, SHAPE)]
+    straight = [(phase.start < middles) & (middles < phase.end) for phase in by_points]
     read = (first.bend + 4 * travel(cam, middles).bend + last.bend) / 6 * width
     exact = np.any([np.zeros(len(middles), dtype=bool), *straight], axis=0)
     return np.where(exact, last.slope - first.slope, read), first.bend - last.bend
@@ -309,5 +315,5 @@ def _over(radius: Floats, edge: float) -> Floats:
     return np.where(radius == 0, edge, bent)
 
 
-def _bent(one: Extreme | None) -> float:
-    return 1 / one.value if one is not None and one.value else 0.0
+def _bent(extreme: Extreme | None) -> float:
+    return 1 / extreme.value if extreme is not None and extreme.value else 0.0

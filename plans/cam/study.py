@@ -70,7 +70,7 @@ class CamDrawing:
     def _refuse(self, found: CamFound) -> None:
         """Refuse a roller that is larger than the cam, and a rocker whose pivot the profile passes."""
         if not self.cam.translates and found.roller >= found.sizes.base:
-            bears = [found.sizes.base, *(one.value for one in (found.sharpest,) if one)]
+            bears = [found.sizes.base, *(extreme.value for extreme in (found.sharpest,) if extreme)]
             raise large_roller(self.cam, found.roller, found.sizes.base, min(bears))
         if self.cam.flat and self.cam.rocks and not found.flaws:
             self._clear(found.sizes)
@@ -109,7 +109,7 @@ class CamStudy:
     def __init__(self, cams: Collection[Cam], places: Iterable[Place | None] = repeat(None)) -> None:
         self.made: dict[str, None] = {}
         drawings = (CamDrawing(cam, self.made, place) for cam, place in zip(cams, places, strict=False))
-        self.drawings: Mapping[str, CamDrawing] = {one.cam.name: one for one in drawings}
+        self.drawings: Mapping[str, CamDrawing] = {drawing.cam.name: drawing for drawing in drawings}
 
     def construct(self, plans: Collection[str]) -> None:
         """Make what is asked for."""

@@ -66,14 +66,14 @@ class Shares:
         """
         k = np.asarray(share, dtype=float)
         starts = np.array(self.starts)
-        own = np.clip(np.searchsorted(starts, k, side="left" if before else "right") - 1, 0, len(starts) - 1)
-        return self.of(own, k - starts[own], order)
+        piece = np.clip(np.searchsorted(starts, k, side="left" if before else "right") - 1, 0, len(starts) - 1)
+        return self.of(piece, k - starts[piece], order)
 
-    def of(self, own: Pieces, gone: Floats, order: int) -> Floats:
+    def of(self, pieces: Pieces, gone: Floats, order: int) -> Floats:
         """Give s or a derivative, the third at most, of pieces by numbers, after shares from their starts, (N,)."""
-        size, rate, phase = (column[own] for column in self._waves)
+        size, rate, phase = (column[pieces] for column in self._waves)
         wave = size * rate**order * np.sin(rate * gone + phase + order * np.pi / 2)
-        return np.asarray(_horner(self._powers[order][:, own], gone) + wave)
+        return np.asarray(_horner(self._powers[order][:, pieces], gone) + wave)
 
     def gross(self, order: int) -> float:
         """Give what the terms of s or a derivative add up to at the most, whatever their signs: rounding is a share."""
@@ -83,13 +83,13 @@ class Shares:
 
     @cached_property
     def _waves(self) -> Floats:
-        return np.array([(one.size, one.rate, one.phase) for one in self.pieces]).T
+        return np.array([(piece.size, piece.rate, piece.phase) for piece in self.pieces]).T
 
     @cached_property
     def _powers(self) -> tuple[Floats, ...]:
         """The coefficients of s and its derivatives by the power of the share gone, each (powers, pieces)."""
-        most = max(3, *(len(one.powers) for one in self.pieces))
-        rows = np.array([(*one.powers, *(0.0,) * (most - len(one.powers))) for one in self.pieces]).T
+        most = max(3, *(len(piece.powers) for piece in self.pieces))
+        rows = np.array([(*piece.powers, *(0.0,) * (most - len(piece.powers))) for piece in self.pieces]).T
         return tuple(np.polynomial.polynomial.polyder(rows, order) if order else rows for order in range(4))
 
 
@@ -120,14 +120,14 @@ def shares(pushes: Iterable[Push], slope: float = 0.0) -> Shares:
 def _integrated(push: Push, start: float, slope: float, level: float) -> Piece:
     """Integrate one piece twice, so that it begins with a slope and a level."""
     size = -push.size / push.rate**2
-    own = Piece(start, (0.0,), size, push.rate, push.phase)
-    constants = (slope - own.at(0.0, 1), level - own.at(0.0, 0))
+    integrated = Piece(start, (0.0,), size, push.rate, push.phase)
+    constants = (slope - integrated.at(0.0, 1), level - integrated.at(0.0, 0))
     powers = np.polynomial.polynomial.polyint(push.powers or (0.0,), 2, list(constants))
-    return own._replace(powers=tuple(powers.tolist()))
+    return integrated._replace(powers=tuple(powers.tolist()))
 
 
 def _scaled(pieces: Sequence[Piece], by: float) -> Iterable[Piece]:
-    return (one._replace(powers=tuple(by * c for c in one.powers), size=by * one.size) for one in pieces)
+    return (piece._replace(powers=tuple(by * c for c in piece.powers), size=by * piece.size) for piece in pieces)
 
 
 def bends(law: Shares) -> Iterator[float]:
@@ -139,8 +139,8 @@ def bends(law: Shares) -> Iterator[float]:
     joins = np.array(law.starts[1:])
     numbers = np.arange(len(joins))
     after, before = (
-        np.array([law.of(own, gone, order) for order in (1, 2, 3)])
-        for own, gone in ((numbers + 1, 0 * joins), (numbers, joins - np.array(law.starts[:-1])))
+        np.array([law.of(pieces, gone, order) for order in (1, 2, 3)])
+        for pieces, gone in ((numbers + 1, 0 * joins), (numbers, joins - np.array(law.starts[:-1])))
     )
     largest = np.maximum(np.abs(after), np.abs(before)).max(axis=1, initial=1.0, keepdims=True)
     apart = np.abs(after - before) > CORNER * largest

@@ -54,7 +54,7 @@ class Slack:
     @cached_property
     def centre(self) -> float:
         """Of the centre O, m: where limiting lines cross, it is moved by more than they are."""
-        ways = [complex(one.direction.point) for one in self.sizing.binding]
+        ways = [complex(tangent.direction.point) for tangent in self.sizing.binding]
         sines = [abs((a.conjugate() * b).imag) / abs(a * b) for a in ways for b in ways if a is not b]
         moved = self.way(0) + self.way(1) + TERM * self.reach
         return moved / min(sines, default=1.0)
@@ -107,11 +107,11 @@ def gross(law: Law, order: int) -> float:
 
     The slopes and bends of a table are differences of its points over its steps, all solved together.
     """
-    own = law_of(law).gross(order) + law_of(law).gross(order + 1)  # the share of the phase is rounded too
+    terms = law_of(law).gross(order) + law_of(law).gross(order + 1)  # the share of the phase is rounded too
     if law.name != TABLE:
-        return own
+        return terms
     step = min(b[0] - a[0] for a, b in pairwise(law.points))
-    return own + len(law.points) / step**order
+    return terms + len(law.points) / step**order
 
 
 Near = Callable[[Extreme], tuple[Slack, ...]]
@@ -119,8 +119,8 @@ UNKNOWN = math.nan  # what one road does not say
 MENDED = ("pressure", "concave", "sharp")  # flaws that another R0 mends
 
 
-def _pair(plan: str, name: str, unit: str, own: float | Floats, other: float | Floats, allowed: float) -> Quantity:
-    return Quantity.of((plan, name, unit), (own, other), allowed, float(np.max(np.abs(own), initial=0.0)))
+def _pair(plan: str, name: str, unit: str, ours: float | Floats, theirs: float | Floats, allowed: float) -> Quantity:
+    return Quantity.of((plan, name, unit), (ours, theirs), allowed, float(np.max(np.abs(ours), initial=0.0)))
 
 
 @dataclass(frozen=True)
@@ -139,17 +139,17 @@ class Verdicts:
 
     def shocks(self) -> Iterator[Quantity]:
         """Compare the shocks: where they are, and how large, the hard ones and the soft ones."""
-        own, other = self.ours.shocks, self.theirs.shocks
-        if [one.order for one in own] != [one.order for one in other]:
-            yield _pair(LAWS, "φ shocks", self._across, np.array([len(own)]), np.array([UNKNOWN]), 0.0)
+        ours, theirs = self.ours.shocks, self.theirs.shocks
+        if [shock.order for shock in ours] != [shock.order for shock in theirs]:
+            yield _pair(LAWS, "φ shocks", self._across, np.array([len(ours)]), np.array([UNKNOWN]), 0.0)
             return
-        if own:
-            one, its = (np.array([shock.turned for shock in road]) for road in (own, other))
-            yield _pair(LAWS, "φ shocks", self._across, one, its, TERM * self.ours.cam.turn)
+        if ours:
+            place, its = (np.array([shock.turned for shock in road]) for road in (ours, theirs))
+            yield _pair(LAWS, "φ shocks", self._across, place, its, TERM * self.ours.cam.turn)
         for order, name in enumerate(("ΔS'", "ΔS''"), 1):
-            one, its = (np.array([shock.jump for shock in road if shock.order == order]) for road in (own, other))
-            if one.size:
-                yield _pair(LAWS, name, dimensions(self.ours.cam)[order], one, its, 2 * self.slack.travel(order))
+            place, its = (np.array([shock.jump for shock in road if shock.order == order]) for road in (ours, theirs))
+            if place.size:
+                yield _pair(LAWS, name, dimensions(self.ours.cam)[order], place, its, 2 * self.slack.travel(order))
 
     @property
     def _across(self) -> str:
@@ -157,27 +157,27 @@ class Verdicts:
 
     def flaws(self) -> Iterator[Quantity]:
         """See that both roads find the same kinds of flaws, in the same order."""
-        kinds, others = ([one.kind for one in road.flaws] for road in (self.ours, self.theirs))
+        kinds, others = ([flaw.kind for flaw in road.flaws] for road in (self.ours, self.theirs))
         if kinds or others:
             yield _pair(PROFILE, "flaws", "1", len(kinds), len(others) if kinds == others else UNKNOWN, 0.0)
 
     def forces(self) -> Iterator[Quantity]:
         """Compare the extremes of the force at the contact, of the wear, and the preload that holds the follower."""
-        own, other, load = self.ours.pressing, self.theirs.pressing, self.ours.cam.load
-        if own is None or other is None or load is None:
-            if own is not other:  # one road alone tells of forces
-                force, its = (UNKNOWN if road is None else road.least.value for road in (own, other))
+        ours, theirs, load = self.ours.pressing, self.theirs.pressing, self.ours.cam.load
+        if ours is None or theirs is None or load is None:
+            if ours is not theirs:  # one road alone tells of forces
+                force, its = (UNKNOWN if road is None else road.least.value for road in (ours, theirs))
                 yield _pair(PROFILE, "N_min", "N", force, its, 0.0)
             return
-        for name, one, another in (("N_min", own.least, other.least), ("N_max", own.most, other.most)):
-            yield _pair(PROFILE, name, "N", one.value, another.value, self._force(one, load)[0])
-        yield _pair(PROFILE, "N·v_sl", "W", own.wear.value, other.wear.value, self._force(own.wear, load)[1])
+        for name, extreme, another in (("N_min", ours.least, theirs.least), ("N_max", ours.most, theirs.most)):
+            yield _pair(PROFILE, name, "N", extreme.value, another.value, self._force(extreme, load)[0])
+        yield _pair(PROFILE, "N·v_sl", "W", ours.wear.value, theirs.wear.value, self._force(ours.wear, load)[1])
         unit, resisted = "N*m" if self.ours.cam.rocks else "N", self._resistance(self.slack, load)
-        yield _pair(PROFILE, "preload", unit, own.preload, other.preload, resisted + TERM * own.preload)
+        yield _pair(PROFILE, "preload", unit, ours.preload, theirs.preload, resisted + TERM * ours.preload)
 
-    def _force(self, one: Extreme, load: Load) -> tuple[float, float]:
+    def _force(self, extreme: Extreme, load: Load) -> tuple[float, float]:
         """Give how far rounding can move the force, N, and force times sliding speed, W, at the place of an extreme."""
-        sides = [self._there(slack, load) for slack in self.near(one)]
+        sides = [self._there(slack, load) for slack in self.near(extreme)]
         return max(side[0] for side in sides), max(side[1] for side in sides)
 
     def _there(self, slack: Slack, load: Load) -> tuple[float, float]:
@@ -216,30 +216,30 @@ class Verdicts:
 
     def remedies(self) -> Iterator[Quantity]:
         """Compare R0 that mends, and the sizes that the limits alone would give."""
-        own, other = self.ours, self.theirs
-        if any(one.kind in MENDED for one in own.flaws) and (own.mending, other.mending) != (None, None):
-            base, its = (UNKNOWN if road.mending is None else road.mending for road in (own, other))
+        ours, theirs = self.ours, self.theirs
+        if any(flaw.kind in MENDED for flaw in ours.flaws) and (ours.mending, theirs.mending) != (None, None):
+            base, its = (UNKNOWN if road.mending is None else road.mending for road in (ours, theirs))
             yield _pair(PROFILE, "R_0 mending", "m", base, its, self._mended + TERM * abs(base))
-        if own.advised is not None or other.advised is not None:
-            yield from self._advised(own.advised, other.advised)
+        if ours.advised is not None or theirs.advised is not None:
+            yield from self._advised(ours.advised, theirs.advised)
 
     @property
     def _mended(self) -> float:
         """How far rounding can move R0 that mends, m: S0 = (S' - e)/tan α - S; of a flat face a radius."""
         if self.ours.cam.flat:
             return float(np.max(self.slack.radius))
-        intervals = [one for kind in (RISE, RETURN) if (one := interval_of(self.ours.cam, kind)) is not None]
-        steepest = min(math.tan(min(abs(one.low), abs(one.high))) for one in intervals)
+        intervals = [interval for kind in (RISE, RETURN) if (interval := interval_of(self.ours.cam, kind)) is not None]
+        steepest = min(math.tan(min(abs(interval.low), abs(interval.high))) for interval in intervals)
         return self.slack.way(0) + (self.slack.way(1) + self.slack.centre) / steepest
 
-    def _advised(self, own: Sizes | None, other: Sizes | None) -> Iterator[Quantity]:
+    def _advised(self, ours: Sizes | None, theirs: Sizes | None) -> Iterator[Quantity]:
         """Compare the sizes that the limits alone would give: R_0, and the offset or the distance of centres."""
-        if own is None or other is None:
-            base, its = (one.base if one else UNKNOWN for one in (own, other))
+        if ours is None or theirs is None:
+            base, its = (sizes.base if sizes else UNKNOWN for sizes in (ours, theirs))
             yield _pair(PROFILE, "R_0 advised", "m", base, its, 0.0)
             return
         cam = replace(self.ours.cam, given=NO_SIZES)
-        allowed = Slack(replace(self.ours, cam=cam, sizes=own), sizing(Course(cam)), self.ours.contour).centre
-        beside = ("L", own.centre, other.centre) if cam.rocks else ("e", own.offset, other.offset)
-        for name, one, its in (("R_0", own.base, other.base), beside):
-            yield _pair(PROFILE, f"{name} advised", "m", one, its, allowed)
+        allowed = Slack(replace(self.ours, cam=cam, sizes=ours), sizing(Course(cam)), self.ours.contour).centre
+        beside = ("L", ours.centre, theirs.centre) if cam.rocks else ("e", ours.offset, theirs.offset)
+        for name, value, its in (("R_0", ours.base, theirs.base), beside):
+            yield _pair(PROFILE, f"{name} advised", "m", value, its, allowed)

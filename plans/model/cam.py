@@ -116,11 +116,11 @@ class Limits(NamedTuple):
         A spring drives the return, which nothing limits; on the rise it is held to both sides alike. A limit that
         stands alone is of its own phases, to both sides.
         """
-        own = self.of(kind)
-        if own is None or (closure == FORCE and kind == RETURN):
+        asked = self.of(kind)
+        if asked is None or (closure == FORCE and kind == RETURN):
             return None
         if closure == FORCE or self.rise is None or self.back is None:
-            return Interval(-own, own)
+            return Interval(-asked, asked)
         return Interval(-self.back, self.rise)
 
 
@@ -175,7 +175,7 @@ class Cam:
     @property
     def lift(self) -> float:
         """The greatest S, m or rad (ход толкателя)."""
-        return max(max(one.level, one.level + one.change) for one in self.phases)
+        return max(max(phase.level, phase.level + phase.change) for phase in self.phases)
 
     @property
     def way(self) -> float:
@@ -199,7 +199,7 @@ class Cam:
 
     def moving(self) -> Iterator[Phase]:
         """Give the phases over which the follower moves."""
-        return (one for one in self.phases if one.kind != DWELL)
+        return (phase for phase in self.phases if phase.kind != DWELL)
 
     @property
     def sized(self) -> bool:
@@ -221,11 +221,11 @@ def limits_of(cam: Cam) -> Limits:
     A spring drives the return, so that closure by force limits the rise alone. Sizes that are given are held to the
     limits of the scene alone.
     """
-    own = cam.limits._replace(back=None) if cam.closure == FORCE else cam.limits
+    kept = cam.limits._replace(back=None) if cam.closure == FORCE else cam.limits
     if cam.sized or cam.flat:
-        return own
+        return kept
     usual = BOOK_LIMITS[cam.follower.motion]
-    return own._replace(rise=own.rise or usual, back=None if cam.closure == FORCE else own.back or usual)
+    return kept._replace(rise=kept.rise or usual, back=None if cam.closure == FORCE else kept.back or usual)
 
 
 def interval_of(cam: Cam, kind: str) -> Interval | None:

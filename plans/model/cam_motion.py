@@ -101,7 +101,7 @@ def no_radius(cam: Cam) -> CamError:
 
 
 def _angles(limits: Limits) -> str:
-    return " / ".join(f"{math.degrees(one):.4g}" for one in (limits.rise, limits.back) if one is not None)
+    return " / ".join(f"{math.degrees(limit):.4g}" for limit in (limits.rise, limits.back) if limit is not None)
 
 
 def _mm(size: float) -> str:

@@ -217,11 +217,11 @@ class Curve:
 
     def slip(self, roller: float) -> Floats:
         """How fast the follower's surface slips on the cam, m/rad; a roller as if it were stuck on its pin."""
-        own = self.rates[0] if self.cam.rocks else 0.0
+        turning = self.rates[0] if self.cam.rocks else 0.0
         if self.cam.flat:
             far = self._centre[0] + self.cam.follower.face if self.cam.rocks else self.sizes.base + self.travel.s
-            return np.asarray(far - own * self.cam.follower.face)
-        return np.asarray(self.speed - roller * ((0.0 if self.cam.translates else 1.0) - own))
+            return np.asarray(far - turning * self.cam.follower.face)
+        return np.asarray(self.speed - roller * ((0.0 if self.cam.translates else 1.0) - turning))
 
     def edge(self, away: float) -> Points:
         """Give points on the cam, as it stands for them, `away` m out along the normal."""

@@ -35,7 +35,7 @@ def seams(law: Law | None) -> tuple[float, ...]:
         return (law.first,)
     if law.name in (TABLE, SHAPE):
         return tuple(sorted({share for share, _ in law.points if 0 < share < 1}))
-    return tuple(one / 8 for one in EIGHTHS.get(law.name, ()))
+    return tuple(eighth / 8 for eighth in EIGHTHS.get(law.name, ()))
 
 
 class Place(NamedTuple):
@@ -68,7 +68,7 @@ class Series(NamedTuple):
         if not len(at):
             return []
         share = self._halved(looks[at], looks[at + 1], found[at])
-        return [float(one) for one in self.start + (self.end - self.start) * share]
+        return [float(turn) for turn in self.start + (self.end - self.start) * share]
 
     def _halved(self, low: Floats, high: Floats, first: Floats) -> Floats:
         """Close in on roots, by how far along the half circle of the nodes they are; give the share of the piece."""
@@ -99,10 +99,10 @@ class Turn:
     def pieces(self) -> Floats:
         """The starts and ends of the pieces, rad, (2, pieces)."""
         rows = [
-            (one.start + one.angle * low, one.start + one.angle * high if high < 1 else one.end)
-            for one in self.cam.phases
-            if (not self.kinds or one.kind in self.kinds) and one.angle > 0
-            for low, high in zip((0.0, *seams(one.law)), (*seams(one.law), 1.0), strict=True)
+            (phase.start + phase.angle * low, phase.start + phase.angle * high if high < 1 else phase.end)
+            for phase in self.cam.phases
+            if (not self.kinds or phase.kind in self.kinds) and phase.angle > 0
+            for low, high in zip((0.0, *seams(phase.law)), (*seams(phase.law), 1.0), strict=True)
         ]
         return np.array(rows).T
 
@@ -124,14 +124,14 @@ class Turn:
                 break
         return tuple(found[k] for k in sorted(found))
 
-    def _of(self, own: int, row: Floats) -> Series:
-        start, end = self.pieces[:, own].tolist()
+    def _of(self, piece: int, row: Floats) -> Series:
+        start, end = self.pieces[:, piece].tolist()
         return Series(start, end, row, SMALL * float(np.abs(row).sum()))
 
-    def _terms(self, value: Value, own: np.ndarray, count: int) -> Floats:
+    def _terms(self, value: Value, pieces: np.ndarray, count: int) -> Floats:
         """Give the terms of the series on some pieces, from its values at Chebyshev's nodes."""
         angles = np.pi * (np.arange(count) + 0.5) / count
-        start, end = self.pieces[:, own]
+        start, end = self.pieces[:, pieces]
         turned = start[:, None] + (end - start)[:, None] * (np.cos(angles) + 1) / 2
         values = value(self.at(turned.ravel())).reshape(turned.shape)
         waves = np.cos(np.outer(angles, np.arange(count))) * 2 / count
@@ -140,18 +140,21 @@ class Turn:
 
     def roots(self, value: Value) -> list[float]:
         """Give all turns at which a value changes its sign within a piece, rising."""
-        return sorted(root for one in self.series(value) for root in one.roots())
+        return sorted(root for series in self.series(value) for root in series.roots())
 
     def places(self, value: Value) -> tuple[Place, ...]:
         """Give where a value can be greatest or least: ends of pieces, and roots of its derivative."""
         starts = [Place(turned) for turned in self.pieces[0].tolist()]
         ends = [Place(turned, before=True) for turned in self.pieces[1].tolist()]
-        inner = [Place(root) for one in self.series(value) for root in one.slope().roots()]
+        inner = [Place(root) for series in self.series(value) for root in series.slope().roots()]
         return (*starts, *inner, *ends)
 
     def read(self, value: Value, places: Sequence[Place]) -> Floats:
         """Give a value at places."""
-        turned, before = np.array([one.turned for one in places]), np.array([one.before for one in places], dtype=bool)
+        turned, before = (
+            np.array([place.turned for place in places]),
+            np.array([place.before for place in places], dtype=bool),
+        )
         found = value(self.at(turned))
         found[before] = value(self.at(turned[before], before=True))
         return found
@@ -193,14 +196,14 @@ class Extremes:
     def peaks(self) -> dict[str, Extreme]:
         """The largest S' and S'' by their size, signed; at a hard shock S'' has none."""
         found = {SLOPE: _largest(self.turn, lambda curve: curve.travel.slope)}
-        if all(one.order == 2 for one in shocks(self.cam)):
+        if all(shock.order == 2 for shock in shocks(self.cam)):
             found[BEND] = _largest(self.turn, lambda curve: curve.travel.bend)
         return found
 
     @cached_property
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, rad, signed."""
-        kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.cam.moving())
+        kinds = () if self.outrun else dict.fromkeys(phase.kind for phase in self.cam.moving())
         return {kind: _largest(Turn(self.cam, self.sizes, (kind,)), lambda curve: curve.pressure) for kind in kinds}
 
     @cached_property
@@ -249,13 +252,13 @@ class Extremes:
             for kind, interval in intervals.items()
             for limit in interval
         ]
-        least = max(0.0, *(one.value for one in heights if one))
+        least = max(0.0, *(height.value for height in heights if height))
         return float((least * least + offset * offset) ** 0.5)
 
     @property
     def _convex(self) -> float | None:
         """R0 = ρ_min - min(S + S'') under a flat face; None of a rocker, and where S' falls at once, m."""
-        falls = any(one.order == 1 and one.jump < 0 for one in shocks(self.cam))
+        falls = any(shock.order == 1 and shock.jump < 0 for shock in shocks(self.cam))
         most = None if self.cam.rocks or falls else self.turn.most(lambda curve: -curve.travel.s - curve.travel.bend)
         return most and self.cam.limits.curvature + most.value
 
@@ -277,7 +280,7 @@ class Extremes:
 def _largest(turn: Turn, value: Value) -> Extreme:
     """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
     places = turn.places(value)
-    pairs = [*zip(turn.read(value, places).tolist(), (one.turned for one in places), strict=True)]
+    pairs = [*zip(turn.read(value, places).tolist(), (place.turned for place in places), strict=True)]
     most = max(abs(size) for size, _ in pairs)
     alike = [(size, turned) for size, turned in pairs if abs(size) >= most * (1 - ALIKE)]
     return Extreme(*min(alike, key=lambda pair: (pair[0] < 0, pair[1])))

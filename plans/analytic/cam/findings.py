@@ -55,7 +55,7 @@ class Flaws:
             *self._short(),
             *self._lifted(),
         )
-        return tuple(sorted(found, key=lambda one: (one.kind, one.start)))
+        return tuple(sorted(found, key=lambda flaw: (flaw.kind, flaw.start)))
 
     def _rolling(self, kind: str, side: float) -> Iterator[Flaw]:
         if self.roller == 0:
@@ -70,20 +70,20 @@ class Flaws:
 
         spans = list(self._beyond(kind, value, radius, self.extremes.bends))
         yield from spans
-        own = self.extremes.sharpest if side > 0 else self.extremes.hollow
-        if own and not spans and abs(abs(own.value) - self.roller) <= NEAR * self.roller:
-            yield Flaw(kind, own.turned, own.turned, own)
-        yield from (Flaw(kind, one, one, Extreme(0.0, one)) for one in self.corners(side))
+        worst = self.extremes.sharpest if side > 0 else self.extremes.hollow
+        if worst and not spans and abs(abs(worst.value) - self.roller) <= NEAR * self.roller:
+            yield Flaw(kind, worst.turned, worst.turned, worst)
+        yield from (Flaw(kind, turned, turned, Extreme(0.0, turned)) for turned in self.corners(side))
 
     def corners(self, side: float) -> Iterator[float]:
         """Give where a hard shock makes a corner of the curve: the normal swings by the jump of the pressure angle."""
-        for one in shocks(self.cam):
-            ends = np.array([one.turned or (0.0 if self.cam.translates else self.cam.turn)])
-            if one.order == 1 and not self._outside(one.turned):
-                after = self.turn.at(np.array([one.turned])).pressure[0]
+        for shock in shocks(self.cam):
+            ends = np.array([shock.turned or (0.0 if self.cam.translates else self.cam.turn)])
+            if shock.order == 1 and not self._outside(shock.turned):
+                after = self.turn.at(np.array([shock.turned])).pressure[0]
                 before = self.turn.at(ends, before=True).pressure[0]
                 if side * (after - before) < 0:
-                    yield one.turned
+                    yield shock.turned
 
     def _outside(self, turned: float) -> bool:
         return self.cam.translates and turned in (0.0, self.cam.turn)
@@ -96,8 +96,8 @@ class Flaws:
 
         spans = list(self._beyond("concave", hollow, lambda curve: curve.radius, self.extremes.bends))
         yield from spans
-        falls = [one.turned for one in shocks(self.cam) if one.order == 1 and one.jump < 0]
-        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in falls)
+        falls = [shock.turned for shock in shocks(self.cam) if shock.order == 1 and shock.jump < 0]
+        yield from (Flaw("concave", turned, turned, Extreme(0.0, turned)) for turned in falls)
         least, asked = self.extremes.sharpest, self.cam.limits.curvature
         if least and not spans and asked > 0 and least.value < asked * (1 - NEAR):
             yield Flaw("sharp", least.turned, least.turned, least)
@@ -110,8 +110,8 @@ class Flaws:
                 places = turn.places(lambda curve: curve.pressure)
                 for side, limit in ((1.0, interval.high), (-1.0, -interval.low)):
                     value = partial(_excess, side, limit)
-                    for one in self._beyond("pressure", value, lambda curve: np.abs(curve.pressure), places, turn):
-                        yield one._replace(worst=one.worst._replace(value=side * one.worst.value))
+                    for flaw in self._beyond("pressure", value, lambda curve: np.abs(curve.pressure), places, turn):
+                        yield flaw._replace(worst=flaw.worst._replace(value=side * flaw.worst.value))
 
     def _short(self) -> Iterator[Flaw]:
         reach = self.cam.follower.reach
@@ -134,15 +134,15 @@ class Flaws:
         turn = turn or self.turn
         places = (*tops, *(Place(root) for root in turn.roots(value)))
         for start, end in self._parts(turn, value, places):
-            inside = [one for one in places if _inside(one, start, end)]
+            inside = [place for place in places if _inside(place, start, end)]
             found = turn.read(told, inside)
             best = int(np.nanargmin(found) if kind in LEAST or kind == "hollow" else np.nanargmax(found))
             size = -found[best] if kind == "hollow" else found[best]
             yield Flaw(kind, start, end, Extreme(float(size), inside[best].turned))
 
     def _parts(self, turn: Turn, value: Value, places: tuple[Place, ...]) -> list[tuple[float, float]]:
-        cuts = sorted({one.turned for one in places})
-        middles = np.array([(one + other) / 2 for one, other in pairwise(cuts)])
+        cuts = sorted({place.turned for place in places})
+        middles = np.array([(start + other) / 2 for start, other in pairwise(cuts)])
         above = value(turn.at(middles)) > 0
         above &= [any(s <= m <= e for s, e in turn.pieces.T.tolist()) for m in middles.tolist()]
         parts: list[tuple[float, float]] = []
@@ -198,7 +198,7 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
         rule=rule,
         pressing=extremes.pressing(forces) if forces and not extremes.outrun else None,
         mending=extremes.mending,
-        advised=advised(cam) if any(one.kind == "pressure" for one in flaws) else None,
+        advised=advised(cam) if any(flaw.kind == "pressure" for flaw in flaws) else None,
     )
 
 
@@ -223,6 +223,6 @@ def roller_radius(cam: Cam, extremes: Extremes, base: float) -> tuple[float, str
     if cam.roller is not None:
         return cam.roller, "given"
     bends = {"curvature": extremes.sharpest, "hollow": extremes.hollow if cam.closure == GROOVE else None}
-    rules = [(0.7 * abs(one.value), rule) for rule, one in bends.items() if one]
+    rules = [(0.7 * abs(extreme.value), rule) for rule, extreme in bends.items() if extreme]
     rules += [(0.4 * base, "wear")] if base > 0 else []
     return min(rules, default=(0.0, "curvature"))

@@ -36,11 +36,11 @@ def along_shape(law: Law, k: Floats, order: int, before: bool) -> Floats:
     wide, low, high = np.diff(share), a[:-1], a[1:]
     areas = wide * (low + high) / 2
     moments = share[:-1] * areas + wide**2 * (low + 2 * high) / 6  # about the start of the phase
-    passed, turned = (np.concatenate([[0.0], np.cumsum(one)]) for one in (areas, moments))
-    own = _interval(share, k, before)
-    t, rise = k - share[own], (high - low)[own] / wide[own]
-    s = k * passed[own] - turned[own] + t**2 * (low[own] / 2 + rise * t / 6)
-    found = (s, passed[own] + t * (low[own] + rise * t / 2), low[own] + rise * t)[order]
+    passed, turned = (np.concatenate([[0.0], np.cumsum(part)]) for part in (areas, moments))
+    piece = _interval(share, k, before)
+    t, rise = k - share[piece], (high - low)[piece] / wide[piece]
+    s = k * passed[piece] - turned[piece] + t**2 * (low[piece] / 2 + rise * t / 6)
+    found = (s, passed[piece] + t * (low[piece] + rise * t / 2), low[piece] + rise * t)[order]
     return np.asarray(found / (passed[-1] - turned[-1]))
 
 
@@ -54,18 +54,18 @@ def departure(law: Law) -> float:
 
 def _interval(share: Floats, k: Floats, before: bool) -> np.ndarray[tuple[int], np.dtype[np.int_]]:
     """Give the interval of points, one beyond the other, that each share lies in."""
-    own = np.searchsorted(share, k, side="left" if before else "right") - 1
+    interval = np.searchsorted(share, k, side="left" if before else "right") - 1
     solid = np.flatnonzero(np.diff(share) > 0)
-    return np.asarray(np.clip(own, solid[0], solid[-1]), dtype=int)
+    return np.asarray(np.clip(interval, solid[0], solid[-1]), dtype=int)
 
 
 def _hermite(bent: Beam, k: Floats, order: int, before: bool) -> Floats:
     """Follow each interval by the cubic that has the ordinates and slopes of its ends."""
-    own = _interval(bent.share, k, before)
-    h, rise = np.diff(bent.share)[own], np.diff(bent.s)[own]
-    x = (k - bent.share[own]) / h
-    left, right = bent.slopes[own] * h - rise, rise - bent.slopes[own + 1] * h
-    first = bent.s[own] + rise * x + x * (1 - x) * (left * (1 - x) + right * x)
+    piece = _interval(bent.share, k, before)
+    h, rise = np.diff(bent.share)[piece], np.diff(bent.s)[piece]
+    x = (k - bent.share[piece]) / h
+    left, right = bent.slopes[piece] * h - rise, rise - bent.slopes[piece + 1] * h
+    first = bent.s[piece] + rise * x + x * (1 - x) * (left * (1 - x) + right * x)
     second = rise + left * (1 - x) * (1 - 3 * x) + right * x * (2 - 3 * x)
     third = left * (6 * x - 4) + right * (2 - 6 * x)
     return np.asarray((first, second / h, third / h**2)[order])
@@ -110,8 +110,8 @@ def _slopes(share: Floats, s: Floats) -> Floats:
     stiff, chords = 1 / np.diff(share), np.diff(s) / np.diff(share)
     slopes = np.zeros_like(s)
     if len(s) > 2:
-        own = np.diag(2 * (stiff[:-1] + stiff[1:])) + np.diag(stiff[1:-1], 1) + np.diag(stiff[1:-1], -1)
-        slopes[1:-1] = np.linalg.solve(own, 3 * (stiff[:-1] * chords[:-1] + stiff[1:] * chords[1:]))
+        matrix = np.diag(2 * (stiff[:-1] + stiff[1:])) + np.diag(stiff[1:-1], 1) + np.diag(stiff[1:-1], -1)
+        slopes[1:-1] = np.linalg.solve(matrix, 3 * (stiff[:-1] * chords[:-1] + stiff[1:] * chords[1:]))
     return slopes
 
 
@@ -126,10 +126,10 @@ def _velocity(_: Law, k: Floats, order: int, before: bool) -> Floats:
 def _acceleration(law: Law, k: Floats, order: int, before: bool) -> Floats:
     q, left = law.first, 1 - k
     early = k <= law.first if before else k < law.first
-    one = (k**2 / q, 2 * k / q, np.full_like(k, 2 / q))[order]
+    early_half = (k**2 / q, 2 * k / q, np.full_like(k, 2 / q))[order]
     r = 1 - q
     other = (1 - left**2 / r, 2 * left / r, np.full_like(k, -2 / r))[order]
-    return np.where(early, one, other)
+    return np.where(early, early_half, other)
 
 
 def _cosine(_: Law, k: Floats, order: int, before: bool) -> Floats:
@@ -237,9 +237,9 @@ def travel(cam: Cam, turned: Floats, before: bool = False) -> Travel:
         phi = np.where(phi == 0.0, 0.0 if cam.translates else cam.turn, phi)
     found = np.zeros((3, len(phi)))
     # A phase ends where the next one starts: the sum of its start and its angle may be off that by a rounding.
-    own = np.searchsorted([one.start for one in cam.phases], phi, side="left" if before else "right") - 1
+    interval = np.searchsorted([phase.start for phase in cam.phases], phi, side="left" if before else "right") - 1
     for number, phase in enumerate(cam.phases):
-        here = np.maximum(own, 0) == number
+        here = np.maximum(interval, 0) == number
         found[:, here] = _within(phase, phi[here], before)
     return Travel(*found)
 
@@ -278,26 +278,26 @@ class Seam(NamedTuple):
 def shocks(cam: Cam) -> tuple[Shock, ...]:
     """Find where S' jumps, a hard shock, or S'' alone, a soft one."""
     seams = sorted(_seams(cam))
-    most = [max(_usual(cam, k + 1), *(abs(side[k]) for one in seams for side in one[1:])) for k in (0, 1)]
+    most = [max(_usual(cam, k + 1), *(abs(side[k]) for seam in seams for side in seam[1:])) for k in (0, 1)]
     return tuple(shock for seam in seams for shock in _shock(seam, most))
 
 
 def _usual(cam: Cam, order: int) -> float:
     """Give the mean S' of the steepest phase, or what it comes to once more by its angle."""
-    return max((abs(one.change) / one.angle**order for one in cam.phases if one.change), default=0.0)
+    return max((abs(phase.change) / phase.angle**order for phase in cam.phases if phase.change), default=0.0)
 
 
 def _shock(seam: Seam, most: list[float]) -> Iterator[Shock]:
-    for order, (one, other) in enumerate(zip(seam.before, seam.after, strict=True), 1):
-        if abs(other - one) > NOTHING * most[order - 1]:
-            yield Shock(seam.turned, order, other - one)
+    for order, (earlier, other) in enumerate(zip(seam.before, seam.after, strict=True), 1):
+        if abs(other - earlier) > NOTHING * most[order - 1]:
+            yield Shock(seam.turned, order, other - earlier)
             return
 
 
 def _seams(cam: Cam) -> Iterator[Seam]:
     """Give the seams between phases, each last one before the first, and those within the laws."""
-    phases = [one for one in cam.phases if one.angle > 0]
-    ends = [(_side(one, 0.0, False), _side(one, 1.0, True)) for one in phases]
+    phases = [phase for phase in cam.phases if phase.angle > 0]
+    ends = [(_side(phase, 0.0, False), _side(phase, 1.0, True)) for phase in phases]
     yield Seam(0.0, REST if cam.translates else ends[-1][1], ends[0][0])
     for (_, before), (after, _), phase in zip(ends, ends[1:], phases[1:], strict=False):
         yield Seam(phase.start, before, after)

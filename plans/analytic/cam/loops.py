@@ -50,7 +50,7 @@ class Loops:
         """Give the parts of the turn where the edge runs backwards."""
         found = []
         for start, end in self.turn.pieces.T.tolist():
-            roots = [one for one in self.turn.roots(self._forward) if start < one < end]
+            roots = [root for root in self.turn.roots(self._forward) if start < root < end]
             cuts = [start, *roots, end]
             middles = self._forward(self.turn.at(np.add(cuts[:-1], cuts[1:]) / 2))
             found += [pair for pair, m in zip(pairwise(cuts), middles, strict=True) if m < 0]
@@ -70,25 +70,25 @@ class Loops:
         pieces = [self._chords(piece, spans) for piece in self.turn.pieces.T.tolist()]
         whole = np.concatenate([turned for turned, _ in pieces])
         start, way = (np.concatenate(rows) for rows in zip(*[(z[:-1], np.diff(z)) for _, z in pieces], strict=True))
-        own = np.concatenate([np.full(len(z) - 1, k) for k, (_, z) in enumerate(pieces)])
+        pieces_of = np.concatenate([np.full(len(z) - 1, k) for k, (_, z) in enumerate(pieces)])
         turned = np.delete(whole, np.cumsum([len(z) for _, z in pieces]) - 1)
-        one, other = self._crossed(start, way)
-        found = [self._newton(turned[[i, j]], own[[i, j]]) for i, j in zip(one, other, strict=True)]
+        chord, other = self._crossed(start, way)
+        found = [self._newton(turned[[i, j]], pieces_of[[i, j]]) for i, j in zip(chord, other, strict=True)]
         return _distinct(sorted(pair for pair in found if pair is not None))
 
     def _crossed(self, start: Points, way: Points) -> tuple[np.ndarray, np.ndarray]:
         """Give which chords cross, of all pairs that have no end in common."""
-        one, other = (k.ravel() for k in np.triu_indices(len(start), 1))
-        near = _overlap(start, start + way, one, other)
-        one, other = one[near], other[near]
-        base = start[other] - start[one]
-        sines = (np.conj(way[one]) * way[other]).imag
+        chord, other = (k.ravel() for k in np.triu_indices(len(start), 1))
+        near = _overlap(start, start + way, chord, other)
+        chord, other = chord[near], other[near]
+        base = start[other] - start[chord]
+        sines = (np.conj(way[chord]) * way[other]).imag
         with np.errstate(divide="ignore", invalid="ignore"):
-            along, back = ((np.conj(base) * way[k]).imag / sines for k in (other, one))
+            along, back = ((np.conj(base) * way[k]).imag / sines for k in (other, chord))
         hit = (along >= 0) & (along < 1) & (back >= 0) & (back < 1)
-        common = np.abs(base - way[one]) <= JOINED * np.abs(way[one])
-        common |= np.abs(base + way[other]) <= JOINED * np.abs(way[one])
-        return one[hit & ~common], other[hit & ~common]
+        common = np.abs(base - way[chord]) <= JOINED * np.abs(way[chord])
+        common |= np.abs(base + way[other]) <= JOINED * np.abs(way[chord])
+        return chord[hit & ~common], other[hit & ~common]
 
     def _chords(self, piece: list[float], spans: list[Pair]) -> tuple[Floats, Points]:
         start, end = piece
@@ -98,9 +98,9 @@ class Loops:
         last = self.edge(np.array([end]), before=True)
         return np.append(inner, end), np.append(self.edge(inner), last)
 
-    def _newton(self, pair: Floats, own: np.ndarray) -> Pair | None:
+    def _newton(self, pair: Floats, piece: np.ndarray) -> Pair | None:
         """Close in on a crossing, each turn within its own piece; None about a cusp, where chords cross alone."""
-        low, high = self.turn.pieces[:, own]
+        low, high = self.turn.pieces[:, piece]
         high = np.nextafter(high, low)
         for _ in range(TRIES):
             ahead, behind = np.minimum(pair + DIFFERENCE, high), np.maximum(pair - DIFFERENCE, low)
@@ -190,18 +190,18 @@ def _rocked(curve: Curve, place: Points, roller: float) -> Floats:
     return np.asarray(np.mod(swung + np.pi, 2 * np.pi) - np.pi + cam.lift / 2)
 
 
-def _overlap(start: Points, end: Points, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _overlap(start: Points, end: Points, chord: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Tell which pairs of chords have boxes that overlap."""
-    apart = np.zeros(len(one), dtype=bool)
+    apart = np.zeros(len(chord), dtype=bool)
     for first, last in ((start.real, end.real), (start.imag, end.imag)):
         low, high = np.minimum(first, last), np.maximum(first, last)
-        apart |= (low[one] > high[other]) | (low[other] > high[one])
+        apart |= (low[chord] > high[other]) | (low[other] > high[chord])
     return ~apart
 
 
 def _distinct(found: list[Pair]) -> list[Pair]:
     kept: list[Pair] = []
-    for one in found:
-        if not kept or abs(one[0] - kept[-1][0]) + abs(one[1] - kept[-1][1]) > APART:
-            kept.append(one)
+    for pair in found:
+        if not kept or abs(pair[0] - kept[-1][0]) + abs(pair[1] - kept[-1][1]) > APART:
+            kept.append(pair)
     return kept

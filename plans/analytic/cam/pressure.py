@@ -72,15 +72,15 @@ def stretches(cam: Cam, kinds: Collection[str]) -> tuple[Stretch, ...]:
 
 def peak(along: Collection[Stretch], value: Value, slope: Value) -> Peak:
     """Give where a value is greatest: at a root of its slope, or at an end of a stretch."""
-    return max((one for stretch in along for one in _candidates(stretch, value, slope)), key=lambda one: one.value)
+    return max((peak for stretch in along for peak in _candidates(stretch, value, slope)), key=lambda peak: peak.value)
 
 
 def _candidates(stretch: Stretch, value: Value, slope: Value) -> Iterator[Peak]:
     shares = np.array([stretch.start, *roots(lambda k: slope(stretch.at(k)), stretch.grid), stretch.end])
-    for share, own in zip(
+    for share, height in zip(
         shares.tolist(), np.broadcast_to(value(stretch.at(shares)), shares.shape).tolist(), strict=True
     ):
-        yield Peak(own, stretch, share)
+        yield Peak(height, stretch, share)
 
 
 def golden(along: Collection[Stretch], value: Value) -> Peak:
@@ -88,7 +88,7 @@ def golden(along: Collection[Stretch], value: Value) -> Peak:
 
     The place of a smooth peak is known to half of the digits, its value to all of them; that of a kink to all.
     """
-    return max((_sectioned(stretch, value) for stretch in along), key=lambda one: one.value)
+    return max((_sectioned(stretch, value) for stretch in along), key=lambda peak: peak.value)
 
 
 def _sectioned(stretch: Stretch, value: Value) -> Peak:
@@ -138,12 +138,12 @@ def pressure(cam: Cam, sizes: Sizes, turned: Floats, before: bool = False) -> Fl
 
 def greatest(cam: Cam, sizes: Sizes) -> dict[str, Extreme]:
     """Give the pressure angle that is largest by its size on each kind of phase, signed, rad."""
-    return {kind: _greatest(cam, sizes, kind) for kind in dict.fromkeys(one.kind for one in cam.phases)}
+    return {kind: _greatest(cam, sizes, kind) for kind in dict.fromkeys(phase.kind for phase in cam.phases)}
 
 
 def _greatest(cam: Cam, sizes: Sizes, kind: str) -> Extreme:
     found = [extreme(cam, sizes, kind, sign) for sign in (1, -1)]
-    return max(found, key=lambda one: abs(one.value))
+    return max(found, key=lambda extreme: abs(extreme.value))
 
 
 def extreme(cam: Cam, sizes: Sizes, kind: str, sign: int) -> Extreme:

@@ -30,33 +30,33 @@ def _beyond(at: complex | Points, normals: Points, bounds: Floats) -> Floats:
 
 def nearest(to: complex, normals: Points, bounds: Floats) -> tuple[complex, list[int]] | None:
     """Give the place nearest to a point within half-planes, and the lines that it lies on; None: there is no room."""
-    slack, known, own, at = SLACK * float(np.abs(bounds).max() + abs(to)), list[int](), list[int](), to
+    slack, known, lying, at = SLACK * float(np.abs(bounds).max() + abs(to)), list[int](), list[int](), to
     for _ in range(ROUNDS):
         beyond = _beyond(at, normals, bounds)
         worst = int(np.argmax(beyond))
         if beyond[worst] <= slack:
-            return at, own
+            return at, lying
         places = _with(to, worst, known, normals, bounds)
         known.append(worst)
-        within = [one for one in places if (_beyond(one[0], normals[known], bounds[known]) <= slack).all()]
+        within = [spot for spot in places if (_beyond(spot[0], normals[known], bounds[known]) <= slack).all()]
         if not within:
             return None
-        at, own = min(within, key=lambda one: abs(one[0] - to))
+        at, lying = min(within, key=lambda place: abs(place[0] - to))
     return None
 
 
 def _with(
-    to: complex, own: int, others: Sequence[int], normals: Points, bounds: Floats
+    to: complex, line: int, others: Sequence[int], normals: Points, bounds: Floats
 ) -> list[tuple[complex, list[int]]]:
     """Give the places on one line: the foot from a point, the meetings with others."""
-    n, b = complex(normals[own]), float(bounds[own])
+    n, b = complex(normals[line]), float(bounds[line])
     foot = to - ((n.conjugate() * to).real - b) * n / abs(n) ** 2
-    found = [(foot, [own])]
+    found = [(foot, [line])]
     for other in others:
         m, c = complex(normals[other]), float(bounds[other])
         turn = (n.conjugate() * m).imag
         if turn:
-            found.append((1j * (c * n - b * m) / turn, [own, other]))
+            found.append((1j * (c * n - b * m) / turn, [line, other]))
     return found
 
 
@@ -162,7 +162,7 @@ def _families(cam: Cam) -> Iterator[Family]:
     weights += [(RETURN, -cmath.exp(-1j * limits.back))] if limits.back is not None else []
     weights += [(RISE, -cmath.exp(-1j * limits.rise))] if cam.closure == FORCE else []
     for kind, weight in weights:
-        yield from (Family(cam, one, weight) for one in stretches(cam, (kind,)))
+        yield from (Family(cam, stretch, weight) for stretch in stretches(cam, (kind,)))
 
 
 def _lines(families: Sequence[Family]) -> tuple[Points, Floats, list[tuple[Family, float]]]:
@@ -170,23 +170,23 @@ def _lines(families: Sequence[Family]) -> tuple[Points, Floats, list[tuple[Famil
     rows = [(family, family.stretch.grid) for family in families]
     lines = [family.lines(grid) for family, grid in rows]
     which = [(family, float(share)) for family, grid in rows for share in grid]
-    return np.concatenate([one for one, _ in lines]), np.concatenate([one for _, one in lines]), which
+    return np.concatenate([normals for normals, _ in lines]), np.concatenate([bounds for _, bounds in lines]), which
 
 
-def _seeds(own: Sequence[int], which: Sequence[tuple[Family, float]], centre: complex) -> tuple[Seed, ...]:
-    return tuple(_pressed(k, which, centre) for k in own)
+def _seeds(lines: Sequence[int], which: Sequence[tuple[Family, float]], centre: complex) -> tuple[Seed, ...]:
+    return tuple(_pressed(k, which, centre) for k in lines)
 
 
-def _pressed(own: int, which: Sequence[tuple[Family, float]], centre: complex) -> Seed:
+def _pressed(number: int, which: Sequence[tuple[Family, float]], centre: complex) -> Seed:
     """Give the seed of a line: where a law breaks it is a corner if the stretches on both sides are pressed there."""
-    family, share = which[own]
+    family, share = which[number]
     line = family.weight, family.stretch.phase, share
     seeds = [
         _seed(other, at, centre)
-        for other, at in (which[own], *which[max(own - 1, 0) : own + 2])
+        for other, at in (which[number], *which[max(number - 1, 0) : number + 2])
         if (other.weight, other.stretch.phase, at) == line
     ]
-    return next((one for one in seeds if not one.corner), seeds[0])
+    return next((seed for seed in seeds if not seed.corner), seeds[0])
 
 
 def _seed(family: Family, share: float, centre: complex) -> Seed:
@@ -201,13 +201,13 @@ def _nearest(cam: Cam, start: complex) -> complex:
     found = nearest(start, normals, bounds)
     if found is None:
         raise no_region(cam, limits_of(cam))
-    at, own = found
-    if not own:
+    at, lying = found
+    if not lying:
         raise vanishing(cam, limits_of(cam))
-    seeds = _apart(_seeds(own, which, at))
+    seeds = _apart(_seeds(lying, which, at))
     place, shares = _touched(seeds, at, cam, start)
     if len(seeds) == 2:
-        held = [one for one, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0]
+        held = [seed for seed, part in zip(seeds, _pressures(seeds, shares, start - place), strict=True) if part >= 0]
         return place if len(held) == 2 else _touched(held, place, cam, start)[0]
     broken = _broken(place, normals, bounds)
     if broken is None or len(both := _apart((*seeds, _pressed(broken, which, place)))) == 1:
@@ -227,7 +227,7 @@ def _touched(seeds: Sequence[Seed], at: complex, cam: Cam, start: complex) -> tu
 
 def _pressures(seeds: Sequence[Seed], shares: Sequence[float], off: complex) -> Floats:
     """Give by how much each of two lines holds O off the start: below 0 O would leave it towards the start."""
-    normals = np.array([one.normal(share) for one, share in zip(seeds, shares, strict=True)])
+    normals = np.array([seed.normal(share) for seed, share in zip(seeds, shares, strict=True)])
     return np.asarray(np.linalg.solve([normals.real, normals.imag], [off.real, off.imag]))
 
 
@@ -247,14 +247,14 @@ def _apart(seeds: tuple[Seed, ...]) -> tuple[Seed, ...]:
 
 def _on_circle(cam: Cam, start: complex, radius: float) -> complex:
     normals, bounds, which = _lines(tuple(_families(cam)))
-    places, own = on_circle(radius, normals, bounds)
-    below = [k for k, one in enumerate(places.tolist()) if (one * start.conjugate()).imag * cam.follower.sense < 0]
+    places, numbers = on_circle(radius, normals, bounds)
+    below = [k for k, spot in enumerate(places.tolist()) if (spot * start.conjugate()).imag * cam.follower.sense < 0]
     if not below:
         raise no_region(cam, limits_of(cam))
     best = min(below, key=lambda k: abs(places[k] - start))
     at = complex(places[best])
     size = cam.follower.length or 0.0
-    seeds = _seeds([own[best]], which, at)
+    seeds = _seeds([numbers[best]], which, at)
     return _polished(seeds, at, cam, [lambda centre, _: (abs(centre) ** 2 - radius**2) / size])[0]
 
 
@@ -262,8 +262,8 @@ def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Con
     """Solve for O and the shares of the touches by Newton's method with a Jacobian of differences."""
     scale = cam.follower.length or 0.0
     free = [seed.family.stretch for seed in seeds if not seed.corner]
-    low = np.array([-np.inf, -np.inf, *(one.start for one in free)])
-    high = np.array([np.inf, np.inf, *(one.end for one in free)])
+    low = np.array([-np.inf, -np.inf, *(stretch.start for stretch in free)])
+    high = np.array([np.inf, np.inf, *(stretch.end for stretch in free)])
     unknowns = np.array([at.real / scale, at.imag / scale, *(seed.share for seed in seeds if not seed.corner)])
 
     def residual(values: Floats) -> Floats:
@@ -275,7 +275,7 @@ def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Con
         if np.abs(step[:2]).max() <= 2 * np.finfo(float).eps:
             break
     places = iter(unknowns[2:].tolist())
-    return scale * complex(unknowns[0], unknowns[1]), [one.share if one.corner else next(places) for one in seeds]
+    return scale * complex(unknowns[0], unknowns[1]), [seed.share if seed.corner else next(places) for seed in seeds]
 
 
 def _residual(seeds: Sequence[Seed], centre: complex, free: Sequence[float], others: Sequence[Condition]) -> Floats:
@@ -283,10 +283,10 @@ def _residual(seeds: Sequence[Seed], centre: complex, free: Sequence[float], oth
     places = iter(free)
     shares = [seed.share if seed.corner else next(places) for seed in seeds]
     touching = [seed.family.touching(np.array([share]), centre) for seed, share in zip(seeds, shares, strict=True)]
-    slopes = [one[1] for seed, one in zip(seeds, touching, strict=True) if not seed.corner]
-    return np.array([*(one[0] for one in touching), *slopes, *(one(centre, shares) for one in others)])
+    slopes = [touch[1] for seed, touch in zip(seeds, touching, strict=True) if not seed.corner]
+    return np.array([*(touch[0] for touch in touching), *slopes, *(condition(centre, shares) for condition in others)])
 
 
 def _jacobian(residual: Callable[[Floats], Floats], at: Floats) -> Floats:
     steps = np.eye(len(at)) * STEP
-    return np.array([(residual(at + one) - residual(at - one)) / (2 * STEP) for one in steps]).T
+    return np.array([(residual(at + step) - residual(at - step)) / (2 * STEP) for step in steps]).T

@@ -36,12 +36,12 @@ def face_sizes(cam: Cam) -> Sizes:
     if base is not None and abs(base - cam.follower.face) >= centre:
         raise no_level(cam, base, centre)
     initial = _initial(cam, centre) if base is None else math.asin((base - cam.follower.face) / centre)
-    own = cam.follower.face + centre * math.sin(initial) if base is None else base
-    if own <= 0:
+    height = cam.follower.face + centre * math.sin(initial) if base is None else base
+    if height <= 0:
         raise no_radius(cam)
     line = complex(math.cos(cam.lift / 2 + initial), -math.sin(cam.lift / 2 + initial))  # O1O where the rise is so
     mirrored = line if cam.rising > 0 else -line.conjugate()
-    return Sizes(own, 0.0, centre, -centre * mirrored, initial)
+    return Sizes(height, 0.0, centre, -centre * mirrored, initial)
 
 
 def _initial(cam: Cam, centre: float) -> float:
@@ -50,7 +50,7 @@ def _initial(cam: Cam, centre: float) -> float:
     With A = (1 - 2m)/(1 - m)2, B = ψ''/(1 - m)3 each position asks for A sin ψ + B cos ψ >= q = (ρ_min - h)/L: for an
     angle from asin(q/R) - β on, up to π - asin(q/R) - β, where R = |A + iB| and β = arg(A + iB).
     """
-    everywhere = stretches(cam, {one.kind for one in cam.phases})
+    everywhere = stretches(cam, {phase.kind for phase in cam.phases})
     _slower(cam, everywhere)
     q = (cam.limits.curvature - cam.follower.face) / centre
     if golden(everywhere, lambda at: q - _wave(cam, at)[0]).value > 0:
@@ -112,7 +112,7 @@ def _guided(cam: Cam) -> Sizes:
         return Sizes(given.base, 0.0)
     sides = tuple(sides_of(cam))
     if given.offset is not None:
-        level = max((one.most - one.sign * given.offset) / one.tangent for one in sides)
+        level = max((side.most - side.sign * given.offset) / side.tangent for side in sides)
         return Sizes(math.hypot(level, given.offset), given.offset)
     offset, level = least(sides)
     base = math.hypot(offset, level)
@@ -145,25 +145,25 @@ def least(sides: tuple[Side, ...]) -> tuple[float, float]:
     """Give e and S0 of the least R0: where two lines meet, or square to one of them."""
     rise, *others = sides
     corners = [_meeting(rise, other) for other in others]
-    corners += [_meeting(one, other) for one, other in pairwise(others)]
-    places = [_foot(one) for one in sides] + [one for one in corners if one is not None]
-    slack = 1e-14 * max(abs(one.most) for one in sides)  # a few roundings of Q
-    held = [one for one in places if all(side.held(*one) >= -slack for side in sides)]
-    return min(held, key=lambda one: math.hypot(*one))
+    corners += [_meeting(first, other) for first, other in pairwise(others)]
+    places = [_foot(side) for side in sides] + [corner for corner in corners if corner is not None]
+    slack = 1e-14 * max(abs(side.most) for side in sides)  # a few roundings of Q
+    held = [spot for spot in places if all(side.held(*spot) >= -slack for side in sides)]
+    return min(held, key=lambda spot: math.hypot(*spot))
 
 
-def _meeting(one: Side, other: Side) -> tuple[float, float] | None:
-    if one.sign == other.sign:
-        turn = one.tangent - other.tangent
-        level = (one.most - other.most) / turn if turn else math.inf
-        return (one.sign * (one.most - level * one.tangent), level) if turn else None
-    level = (one.most + other.most) / (one.tangent + other.tangent)
-    return one.sign * (one.most * other.tangent - other.most * one.tangent) / (one.tangent + other.tangent), level
+def _meeting(side: Side, other: Side) -> tuple[float, float] | None:
+    if side.sign == other.sign:
+        turn = side.tangent - other.tangent
+        level = (side.most - other.most) / turn if turn else math.inf
+        return (side.sign * (side.most - level * side.tangent), level) if turn else None
+    level = (side.most + other.most) / (side.tangent + other.tangent)
+    return side.sign * (side.most * other.tangent - other.most * side.tangent) / (side.tangent + other.tangent), level
 
 
-def _foot(one: Side) -> tuple[float, float]:
-    size = one.most / (1 + one.tangent**2)
-    return one.sign * size, one.tangent * size
+def _foot(side: Side) -> tuple[float, float]:
+    size = side.most / (1 + side.tangent**2)
+    return side.sign * size, side.tangent * size
 
 
 def _flat(cam: Cam) -> Sizes:
@@ -171,7 +171,7 @@ def _flat(cam: Cam) -> Sizes:
     offset = cam.given.offset or 0.0
     if cam.given.base is not None:
         return Sizes(cam.given.base, offset)
-    everywhere = stretches(cam, {one.kind for one in cam.phases})
+    everywhere = stretches(cam, {phase.kind for phase in cam.phases})
     base = cam.limits.curvature + golden(everywhere, lambda at: -(at.s + at.bend)).value
     if base <= 0:
         raise no_radius(cam)
@@ -182,10 +182,10 @@ def refuse_falls(cam: Cam) -> None:
     """Refuse a fall of S' at once under a face that is to be sized, between two stretches or where a turn closes."""
     if cam.given.base is not None:
         return
-    along = stretches(cam, {one.kind for one in cam.phases})
-    steepest = max(abs(one.change) / one.angle for one in cam.moving())
-    for one, other in pairwise((along[-1], *along)):
-        before = float(one.at(np.array([one.end])).slope[0])
+    along = stretches(cam, {phase.kind for phase in cam.phases})
+    steepest = max(abs(phase.change) / phase.angle for phase in cam.moving())
+    for earlier, other in pairwise((along[-1], *along)):
+        before = float(earlier.at(np.array([earlier.end])).slope[0])
         after = float(other.at(np.array([other.start])).slope[0])
         if after - before < -1e-12 * steepest:  # more than the rounding of a law's coefficients
             raise hard_face(cam, other.turned(other.start))

@@ -162,7 +162,7 @@ class Touch(NamedTuple):
 
 def touch(along: Iterable[Stretch], rule: Rule) -> Touch:
     """Give the place of some stretches that goes farthest beyond a line; of several, the first."""
-    return max((one for stretch in along for one in _tops(stretch, rule)), key=lambda one: one.beyond)
+    return max((top for stretch in along for top in _tops(stretch, rule)), key=lambda top: top.beyond)
 
 
 def _tops(stretch: Stretch, rule: Rule) -> Iterator[Touch]:
@@ -172,8 +172,8 @@ def _tops(stretch: Stretch, rule: Rule) -> Iterator[Touch]:
     padded = np.concatenate([[-np.inf], beyond, [-np.inf]])
     for k in np.flatnonzero((beyond >= padded[:-2]) & (beyond > padded[2:])).tolist():
         node, top = float(share[k]), _refined(stretch, rule, share, slope, k)
-        own = float(beyond[k]) if top == node else float(rule(stretch.one(top))[0][0])
-        yield Touch(stretch, top, own) if own > beyond[k] else Touch(stretch, node, float(beyond[k]))
+        height = float(beyond[k]) if top == node else float(rule(stretch.one(top))[0][0])
+        yield Touch(stretch, top, height) if height > beyond[k] else Touch(stretch, node, float(beyond[k]))
 
 
 def _refined(stretch: Stretch, rule: Rule, share: Floats, slope: Floats, k: int) -> float:
@@ -181,7 +181,7 @@ def _refined(stretch: Stretch, rule: Rule, share: Floats, slope: Floats, k: int)
     other = k + 1 if slope[k] > 0 else k - 1
     if slope[k] == 0 or not 0 <= other < len(share) or slope[k] * slope[other] > 0:
         return float(share[k])
-    ends = (row[[one]] for row in (share, slope) for one in (other, k))
+    ends = (row[[end]] for row in (share, slope) for end in (other, k))
     return float(closed_in(lambda at: rule(stretch.at(at))[1], *ends)[0])
 
 
@@ -306,7 +306,7 @@ class CurvatureBound:
     @cached_property
     def along(self) -> tuple[Stretch, ...]:
         """All that moves the follower, and its dwells."""
-        return stretches(self.diagram.cam, {one.kind for one in self.diagram.cam.phases})
+        return stretches(self.diagram.cam, {phase.kind for phase in self.diagram.cam.phases})
 
     def lines(self, motion: Instant) -> Lines:
         """Give the lines on which the radius is the least allowed."""
@@ -321,9 +321,9 @@ class CurvatureBound:
         m, dm = sense * motion.slope, sense * motion.bend
         up, arm = self.axes(motion)
         turn = 1j * cam.rising * motion.slope
-        own = (turn * (1 - 2 * m) - 2 * dm + 2 * dm * (1 - 2 * m) / (1 - m)) * up / (1 - m) ** 2
+        turning = (turn * (1 - 2 * m) - 2 * dm + 2 * dm * (1 - 2 * m) / (1 - m)) * up / (1 - m) ** 2
         rest = (turn * motion.bend + motion.jerk + 3 * dm * motion.bend / (1 - m)) * arm / (1 - m) ** 3
-        return Lines(own - rest, np.zeros_like(motion.s))
+        return Lines(turning - rest, np.zeros_like(motion.s))
 
     @property
     def upright(self) -> tuple[complex, complex]:

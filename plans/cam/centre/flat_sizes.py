@@ -50,9 +50,9 @@ def _rule(motion: Instant) -> tuple[Floats, Floats]:
 
 def _smooth(course: Course) -> None:
     """Refuse a law whose S' falls at once: the profile would have to lie on both sides of its own tangent."""
-    for one in course.shocks:
-        if one.order == 1 and one.jump < 0:
-            raise hard_face(course.cam, one.turned)
+    for shock in course.shocks:
+        if shock.order == 1 and shock.jump < 0:
+            raise hard_face(course.cam, shock.turned)
 
 
 def flat_sizing(course: Course) -> Sizing:
@@ -75,7 +75,7 @@ def flat_sizing(course: Course) -> Sizing:
 
 def _fallen(board: Board, cam: Cam, start: Mark) -> Tangent:
     """Draw the ruler where it touches the curve of S over S''."""
-    bound: Bound = FallBound(stretches(cam, {one.kind for one in cam.phases}))
+    bound: Bound = FallBound(stretches(cam, {phase.kind for phase in cam.phases}))
     found = touch(bound.along, _rule)
     at = found.instant
     point = _laid(board, start, (at.s[0], at.bend[0]), "1")[1]
@@ -118,8 +118,8 @@ def rocking_face_sizing(course: Course) -> Sizing:
     base = cam.follower.face - float(dot(complex(centre.point), up))
     if base <= 0:
         raise no_radius(cam)
-    sizes, own = rocker_sizes(cam, complex(centre.point), arm, base), (bound,)
-    return Sizing(cam, cam.limits, sizes, board, positions(cam), pivot, pivot, None, None, centre, lines, own)
+    sizes, bounds = rocker_sizes(cam, complex(centre.point), arm, base), (bound,)
+    return Sizing(cam, cam.limits, sizes, board, positions(cam), pivot, pivot, None, None, centre, lines, bounds)
 
 
 def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> tuple[tuple[Tangent, ...], Mark]:
@@ -133,7 +133,7 @@ def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> t
 
 def _slower(cam: Cam) -> None:
     """Refuse a rocker that turns as fast as the cam: its face would stand still on it, and then go back."""
-    moving = stretches(cam, {one.kind for one in cam.moving()})
+    moving = stretches(cam, {phase.kind for phase in cam.moving()})
     sense = cam.follower.sense
     fastest = touch(moving, lambda at: (sense * at.slope, sense * at.bend))
     if fastest.beyond >= 1:

@@ -36,10 +36,10 @@ def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) 
     best = Place(start, ())
     known: list[Limit] = []
     for _ in range(ROUNDS):
-        broken = [one for bound in bounds if (one := limit(bound, best.centre)).beyond(best.centre) > ROUNDED * size]
+        broken = [line for bound in bounds if (line := limit(bound, best.centre)).beyond(best.centre) > ROUNDED * size]
         if not broken:
             # What is held to a rounding is touched to the root of it only: the last touches are anew.
-            return choice([limit(one.bound, best.centre) for one in best.limits], ROUNDED * size) or best
+            return choice([limit(line.bound, best.centre) for line in best.limits], ROUNDED * size) or best
         known = [*best.limits, *broken]
         found = choice(known, ROUNDED * size)
         if found is None:
@@ -60,13 +60,13 @@ def nearest(to: complex) -> Choice:
 def _best(
     places: Sequence[Place], limits: Sequence[Limit], slack: float, cost: Callable[[complex], float]
 ) -> Place | None:
-    within = [one for one in places if all(line.beyond(one.centre) <= slack for line in limits)]
-    return min(within, key=lambda one: cost(one.centre), default=None)
+    within = [spot for spot in places if all(line.beyond(spot.centre) <= slack for line in limits)]
+    return min(within, key=lambda spot: cost(spot.centre), default=None)
 
 
 def _feet(to: complex, limits: Sequence[Limit]) -> Iterator[Place]:
-    for one in limits:
-        yield Place(to - one.beyond(to) * one.normal, (one,))
+    for line in limits:
+        yield Place(to - line.beyond(to) * line.normal, (line,))
 
 
 def _corners(limits: Sequence[Limit]) -> Iterator[Place]:
@@ -85,7 +85,7 @@ def on_line(through: complex, along: complex, ahead: complex) -> Choice:
             rate = float(dot(line.normal, along))
             if abs(rate) > PARALLEL:
                 places.append(Place(through - line.beyond(through) / rate * along, (line,)))
-        ahead_of = [one for one in places if dot(one.centre - through, ahead) >= -slack]
+        ahead_of = [spot for spot in places if dot(spot.centre - through, ahead) >= -slack]
         return _best(ahead_of, limits, slack, lambda at: abs(at - through))
 
     return choice
@@ -95,8 +95,8 @@ def on_circle(radius: float, cost: Callable[[complex], float], start: complex, a
     """Choose the cheapest place on a circle about the origin, on the side `ahead`."""
 
     def choice(limits: Sequence[Limit], slack: float) -> Place | None:
-        places = [Place(start, ()), *(one for line in limits for one in _cuts(radius, line))]
-        return _best([one for one in places if dot(one.centre, ahead) >= -slack], limits, slack, cost)
+        places = [Place(start, ()), *(cut for line in limits for cut in _cuts(radius, line))]
+        return _best([spot for spot in places if dot(spot.centre, ahead) >= -slack], limits, slack, cost)
 
     return choice
 
@@ -163,7 +163,7 @@ class Sizing:
     @property
     def binding(self) -> Iterator[Tangent]:
         """The tangents that O lies on."""
-        return (one for one in self.tangents if one.binding)
+        return (tangent for tangent in self.tangents if tangent.binding)
 
 
 # A touch and its number -> on the board D there, and the way of K there.
@@ -174,13 +174,13 @@ def tangents(
     board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: Sequence[Limit], laid: Laid, prime: str = ""
 ) -> tuple[Tangent, ...]:
     """Draw the limiting lines through the points that rulers touch, numbered; those that O lies on come first."""
-    bounds = [one.bound for one in binding]
-    ordered = [*sorted(binding, key=_rise_first), *(one for one in limits if one.bound not in bounds)]
+    bounds = [line.bound for line in binding]
+    ordered = [*sorted(binding, key=_rise_first), *(line for line in limits if line.bound not in bounds)]
     return tuple(_tangents(board, diagram, ordered, len(binding), laid, prime))
 
 
-def _rise_first(one: Limit) -> int:
-    return -side_of(one.touch.stretch.phase.kind)
+def _rise_first(line: Limit) -> int:
+    return -side_of(line.touch.stretch.phase.kind)
 
 
 def axis(board: Board) -> tuple[Mark, Mark, Mark]:
@@ -207,21 +207,21 @@ def touched(bounds: Sequence[Bound], found: Place) -> list[Limit]:
 
 def bound_by(cam: Cam, lines: Sequence[Tangent]) -> tuple[Tangent, ...]:
     """Give tangents as they bind O: with R0 given none does."""
-    return tuple(one._replace(binding=one.binding and cam.given.base is None) for one in lines)
+    return tuple(line._replace(binding=line.binding and cam.given.base is None) for line in lines)
 
 
 def _tangents(
     board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: int, laid: Laid, prime: str
 ) -> Iterator[Tangent]:
-    for number, one in enumerate(limits):
-        bound, name = one.bound, f"{number + 1}{prime}"
+    for number, edge in enumerate(limits):
+        bound, name = edge.bound, f"{number + 1}{prime}"
         assert isinstance(bound, PressureBound)
-        point, way = laid(one.touch, name)
+        point, way = laid(edge.touch, name)
         angle = f"{math.degrees(bound.side * bound.angle):.4g}"
         by = diagram.limit(bound.side, bound.angle) / 1j
         direction = board.turn(f"t_{name}", way, by, because("cam_limit_angle", angle=angle))
         line = board.parallel(f"τ_{name}", point, direction, because("cam_ruler"))
-        yield Tangent(bound, one.touch, point, direction, line, number < binding)
+        yield Tangent(bound, edge.touch, point, direction, line, number < binding)
 
 
 def met(board: Board, name: str, lines: Sequence[Tangent], start: Mark, why: str) -> Mark:
@@ -236,9 +236,9 @@ def rocker_sizes(cam: Cam, centre: complex, first: complex, base: float | None =
     """Give the sizes of a centre seen from O1, with K0 or the direction of the arm; those given as they were given."""
     given = cam.given
     initial = cam.rising * cmath.phase(first / centre)
-    own = base if base is not None else abs(first - centre)
+    least = base if base is not None else abs(first - centre)
     return Sizes(
-        own if given.base is None else given.base,
+        least if given.base is None else given.base,
         0.0,
         abs(centre) if given.centre is None else given.centre,
         -centre,

@@ -58,10 +58,10 @@ def sizing(course: Course) -> Sizing:
 def _unsized(course: Course) -> Sizing:
     """Give what a cam that translates has instead of sizes: how much longer it would have to be (tan α = S')."""
     cam, longer = course.cam, 1.0
-    for one in cam.moving():
-        most = limits_of(cam).of(one.kind)
+    for phase in cam.moving():
+        most = limits_of(cam).of(phase.kind)
         if most is not None and not cam.rocks:
-            steepest = touch(stretches(cam, (one.kind,)), lambda at: (np.abs(at.slope), np.sign(at.slope) * at.bend))
+            steepest = touch(stretches(cam, (phase.kind,)), lambda at: (np.abs(at.slope), np.sign(at.slope) * at.bend))
             longer = max(longer, steepest.beyond / float(np.tan(most)))
     return Sizing(cam, cam.limits, Sizes(0.0), Board(SIZES), positions(cam), longer=longer)
 
@@ -232,6 +232,6 @@ def _chord(
     top = complex(diagram.leaning(np.array([cam.lift]))[0])
     last = board.divide("K_m", board["l"], board.given("ψ_m", cam.rising * top, because("cam_arms")))
     way = board.join("K_0K_m", start, last, because("cam_chord"))
-    lines = tangents(board, diagram, (), found.limits, lambda one, name: (laid(one, name)[0], way), "'")
+    lines = tangents(board, diagram, (), found.limits, lambda touch, name: (laid(touch, name)[0], way), "'")
     by_chord = met(board, "O'", lines, start, "cam_chord_centre")
     return Chord(lines, by_chord, board.join("OO'", centre, by_chord, because("cam_error")))

@@ -61,10 +61,10 @@ class Extremes:
             SLOPE: (lambda tip: tip.travel.slope, lambda tip: tip.travel.bend),
             BEND: (lambda tip: tip.travel.bend, lambda tip: tip.jerk),
         }
-        if any(one.order == 1 for one in self.stretches.course.shocks):
+        if any(shock.order == 1 for shock in self.stretches.course.shocks):
             del rows[BEND]
         found = {name: self._largest(value, self.stretches.places(slope)) for name, (value, slope) in rows.items()}
-        return {name: one for name, one in found.items() if one is not None}
+        return {name: extreme for name, extreme in found.items() if extreme is not None}
 
     @cached_property
     def turning(self) -> tuple[Place, ...]:
@@ -74,12 +74,12 @@ class Extremes:
     @cached_property
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, signed."""
-        kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
+        kinds = () if self.outrun else dict.fromkeys(phase.kind for phase in self.stretches.course.cam.moving())
         return {kind: found for kind in kinds if (found := self._largest(pressure, self._turning_on(kind))) is not None}
 
     def _turning_on(self, kind: str) -> tuple[Place, ...]:
-        phases = [one for one in self.stretches.course.cam.phases if one.kind == kind]
-        return tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
+        phases = [phase for phase in self.stretches.course.cam.phases if phase.kind == kind]
+        return tuple(place for place in self.turning if any(within(place, phase) for phase in phases))
 
     def _largest(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
         """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
@@ -157,7 +157,7 @@ def base_convex(extremes: Extremes) -> float | None:
     R0 is added to the radius of curvature everywhere. A rocker's is not, and where S' falls at once no R0 helps.
     """
     course, sharpest = extremes.stretches.course, extremes.sharpest
-    falls = any(one.order == 1 and one.jump < 0 for one in course.shocks)
+    falls = any(shock.order == 1 and shock.jump < 0 for shock in course.shocks)
     if course.cam.rocks or not course.cam.flat or sharpest is None or falls:
         return None
     return extremes.stretches.sizes.base - sharpest.value + course.cam.limits.curvature
@@ -188,7 +188,7 @@ def _height(stretches: Stretches, kind: str, slope: float) -> float:
 
 def on(tip: Tip, kind: str) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     """Tell which turns are on a kind of phase: on a joint by the side that is taken."""
-    sides = [tip.within(one) for one in tip.cam.phases if one.kind == kind]
+    sides = [tip.within(phase) for phase in tip.cam.phases if phase.kind == kind]
     return np.any(sides, axis=0) if sides else np.zeros(len(tip.turned), dtype=bool)
 
 
@@ -206,8 +206,8 @@ class Contact:
     def resistance(self, tip: Tip) -> Floats:
         """Give what the cam overcomes along the follower's way, N; of a rocker its moment, N*m."""
         s, _, bend = tip.travel
-        own = self.load
-        return own.mass * self.speed**2 * bend + own.preload + own.stiffness * s + own.force
+        load = self.load
+        return load.mass * self.speed**2 * bend + load.preload + load.stiffness * s + load.force
 
     def resistance_slope(self, tip: Tip) -> Floats:
         """Give its derivative by the turn."""

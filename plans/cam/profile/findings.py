@@ -59,7 +59,7 @@ class Search:
         ways = (self._undercut, self._concave, self._crossing, self._pressure, self._face, self._off)
         found = [flaw for way in ways for flaw in way()]
         found = found if self.cam.translates else round_the_turn(found, self.cam.turn)
-        return tuple(sorted(found, key=lambda one: (one.kind, one.start)))
+        return tuple(sorted(found, key=lambda flaw: (flaw.kind, flaw.start)))
 
     def _undercut(self) -> Iterator[Flaw]:
         """Find where the roller is larger than the curve bears: convex, or of a groove's outer side hollow."""
@@ -81,15 +81,17 @@ class Search:
         return list(self.stretches.spans(lambda tip: side * self.roller * curvature(tip) - 1, self.extremes.bends))
 
     def _cusp(self, kind: str, side: float, spans: Sequence[Span]) -> Iterator[Flaw]:
-        own = self.extremes.sharpest if side > 0 else self.extremes.hollow
-        if own and not spans and abs(abs(own.value) / self.roller - 1) <= TOUCHES:
-            yield Flaw(kind, own.turned, own.turned, own)
+        extreme = self.extremes.sharpest if side > 0 else self.extremes.hollow
+        if extreme and not spans and abs(abs(extreme.value) / self.roller - 1) <= TOUCHES:
+            yield Flaw(kind, extreme.turned, extreme.turned, extreme)
 
     def corners(self, side: float = 1.0) -> list[float]:
         """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
-        hard = [one.turned for one in self.stretches.course.shocks if one.order == 1]
-        ends = np.array(hard if self.cam.translates else [one or self.cam.turn for one in hard])
-        tips = (Tip(self.stretches.course, self.stretches.sizes, *one) for one in ((np.array(hard),), (ends, True)))
+        hard = [shock.turned for shock in self.stretches.course.shocks if shock.order == 1]
+        ends = np.array(hard if self.cam.translates else [turned or self.cam.turn for turned in hard])
+        tips = (
+            Tip(self.stretches.course, self.stretches.sizes, *places) for places in ((np.array(hard),), (ends, True))
+        )
         after, before = (tip.lever for tip in tips)
         turns = np.angle(after / before) * -self.cam.sense * side
         return [turned for turned, turn in zip(hard, turns.tolist(), strict=True) if turn > 0]
@@ -100,16 +102,16 @@ class Search:
             return
         spans = self._hollows
         yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
-        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in self._steps())
+        yield from (Flaw("concave", turned, turned, Extreme(0.0, turned)) for turned in self._steps())
         least, asked = self.extremes.sharpest, self.cam.limits.curvature
         if not spans and least and asked > 0 and least.value < asked * (1 - TOUCHES):
             yield Flaw("sharp", least.turned, least.turned, least)
 
     def _steps(self) -> Iterator[float]:
         """Give where a hard shock makes contact jump back along the face: an edge is left there."""
-        for one in self.stretches.course.shocks:
-            if one.order == 1 and one.jump < 0:
-                yield one.turned
+        for shock in self.stretches.course.shocks:
+            if shock.order == 1 and shock.jump < 0:
+                yield shock.turned
 
     @property
     def _hollows(self) -> list[Span]:
@@ -118,8 +120,8 @@ class Search:
     def _crossing(self) -> Iterator[Flaw]:
         """Find where the profile crosses itself, and what is lost where the loop is cut away."""
         spans = self._hollows if self.cam.flat else self._too_sharp(1.0)
-        for one in crossings(Edge(self.stretches, self.roller), spans):
-            yield Flaw("crossing", one.start, one.end, loss(self.stretches, self.roller, one))
+        for crossing in crossings(Edge(self.stretches, self.roller), spans):
+            yield Flaw("crossing", crossing.start, crossing.end, loss(self.stretches, self.roller, crossing))
 
     def _pressure(self) -> Iterator[Flaw]:
         """Find where the pressure angle is beyond its limit; a spring drives the return, which has none then."""
@@ -171,19 +173,20 @@ def round_the_turn(found: Sequence[Flaw], turn: float) -> list[Flaw]:
     >>> round_the_turn([Flaw("undercut", 0, 1, Extreme(2, 0)), Flaw("undercut", 5, 6, Extreme(2, 5))], 6)
     [Flaw(kind='undercut', start=5, end=1, worst=Extreme(value=2, turned=0))]
     """
-    last = {one.kind: one for one in found if one.end == turn and one.start > 0}
-    first = {one.kind: one for one in found if one.start == 0 and one.end < turn and one.kind in last}
+    last = {flaw.kind: flaw for flaw in found if flaw.end == turn and flaw.start > 0}
+    first = {flaw.kind: flaw for flaw in found if flaw.start == 0 and flaw.end < turn and flaw.kind in last}
     whole = {
-        kind: one._replace(start=last[kind].start, worst=_worse(kind, one, last[kind])) for kind, one in first.items()
+        kind: flaw._replace(start=last[kind].start, worst=_worse(kind, flaw, last[kind]))
+        for kind, flaw in first.items()
     }
-    joined = [whole.get(one.kind, one) if one is first.get(one.kind) else one for one in found]
-    return [one for one in joined if one is not last.get(one.kind) or one.kind not in whole]
+    joined = [whole.get(flaw.kind, flaw) if flaw is first.get(flaw.kind) else flaw for flaw in found]
+    return [flaw for flaw in joined if flaw is not last.get(flaw.kind) or flaw.kind not in whole]
 
 
-def _worse(kind: str, one: Flaw, other: Flaw) -> Extreme:
+def _worse(kind: str, flaw: Flaw, other: Flaw) -> Extreme:
     if kind in LEAST:
-        return min(one.worst, other.worst)
-    return max(one.worst, other.worst, key=lambda worst: abs(worst.value))
+        return min(flaw.worst, other.worst)
+    return max(flaw.worst, other.worst, key=lambda worst: abs(worst.value))
 
 
 def _hollow(tip: Tip) -> Floats:
@@ -216,7 +219,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         rule=rule,
         pressing=pressing(contact, extremes.stretches) if contact and not extremes.outrun else None,
         mending=base_needed(extremes.stretches) or base_convex(extremes),
-        advised=sizes_advised(course.cam) if any(one.kind == "pressure" for one in flaws) else None,
+        advised=sizes_advised(course.cam) if any(flaw.kind == "pressure" for flaw in flaws) else None,
     )
 
 

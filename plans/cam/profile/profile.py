@@ -309,8 +309,8 @@ def _in_frame(tip: Tip, drawing: Inversion, pitch: Points) -> Points:
 
 def slip(tip: Tip, lever: Points, roller: float) -> Floats:
     """Give how fast the follower's surface slips on the cam, m/rad; a roller as if it were stuck on its pin."""
-    own = abs(tip.turns) - _turns_with(tip.cam) * tip.travel.slope
-    return np.abs(lever) - roller * own
+    turning = abs(tip.turns) - _turns_with(tip.cam) * tip.travel.slope
+    return np.abs(lever) - roller * turning
 
 
 def slip_slope(tip: Tip, roller: float) -> Floats:

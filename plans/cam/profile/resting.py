@@ -85,21 +85,23 @@ def _about(span: Span) -> Floats:
 def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
     """Find all crossings of the profile with itself."""
     chords = edge.chords(spans)
-    found = [one for pair in zip(*_meetings(chords), strict=True) if (one := _closed(edge, chords, *pair))]
-    return tuple(_looped(edge, one, chords) for one in _once(sorted(found, key=lambda one: one[:2])))
+    found = [crossing for pair in zip(*_meetings(chords), strict=True) if (crossing := _closed(edge, chords, *pair))]
+    return tuple(
+        _looped(edge, crossing, chords) for crossing in _once(sorted(found, key=lambda crossing: crossing[:2]))
+    )
 
 
-def _looped(edge: Edge, one: Crossing, chords: Chords) -> Crossing:
+def _looped(edge: Edge, crossing: Crossing, chords: Chords) -> Crossing:
     """Tell of both parts of the profile which is the loop: that with less area in the sense in which the profile runs.
 
     A loop that a roller leaves runs the other way round. On a cam that translates the loop is what lies between.
     """
     cam, turned, points = edge.stretches.course.cam, chords.turned, chords.start
-    inner = (one.start < turned) & (turned < one.end)
-    between = points[inner] - one.point
-    rest = np.concatenate([points[turned > one.end], points[turned < one.start]]) - one.point
+    inner = (crossing.start < turned) & (turned < crossing.end)
+    between = points[inner] - crossing.point
+    rest = np.concatenate([points[turned > crossing.end], points[turned < crossing.start]]) - crossing.point
     inside = cam.translates or cam.sense * _area(between) >= cam.sense * _area(rest)
-    return one if inside else one._replace(start=one.end, end=one.start)
+    return crossing if inside else crossing._replace(start=crossing.end, end=crossing.start)
 
 
 def _area(points: Points) -> float:
@@ -109,10 +111,10 @@ def _area(points: Points) -> float:
 
 def _once(found: Iterable[Crossing]) -> Iterator[Crossing]:
     last: Crossing | None = None
-    for one in found:
-        if last is None or abs(one.start - last.start) + abs(one.end - last.end) > SAME:
-            yield one
-        last = one
+    for crossing in found:
+        if last is None or abs(crossing.start - last.start) + abs(crossing.end - last.end) > SAME:
+            yield crossing
+        last = crossing
 
 
 def _meetings(chords: Chords) -> Pairs:
@@ -133,23 +135,23 @@ def _meetings(chords: Chords) -> Pairs:
     return firsts, seconds
 
 
-def _cross(chords: Chords, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _cross(chords: Chords, chord: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Tell which pairs cross and have no end in common."""
     start, way = chords.start, chords.way
-    base, across = start[other] - start[one], np.asarray(cross(way[one], way[other]))
+    base, across = start[other] - start[chord], np.asarray(cross(way[chord], way[other]))
     with np.errstate(divide="ignore", invalid="ignore"):
-        along, back = cross(base, way[other]) / across, cross(base, way[one]) / across
-    ends = np.minimum(np.abs(base - way[one]), np.abs(base + way[other]))
-    apart = ends > SAME * np.abs(way[one])
+        along, back = cross(base, way[other]) / across, cross(base, way[chord]) / across
+    ends = np.minimum(np.abs(base - way[chord]), np.abs(base + way[other]))
+    apart = ends > SAME * np.abs(way[chord])
     return np.asarray(apart & (along >= 0) & (along < 1) & (back >= 0) & (back < 1))
 
 
-def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing | None:
+def _closed(edge: Edge, chords: Chords, chord: int, other: int) -> Crossing | None:
     """Close in on a crossing by Newton's method, each turn on its own stretch.
 
     None where the chords cross and the curve does not: about a cusp.
     """
-    pair, rows = chords.turned[[one, other]], chords.row[[one, other]]
+    pair, rows = chords.turned[[chord, other]], chords.row[[chord, other]]
     low, high = edge.stretches.edges[rows], np.nextafter(edge.stretches.edges[rows + 1], 0.0)
     gap = np.inf
     for _ in range(STEPS):
@@ -160,7 +162,7 @@ def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing | None
             break
         pair = np.clip(pair + step, low, high)
     first, second = pair.tolist()
-    if gap > SAME * np.abs(chords.way[[one, other]]).max() or _short(edge.stretches.course.cam, second - first):
+    if gap > SAME * np.abs(chords.way[[chord, other]]).max() or _short(edge.stretches.course.cam, second - first):
         return None
     return Crossing(first, second, complex(edge.at(pair).mean()))
 
@@ -210,11 +212,11 @@ def loss(stretches: Stretches, roller: float, crossing: Crossing) -> Extreme:
     best = Extreme(0.0, start)
     for _ in range(ROUNDS):
         turned = np.linspace(start, end, LOOKS)
-        own = np.where(turned > cam.turn, turned - cam.turn, turned)
-        lost = stretches.course.at(own).s - resting(stretches, roller, point, own)
+        turns = np.where(turned > cam.turn, turned - cam.turn, turned)
+        lost = stretches.course.at(turns).s - resting(stretches, roller, point, turns)
         if np.isnan(lost).all():
             return Extreme(float("nan"), crossing.start)
         place = int(np.nanargmax(lost))
-        best = max(best, Extreme(float(lost[place]), float(own[place])))
+        best = max(best, Extreme(float(lost[place]), float(turns[place])))
         start, end = turned[max(place - 1, 0)], turned[min(place + 1, LOOKS - 1)]
     return best if best.value > NOTHING * cam.lift else Extreme(0.0, crossing.start)

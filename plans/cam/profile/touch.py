@@ -57,11 +57,11 @@ class Tip:
     def jerk(self) -> Floats:
         """S''', m/rad3."""
         found = np.zeros_like(self.turned)
-        for one in self.cam.moving():
-            here = self.within(one)
-            if one.law is not None:
-                share = np.clip((self.turned[here] - one.start) / one.angle, 0.0, 1.0)
-                found[here] = one.change / one.angle**3 * law_of(one.law).at(share, 3, self.before)
+        for phase in self.cam.moving():
+            here = self.within(phase)
+            if phase.law is not None:
+                share = np.clip((self.turned[here] - phase.start) / phase.angle, 0.0, 1.0)
+                found[here] = phase.change / phase.angle**3 * law_of(phase.law).at(share, 3, self.before)
         return found
 
     def within(self, phase: Phase) -> npt.NDArray[np.bool_]:
@@ -201,9 +201,9 @@ class Stretches:
 
     def read(self, value: Value, places: tuple[Place, ...]) -> Floats:
         """Give a value at places."""
-        turned = np.array([one.turned for one in places])
+        turned = np.array([place.turned for place in places])
         found = self.at(value, turned)
-        back = np.array([one.before for one in places], dtype=bool)
+        back = np.array([place.before for place in places], dtype=bool)
         found[back] = value(Tip(self.course, self.sizes, turned[back], before=True))
         return found
 
@@ -217,12 +217,12 @@ class Stretches:
 
     def spans(self, value: Value, places: tuple[Place, ...]) -> Iterator[Span]:
         """Give the parts of the turn where a value is above 0; places on two sides of a joint make one part."""
-        cuts = np.unique(np.concatenate([self.edges, self.roots(value), [one.turned for one in places]]))
+        cuts = np.unique(np.concatenate([self.edges, self.roots(value), [place.turned for place in places]]))
         above = self.at(value, (cuts[:-1] + cuts[1:]) / 2) > 0
         start = np.flatnonzero(above & ~np.concatenate([[False], above[:-1]]))
         end = np.flatnonzero(above & ~np.concatenate([above[1:], [False]]))
-        for one, other in zip(cuts[start].tolist(), cuts[end + 1].tolist(), strict=True):
-            yield Span(one, other, tuple(place for place in places if one <= place.turned <= other))
+        for begin, other in zip(cuts[start].tolist(), cuts[end + 1].tolist(), strict=True):
+            yield Span(begin, other, tuple(place for place in places if begin <= place.turned <= other))
 
 
 @dataclass(frozen=True)

@@ -29,10 +29,10 @@ def turns_of(entry: Entry, window: Fraction | None) -> Exact | None:
     """Give the phases' angles in degrees (travels m), or nothing where they are at fault or wait for the cyclogram."""
     if entry.translates:
         return _travels(entry)
-    known, before = [_known(one.angle, window) for one in entry.form.phases], len(entry.faults)
+    known, before = [_known(phase.angle, window) for phase in entry.form.phases], len(entry.faults)
     stated = sum(filter(None, known), Fraction(0))
     _words(entry, window, stated)
-    waits = window is None and any(one.angle == CYCLOGRAM for one in entry.form.phases)
+    waits = window is None and any(phase.angle == CYCLOGRAM for phase in entry.form.phases)
     if waits or len(entry.faults) > before:
         return None
     found = [WHOLE - stated if angle is None else angle for angle in known]
@@ -45,16 +45,16 @@ def _known(angle: Decimal | str | None, window: Fraction | None) -> Fraction | N
 
 
 def _travels(entry: Entry) -> Exact | None:
-    for number, one in enumerate(entry.form.phases):
-        if one.travel is None:
+    for number, phase in enumerate(entry.form.phases):
+        if phase.travel is None:
             entry.fault(("phases", number, "angle"), "mixed_phases")
             return None
-    return tuple(Fraction(one.travel or 0) for one in entry.form.phases)
+    return tuple(Fraction(phase.travel or 0) for phase in entry.form.phases)
 
 
 def _words(entry: Entry, window: Fraction | None, stated: Fraction) -> None:
     """See that words stand for one angle each, and that the others leave something to them."""
-    angles = [one.angle for one in entry.form.phases]
+    angles = [phase.angle for phase in entry.form.phases]
     places = {word: [k for k, angle in enumerate(angles) if angle == word] for word in (REST, CYCLOGRAM)}
     for word, found in places.items():
         for number in found[1:]:
@@ -70,8 +70,8 @@ def _fits(entry: Entry, found: Sequence[Fraction]) -> bool:
     """See that the angles make a whole turn, and that none but a dwell's is 0."""
     before = len(entry.faults)
     phases = entry.form.phases
-    for number, (one, angle) in enumerate(zip(phases, found, strict=True)):
-        if angle == 0 and one.kind != DWELL:
+    for number, (phase, angle) in enumerate(zip(phases, found, strict=True)):
+        if angle == 0 and phase.kind != DWELL:
             entry.fault(("phases", number, "angle"), "zero_phase")
     total = sum(found, Fraction(0))
     if abs(total - WHOLE) > SNAPPED:
@@ -104,16 +104,16 @@ class CamSurvey(NamedTuple):
 def survey_of(meaning: Meaning) -> CamSurvey:
     """Examine a scene's cams (row of the table of techniques)."""
     entries = [*entries_of(meaning.scene, meaning.doubts)]
-    cams = [cam for one in entries if (cam := _cam(one, None))]
-    faults = [fault for one in entries for fault in one.faults]
+    cams = [cam for entry in entries if (cam := _cam(entry, None))]
+    faults = [fault for entry in entries for fault in entry.faults]
     return CamSurvey(tuple(cams), [*faults, *_one_name(meaning.scene, entries)], any(e.asks_cyclogram for e in entries))
 
 
 def cams_of(scene: Scene, window: Window | None) -> tuple[Cam, ...]:
     """Give the cams of a scene; those that ask for the cyclogram need its window."""
     entries = [*entries_of(scene)]
-    cams = tuple(cam for one in entries if (cam := _cam(one, window)))
-    faults = [fault for one in entries for fault in one.faults]
+    cams = tuple(cam for entry in entries if (cam := _cam(entry, window)))
+    faults = [fault for entry in entries for fault in entry.faults]
     if faults:
         raise SceneError(faults)
     return cams
@@ -122,8 +122,8 @@ def cams_of(scene: Scene, window: Window | None) -> tuple[Cam, ...]:
 def asked_of(scene: Scene) -> tuple[str, ...]:
     """Name the techniques that a scene's cams ask (row of the table): the cyclogram, or the drive for its speed."""
     entries = [*entries_of(scene)]
-    by_drive = any(one.form.speed is None and not one.translates for one in entries) and scene.has(("drive",))
-    by_cyclogram = any(one.asks_cyclogram for one in entries)
+    by_drive = any(entry.form.speed is None and not entry.translates for entry in entries) and scene.has(("drive",))
+    by_cyclogram = any(entry.asks_cyclogram for entry in entries)
     return tuple(name for name, asked in (("linkage", by_drive), ("cyclogram", by_cyclogram)) if asked)
 
 
@@ -134,10 +134,10 @@ def entries_of(scene: Scene, doubts: frozenset[Path] = frozenset()) -> Iterator[
 
 def _one_name(scene: Scene, entries: Sequence[Entry]) -> Iterator[Fault]:
     """See that no two cams have one name."""
-    for number, one in enumerate(entries):
-        before = [other.number for other in entries[:number] if other.name == one.name]
+    for number, entry in enumerate(entries):
+        before = [other.number for other in entries[:number] if other.name == entry.name]
         if before:
-            yield scene.fault(one.path("name") if one.form.name else one.path(), "cam_twice", name=one.name)
+            yield scene.fault(entry.path("name") if entry.form.name else entry.path(), "cam_twice", name=entry.name)
 
 
 def _cam(entry: Entry, window: Window | None) -> Cam | None:
@@ -187,7 +187,7 @@ def _phases(entry: Entry, window: Window | None) -> tuple[Exact, tuple[Phase, ..
     if turns is None or ways is None:
         return None
     starts = accumulate(turns[:-1], initial=Fraction(0))
-    made = [_phase(entry, k, *one) for k, one in enumerate(zip(turns, starts, ways, strict=True)) if one[0]]
+    made = [_phase(entry, k, *row) for k, row in enumerate(zip(turns, starts, ways, strict=True)) if row[0]]
     return tuple(turn for turn in turns if turn), tuple(made)
 
 
@@ -200,19 +200,24 @@ def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way)
 
     kind = entry.form.phases[number].kind if way.change else DWELL  # a rise by nothing is a dwell
     law = law_of(entry, number, turn, way)
-    own = None if kind == DWELL else law
-    return Phase(kind, across(turn), across(start), up(way.level), up(way.change), own, across(start + turn))
+    moving = None if kind == DWELL else law
+    return Phase(kind, across(turn), across(start), up(way.level), up(way.change), moving, across(start + turn))
 
 
 def _limits(entry: Entry) -> Limits:
-    one = entry.form.limits
-    return Limits(_radians(one.rise), _radians(one.return_), float(one.curvature))
+    limits = entry.form.limits
+    return Limits(_radians(limits.rise), _radians(limits.return_), float(limits.curvature))
 
 
 def _follower(entry: Entry) -> Follower:
-    one = entry.form.follower
+    follower = entry.form.follower
     return Follower(
-        one.motion, one.end, _float(one.length), -1 if one.turns == AGAINST else 1, float(one.face), _float(one.reach)
+        follower.motion,
+        follower.end,
+        _float(follower.length),
+        -1 if follower.turns == AGAINST else 1,
+        float(follower.face),
+        _float(follower.reach),
     )
 
 
@@ -224,8 +229,8 @@ def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> fl
     if entry.form.setting != CYCLOGRAM:
         return math.radians(float(within(Fraction(entry.form.setting)) % 360))
     assert window is not None  # a cam that waits is not made
-    starts = [one.start for one, asked in zip(phases, _asking(entry), strict=True) if asked]
-    moving = [one.start for one in phases if one.kind != DWELL]
+    starts = [phase.start for phase, asked in zip(phases, _asking(entry), strict=True) if asked]
+    moving = [phase.start for phase in phases if phase.kind != DWELL]
     return (window.start - (starts or moving or [0.0])[0]) % math.tau
 
 
@@ -235,13 +240,13 @@ def _asking(entry: Entry) -> list[bool]:
 
 
 def _load(entry: Entry) -> Load | None:
-    one = entry.form.load
-    if one is None:
+    load = entry.form.load
+    if load is None:
         return None
     force, stiff = (units.MOMENT, TURNING_STIFFNESS) if entry.rocks else (units.FORCE, units.STIFFNESS)
-    mass, acting = (one.inertia, one.moment) if entry.rocks else (one.mass, one.force)
-    preload = entry.quantity(one.preload, force, "load", "preload")
-    stiffness = entry.quantity(one.stiffness, stiff, "load", "stiffness")
+    mass, acting = (load.inertia, load.moment) if entry.rocks else (load.mass, load.force)
+    preload = entry.quantity(load.preload, force, "load", "preload")
+    stiffness = entry.quantity(load.stiffness, stiff, "load", "stiffness")
     return Load(*(float(size or 0) for size in (mass, acting, preload, stiffness)))
 
 

@@ -142,11 +142,11 @@ def _plotted(entry: Entry, number: int, law: LawTable, across: Kind, up: Kind) -
 def _sorted(entry: Entry, path: Path, points: Plotted) -> bool:
     """See that a table goes on from point to point, and does not jump."""
     before = len(entry.faults)
-    for at, (one, other) in enumerate(pairwise(points), 1):
-        if other[0] < one[0]:
-            entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(one[0]))
-        elif other[0] == one[0]:
-            _repeated(entry, (*path, at, 0), other, other[1] - one[1])
+    for at, (point, other) in enumerate(pairwise(points), 1):
+        if other[0] < point[0]:
+            entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(point[0]))
+        elif other[0] == point[0]:
+            _repeated(entry, (*path, at, 0), other, other[1] - point[1])
     return len(entry.faults) == before
 
 
@@ -200,9 +200,9 @@ def _shares(entry: Entry, path: Path, points: Plotted) -> bool:
     for at, share in ((0, 0), (len(points) - 1, 1)):
         if points[at][0] != share:
             entry.fault((*path, at, 0), "table_span", found=shown(points[at][0]), wanted=str(share))
-    for at, (one, other) in enumerate(pairwise(points), 1):
-        if other[0] < one[0]:
-            entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(one[0]))
+    for at, (point, other) in enumerate(pairwise(points), 1):
+        if other[0] < point[0]:
+            entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(point[0]))
         elif at > 1 and other[0] == points[at - 2][0]:
             entry.fault((*path, at, 0), "share_thrice", found=shown(other[0]))
     return len(entry.faults) == before

@@ -24,11 +24,11 @@ FEW_POINTS = 3  # of a table: what lies between them is the curve's, not the tab
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's cams (row of the table of techniques)."""
     entries = [*entries_of(scene)]
-    yield from odd_lengths(scene, {path: size for one in entries for path, size in _lengths(one)})
+    yield from odd_lengths(scene, {path: size for entry in entries for path, size in _lengths(entry)})
     yield from _paces(entries)
-    for one in entries:
+    for entry in entries:
         for notes in (_turns, _dwells, _way, _limits, _laws, _unused):
-            yield from notes(one)
+            yield from notes(entry)
 
 
 def _lengths(entry: Entry) -> Iterator[tuple[Path, Decimal]]:
@@ -41,12 +41,12 @@ def _lengths(entry: Entry) -> Iterator[tuple[Path, Decimal]]:
 
 def _paces(entries: Sequence[Entry]) -> Iterator[Fault]:
     """Find a cam that turns otherwise than the first that turns: one shaft has one speed."""
-    found = ((one, *pace_of(one)) for one in entries if not one.translates)
-    paces = [(one, sense * speed) for one, sense, speed in found if speed]
-    for one, pace in paces[1:]:
-        if pace != paces[0][1] and one.form.speed is not None:
+    found = ((entry, *pace_of(entry)) for entry in entries if not entry.translates)
+    paces = [(entry, sense * speed) for entry, sense, speed in found if speed]
+    for entry, pace in paces[1:]:
+        if pace != paces[0][1] and entry.form.speed is not None:
             first = {"name": paces[0][0].name, "first": f"{paces[0][1]:.5g}"}
-            yield _note(one, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
+            yield _note(entry, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
 
 
 def _note(entry: Entry, path: Path, kind: str, **details: object) -> Fault:
@@ -55,10 +55,10 @@ def _note(entry: Entry, path: Path, kind: str, **details: object) -> Fault:
 
 def _turns(entry: Entry) -> Iterator[Fault]:
     """Tell of a sum that was near a whole turn and is taken for one."""
-    angles = [one.angle for one in entry.form.phases]
+    angles = [phase.angle for phase in entry.form.phases]
     if entry.translates or REST in angles or CYCLOGRAM in angles:
         return
-    total = sum((Fraction(one) for one in angles if isinstance(one, Decimal)), Fraction(0))
+    total = sum((Fraction(angle) for angle in angles if isinstance(angle, Decimal)), Fraction(0))
     if total != WHOLE:
         largest = max(range(len(angles)), key=lambda number: Fraction(angles[number] or 0))
         yield _note(entry, ("phases", largest, "angle"), "turn_snapped", found=f"{float(total):.12g}")
@@ -66,7 +66,7 @@ def _turns(entry: Entry) -> Iterator[Fault]:
 
 def _dwells(entry: Entry) -> Iterator[Fault]:
     """Find two dwells in a row."""
-    kinds = [one.kind for one in entry.form.phases]
+    kinds = [phase.kind for phase in entry.form.phases]
     for number in range(1, len(kinds)):
         if kinds[number - 1] == kinds[number] == DWELL:
             yield _note(entry, ("phases", number, "kind"), "two_dwells")
@@ -124,7 +124,7 @@ def _backward(entry: Entry, path: Path, kind: str, law: LawTable) -> Iterator[Fa
     """Tell where a table first goes back within its phase."""
     levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
     way = 1 if kind == RISE else -1
-    back = [at for at, (one, other) in enumerate(pairwise(levels), 1) if way * (other - one) < 0]
+    back = [at for at, (level, other) in enumerate(pairwise(levels), 1) if way * (other - level) < 0]
     if back and kind != DWELL:
         yield _note(entry, (*path, back[0], 1), "table_falls" if kind == RISE else "table_rises")
 

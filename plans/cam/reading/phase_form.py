@@ -173,5 +173,5 @@ class PhaseTable(Table):
     def rules(cls) -> Form:
         """Say that its angle or its travel is given, and the law of what moves."""
         moves = {"properties": {"kind": {"enum": [RISE, RETURN]}}, "required": ["kind"]}
-        one = [{"required": ["angle"]}, {"required": ["travel"]}]
-        return {"oneOf": one, "if": moves, "then": {"required": ["law"]}}
+        ways = [{"required": ["angle"]}, {"required": ["travel"]}]
+        return {"oneOf": ways, "if": moves, "then": {"required": ["law"]}}
