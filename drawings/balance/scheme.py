@@ -14,17 +14,16 @@ from functools import cached_property
 import numpy as np
 
 from drawings.kinds.graph import stretches
+from drawings.kinds.outlines import outlines, places
 from drawings.kinds.polygon import LaidVector, ShownVector, carriers, letters
+from drawings.kinds.scheme import link_numbers, ties
 from drawings.layout.ink import Ink
-from drawings.layout.labels import Labels, free_side
+from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Segment, merging, offset
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture, traced
-from drawings.lettering.vector_letters import CENTRE, counterweight, lowered, with_index
-from drawings.linkage.guides import frame_slides, grounds, ties, travel, turnings
-from drawings.linkage.numbering import link_numbers
-from drawings.linkage.outlines import outlines
-from drawings.linkage.pairs import Pairs
-from drawings.linkage.skeleton import Skeletons
+from drawings.lettering.vector_letters import CENTRE, counterweight, lowered
+from drawings.linkage.guides import frame_slides, grounds, travel, turnings
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import STILL, length
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand
@@ -33,7 +32,7 @@ from drawings.paper.strokes import INK, Arc, Circle, Group, Line, LineStyle, Pol
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, around, heading, heading_width
 from drawings.symbols.force_arrow import plain_name
-from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
+from drawings.symbols.symbols import MASS, POINT, cross, mass_centre
 from drawings.symbols.trimming import trim
 from plans.model.balance.linkage import DISC, Counterweight
 from plans.model.mechanism import FRAME
@@ -99,16 +98,9 @@ class BalanceScheme:
         return self.bones.shown
 
     @cached_property
-    def centres(self) -> dict[str, complex]:
-        """The mass centres of the links that no point names."""
-        numbered = self.bones.numbered
-        return {name: complex(numbered.of(*mass)[self.shown]) for name, mass in self.bones.masses.items()}
-
-    @cached_property
     def named(self) -> dict[str, complex]:
         """The places of all named points and mass centres."""
-        places = {name: self.bones.spot(name, self.shown) for name in sorted(self.bones.numbered.points)}
-        return {name: spot for name, spot in (places | self.centres).items() if not math.isnan(spot.real)}
+        return places(self.bones)
 
     @property
     def points(self) -> list[complex]:
@@ -269,11 +261,7 @@ class SchemeFigure:
     def _marks(self) -> Iterator[Group]:
         """Draw hinges, mass centres, other points, and the centres of counterweights; all can be measured."""
         hand, scale = self.pairs.hand, self.place.scale
-        pivot = self.shown.bones.mechanism.drive.pivot
-        for name, value in self.shown.named.items():
-            at = self.place.on(value)
-            data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
-            yield Group(self.pairs.symbol(name, at), "", data, name)
+        yield from self.pairs.marks(self.subject, self.shown.bones.mechanism.drive.pivot)
         for weight in self.shown.weights:
             at, letter = self.place.on(weight.centre), counterweight(weight.weight.link, self.drafting.language)
             data = self.subject.data("point", plain_name(counterweight(weight.weight.link, "en")), weight.centre, scale)
@@ -314,11 +302,7 @@ class SchemeFigure:
         """Letter the points, each where the bars at it leave the widest angle free."""
         hand = self._hand
         yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
-        bars = list(self.pairs.bars())
-        for name, value in self.shown.named.items():
-            spot, clear = self.place.on(value), self.pairs.clear(name)
-            side = free_side(spot, bars, clear + ARROW_LENGTH)
-            yield labels.beside(spot, with_index(name), hand.letter, clear + 1.0, side)
+        yield from self.pairs.letters(self.shown.named, labels)
 
     def _weights(self, labels: Labels) -> Iterator[Stroke]:
         for weight in self.shown.weights:

@@ -17,7 +17,7 @@ from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
-from drawings.linkage import workings as link_working
+from drawings.linkage import vector_plan as link_working
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
 from drawings.page.scale import Drafting, drafting_of

@@ -13,10 +13,9 @@ from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.linkage import position_plan
-from drawings.linkage.pairs import Pairs
 from drawings.linkage.position_letters import clearest, length, stroke
 from drawings.linkage.position_plan import PositionFigure
-from drawings.linkage.skeleton import Skeletons, skeletons
+from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.page.scale import Drafting
 from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
 from drawings.paper.walk import tied

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from drawings.cyclogram.notes import CyclogramNotes
 from drawings.dynamics.report_tables import plain
-from drawings.linkage import numbers as linkage_subject
+from drawings.linkage import notes as linkage_subject
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters
 from drawings.report.table import Subject, chapter

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from drawings.diagrams.frame import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
+from drawings.diagrams.rows import SLIDING, TURNING, VELOCITY, DiagramRow, letters_of, rows_of
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.extent import every
 from drawings.lettering.words import decimal, fixed, number

@@ -12,10 +12,10 @@ import numpy as np
 
 from drawings.forces.letters import KNOWN, PRESSING, UNKNOWN, letter_of
 from drawings.forces.lever_layout import largest
+from drawings.kinds.outlines import Poses, offset_foot, places
 from drawings.kinds.polygon import ShownVector
 from drawings.kinds.working import DIGITS, MASSES, Working
-from drawings.linkage.outlines import offset_foot
-from drawings.linkage.skeleton import Poses, poses
+from drawings.linkage.skeleton import poses
 from drawings.page.scale import Drafting
 from geometry.board import at
 from plans.forces.cut import INERTIA, REACTION, WEIGHT, Couple, Cut, ForcePlan, Load, Support
@@ -53,8 +53,7 @@ class CutLinks:
     @cached_property
     def points(self) -> dict[str, complex]:
         """The shown places of the named points and the mass centres, m."""
-        places = {name: self.spot(name, self.shown) for name in sorted(self.numbered.points)}
-        return places | {name: self.of(*mass) for name, mass in self.masses.items()}
+        return places(self)
 
     @cached_property
     def size(self) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.linkage.admission import of_linkage
+from drawings.linkage.positions import of_linkage
 from drawings.sheets.documents import letter
 from plans.forces.reading.form import ForceForm
 from plans.scene.faults import Path

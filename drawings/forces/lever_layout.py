@@ -8,12 +8,12 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.forces.letters import BALANCE, PAIR, letter_of
+from drawings.kinds.outlines import is_centre
 from drawings.kinds.polygon import ShownVector
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.picture import Place
 from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import letter as by_language
-from drawings.linkage.skeleton import is_centre
 from drawings.page.page import Field
 from drawings.page.scale import Drafting
 from drawings.paper.hand import Hand

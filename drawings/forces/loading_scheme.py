@@ -17,15 +17,13 @@ from drawings.forces.letters import KNOWN, PRESSING, letter_of
 from drawings.forces.lever_layout import Leverage, leverages
 from drawings.forces.scheme import Scheme, scheme
 from drawings.kinds.polygon import ShownVector
+from drawings.kinds.scheme import Joints, link_numbers, ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.lettering.vector_letters import with_index
-from drawings.linkage.guides import ties
-from drawings.linkage.numbering import link_numbers
-from drawings.linkage.pairs import Joints
 from drawings.page.page import Field
 from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand

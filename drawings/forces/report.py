@@ -10,8 +10,8 @@ import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
-from drawings.linkage.numbers import DIGITS as FEW_DIGITS
-from drawings.linkage.numbers import greatest, stroke_line
+from drawings.linkage.notes import DIGITS as FEW_DIGITS
+from drawings.linkage.notes import greatest, stroke_line
 from drawings.page.scale import Drafting, drafting_of
 from drawings.report.formula import Chapters, Formula
 from drawings.report.report import gap_line, gap_lines

@@ -25,7 +25,7 @@ from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.value_table import row_by_hand
 from drawings.lettering.words import word
-from drawings.linkage import workings
+from drawings.linkage import vector_plan
 from drawings.linkage.positions import force_positions
 from drawings.linkage.vector_plan import diagram
 from drawings.page.scale import Drafting
@@ -172,11 +172,11 @@ class _ForceSheet:
         for cut in plan.cuts:
             name = f"scheme-{cut.label}"
             yield force_working.working(plan, cut.links, self.position, name, drafting)
-            yield workings.link_working(plan.mechanism, cut.links, name, drafting)
+            yield vector_plan.link_working(plan.mechanism, cut.links, name, drafting)
             yield from self._polygon_workings(cut)
         if self.statics.drafts().plans.lever is not None:
             yield force_working.working(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
-            yield workings.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
+            yield vector_plan.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
 
     def _polygon_workings(self, cut: Cut) -> Iterator[Working]:
         """How the known forces of a cut are laid off, and those that close its polygon are read."""

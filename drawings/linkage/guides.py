@@ -10,13 +10,12 @@ from typing import NamedTuple
 
 from drawings.layout.ink import Ink
 from drawings.layout.picture import Place
-from drawings.linkage.pairs import Joints, Pairs
-from drawings.linkage.skeleton import Skeletons
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, Stroke
-from drawings.symbols.symbols import BLOCK, MASS, TurnArrow, ground, tick
+from drawings.symbols.symbols import BLOCK, TurnArrow, arrowhead, ground, tick
 from drawings.symbols.trimming import trim
-from plans.model.mechanism import FRAME, Slide
+from plans.model.mechanism import FRAME, Mechanism, Slide
 
 SWEEP = math.radians(65)
 RAYS = 12  # across an arrow's own field
@@ -93,10 +92,10 @@ def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:
         away = abs(cmath.phase(cmath.rect(1.0, turning.middle[1] - crank - 0.8 * sense)))
         return ink.crossed_by(turning.room) + APART * math.degrees(away)
 
-    return min(_candidates(letter, sense, pairs), key=cost)
+    return min(_turning_places(letter, sense, pairs), key=cost)
 
 
-def _candidates(letter: str, sense: int, pairs: Pairs) -> Iterator[Turning]:
+def _turning_places(letter: str, sense: int, pairs: Pairs) -> Iterator[Turning]:
     centre, factor = pairs.bones.pivot(pairs.place), pairs.hand.symbol
     for radius in _radii(pairs.bones.crank(pairs.place), factor):
         for k in range(STARTS):
@@ -107,39 +106,6 @@ def _radii(crank: float, factor: float) -> list[float]:
     """Give the radii of an arrow: inside the crank circle where it has room, else outside its numbers."""
     inside = [radius * factor for radius in (INNER, OUTER) if radius * factor <= crank - RIM]
     return inside or [crank + NUMBERS]
-
-
-def ties(joints: Joints) -> Iterator[Line]:
-    """Tie each mass centre that its link's lines do not reach to the nearest place of the link."""
-    for name, spot in joints.centres.items():
-        foot = min(_feet(joints, _link(joints, name), spot), key=lambda foot: abs(foot - spot))
-        if abs(foot - spot) > MASS * joints.hand.symbol:
-            yield Line(foot, spot, joints.hand.other)
-
-
-def _link(joints: Joints, name: str) -> int:
-    masses, links = joints.bones.masses, joints.bones.mechanism.links
-    return masses[name][0] if name in masses else next(n for n in sorted(links) if name in links[n].points)
-
-
-def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
-    """Give the nearest place of each bar of a link; of a link of one point alone its point."""
-    outline = next(one for one in joints.outlines if one.link == link)
-    bars = [(start, end) for start, end in joints.placed(outline) if start != end]
-    yield from (nearest(start, end, spot) for start, end in bars)
-    if not bars:
-        numbered, k = joints.bones.numbered, joints.bones.shown
-        yield from (joints.place.on(complex(numbered.of(link, own)[k])) for own in numbered.links[link].points.values())
-
-
-def nearest(start: complex, end: complex, spot: complex) -> complex:
-    """Give the place of a piece of a line that is nearest to a spot.
-
-    >>> nearest(0j, 4 + 0j, 3 + 2j), nearest(0j, 4 + 0j, 7 + 2j)
-    ((3+0j), (4+0j))
-    """
-    share = ((spot - start) * (end - start).conjugate()).real / abs(end - start) ** 2
-    return start + min(max(share, 0.0), 1.0) * (end - start)
 
 
 BEYOND = 16.0  # mm of a guide's axis past the block's outermost places
@@ -198,3 +164,77 @@ def _base(middle: complex, slide: Slide, side: complex, hand: Hand) -> tuple[com
     foot = middle + side * along * BLOCK[1] / 2 * hand.symbol
     half = along * BASE / 2 * hand.symbol
     return foot - half, foot + half, side * along
+
+
+LENGTH = 14.0  # mm of an arrow
+
+
+OFFS = (9.0, 12.0, 16.0, 21.0, 27.0)  # mm from the guide to an arrow
+
+
+class Push(NamedTuple):
+    """An arrow beside the slider's guide, with the letter of what it shows."""
+
+    letter: str
+    start: complex
+    end: complex
+    side: complex  # unit vector away from the guide
+
+    @property
+    def middle(self) -> tuple[complex, float]:
+        """The middle of the arrow, and the direction away from the guide there."""
+        return (self.start + self.end) / 2, cmath.phase(self.side)
+
+    @property
+    def room(self) -> list[Stroke]:
+        """Lines along it and on either side: what they cross comes too near."""
+        offs = (k * BESIDE * self.side for k in (-1, 0, 1, 2, 3))
+        return [Line(self.start + off, self.end + off) for off in offs]
+
+    def strokes(self, pairs: Pairs) -> tuple[Stroke, ...]:
+        """Draw it."""
+        head = arrowhead(self.start, self.end, pairs.hand.symbol)
+        return Line(self.start, self.end, pairs.hand.other), *(() if head is None else (head,))
+
+
+def pushed(mechanism: Mechanism) -> Slide:
+    """Give the slide that is pushed along."""
+    slide = mechanism.drive.guide
+    assert slide is not None  # asked only where one is
+    return slide
+
+
+def aside(bones: Skeletons) -> complex:
+    """Give the unit direction off the slider's guide to the side where the mechanism is not."""
+    line = pushed(bones.mechanism).way(FRAME)
+    offs = [((spot - line.through) * line.direction.conjugate()).imag for spot in bones.points]
+    return line.direction * (-1j if max(offs) + min(offs) >= 0 else 1j)
+
+
+def arrows(pairs: Pairs) -> tuple[Turning | Push, ...]:
+    """Give the arrows of how the primary link moves: it turns, or it is pushed along."""
+    return pushes(pairs) if pairs.bones.mechanism.drive.pushed else turnings(pairs)
+
+
+@lru_cache(maxsize=1)  # the figure draws the arrows, and later their letters stand beside them
+def pushes(pairs: Pairs) -> tuple[Push, ...]:
+    """Place the arrow of the slider's velocity where it crosses the fewest lines, and that of its acceleration."""
+    ink, arrows = felt(pairs), list[Push]()
+    for symbol, sense in senses("va", pairs.bones):
+        places = _push_places(f"{symbol}_{pushed(pairs.bones.mechanism).point}", sense, pairs)
+        arrows.append(min(places, key=lambda push: ink.crossed_by(push.room)))
+        ink.draw(arrows[-1].room, THICK)
+    return tuple(arrows)
+
+
+def _push_places(letter: str, sense: int, pairs: Pairs) -> Iterator[Push]:
+    """Give the places of an arrow beside the shown block, the nearest to it first."""
+    bones, factor = pairs.bones, pairs.hand.symbol
+    along, away = pushed(bones.mechanism).way(FRAME).direction, aside(bones)
+    spot = pairs.place.on(bones.drive_end(bones.shown))
+    for off in OFFS:
+        for side in (away, -away):
+            for shift in (0.5, -0.5, 1.5, -1.5):
+                middle = spot + (off * side + shift * LENGTH * along) * factor
+                half = along * sense * LENGTH / 2 * factor
+                yield Push(letter, middle - half, middle + half, side)

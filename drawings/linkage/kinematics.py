@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from drawings.diagrams import frame as diagrams
 from drawings.diagrams import rows
+from drawings.diagrams import rows as diagrams
 from drawings.diagrams import rows as working
 from drawings.diagrams.report import diagram_notes, output_table
 from drawings.kinds.working import Working
@@ -19,11 +19,18 @@ from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import RuledTable
-from drawings.linkage import position_plan, vector_plan, workings
+from drawings.linkage import position_plan, vector_plan
 from drawings.linkage.notes import notes
 from drawings.linkage.positions import force_positions, plans, position
 from drawings.linkage.skeleton import Skeletons, skeletons
-from drawings.linkage.vector_plan import VectorDiagram, diagram, draw_missing, measure_missing
+from drawings.linkage.vector_plan import (
+    VectorDiagram,
+    diagram,
+    draw_missing,
+    link_working,
+    measure_missing,
+    plan_working,
+)
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import lay_out
@@ -137,10 +144,10 @@ class _KinematicsSheet:
     def _workings(self) -> Iterator[Working]:
         """How the plans are laid off and read: beside them, where paper would stay bare."""
         mechanism = self.study.mechanism
-        yield workings.link_working(mechanism, list(mechanism.links), POSITIONS.plan, self.drafting)
+        yield link_working(mechanism, list(mechanism.links), POSITIONS.plan, self.drafting)
         for subject, k in ((order.plan, k) for order in ORDERS[1:] for k in self.positions):
             if self._is_whole(subject, k):
-                yield workings.plan_working(self._diagram(subject, k), f"{subject}-{k}", self.drafting)
+                yield plan_working(self._diagram(subject, k), f"{subject}-{k}", self.drafting)
         if self.output is not None and self.output.shown:
             yield working.working(self.output, self.drafting)
 

@@ -1,120 +1,163 @@
-"""Numbers of positions, on the crank circle and along the output's path (нумерация положений)."""
+"""Numbers of positions on the crank circle, along the output's path and every other slider's (нумерация положений)."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.layout.ink import LETTERED
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
-from drawings.lettering.extent import bounds, numbered
+from drawings.lettering.extent import numbered
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import number
-from drawings.linkage.pairs import Joints, Pairs
-from drawings.linkage.skeleton import Skeletons
-from drawings.linkage.tracks import NumberedPlace, Track, aside, crank_places, output_track, sliders
+from drawings.linkage.guides import aside, pushed
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Box, Circle, Group, Line, Stroke, Text
-from drawings.symbols.symbols import BLOCK
-from plans.model.mechanism import FRAME
-
-SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand
-OFFS = (0.6, 2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0)  # mm between a bar and the circle
-BESIDE = 2.0  # mm: from further off a leader leads to the link
-DOT = 0.5  # mm, radius of the dot that a leader ends with on its link
-ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it is wider
-DIRECTIONS = 16
+from drawings.paper.strokes import Line, Stroke, Text
+from drawings.symbols import symbols
+from plans.linkage.primary import PRIMARIES, CrankPositions
+from plans.linkage.travel import ExtremePositions, frame_slide
+from plans.model.mechanism import FRAME, Slide
+from plans.model.motion import Complexes
 
 
-class NumberPlace(NamedTuple):
-    """A place for a number: the middle of its circle, the place of the link that it is for, mm between them."""
-
-    middle: complex
-    foot: complex
-    off: float
-
-
-def link_numbers(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
-    """Number the links where the lines of all figures leave room."""
-    for link in links:
-        spots = [spot for spot in _spots(joints, link, hand) if not cmath.isnan(spot.middle)]
-        yield from (_number(str(link), spots, labels, hand),) if spots else ()
+def stroke_line(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the slider's stroke with a tick at every position; cross those that the mechanism does not reach."""
+    ends = [place.on(bones.drive_end(k)) for k in range(len(bones.numbered))]
+    along = pushed(bones.mechanism).way(FRAME).direction
+    ticks: list[Stroke] = [symbols.tick(end, along, hand) for end in ends]
+    lost = [arm for end, gone in zip(ends, bones.study.lost, strict=True) if gone for arm in symbols.cross(end, hand)]
+    return [Line(ends[0], ends[-1], hand.drafted), *ticks, *lost]
 
 
-def frame_number(joints: Joints, labels: Labels, hand: Hand) -> Iterator[Stroke]:
-    """Number the frame beside the stand of the drive's hinge, or of the first that has one."""
-    fixed_points, drive = joints.bones.mechanism.links[FRAME].points, joints.bones.mechanism.drive
-    hinges = sorted((name for name in fixed_points if name in joints.hinges), key=lambda name: name != drive.pivot)
-    if hinges:
-        bases = [line for line in joints.stand(hinges[0]) if isinstance(line, Line)]
-        spots = [spot for line in bases[2:3] for spot in _around((line.start + line.end) / 2, FRAME, 0.0, hand)]
-        yield _number(str(FRAME), spots, labels, hand)
+SAME = 1e-6  # rad: a position and an extreme that differ by less are one: no paper tells them apart
 
 
-def _spots(joints: Joints, link: int, hand: Hand) -> Iterator[NumberPlace]:
-    """Give the places beside a link, the nearest first; beside a block where the link is no more than one."""
-    radius = _radius(str(link), hand)
-    outlines = (outline for outline in joints.outlines if outline.link == link)
-    bars = [bar for outline in outlines for bar in joints.placed(outline) if abs(bar[1] - bar[0]) > 4 * radius]
-    if not bars:
-        yield from _around(_middle(joints, link), link, abs(complex(*BLOCK)) / 2 * joints.hand.symbol, hand)
-    for off in OFFS if bars else ():
-        for share in SHARES:
-            for start, end in bars:
-                across, foot = 1j * (end - start) / abs(end - start), start + share * (end - start)
-                yield from (NumberPlace(foot + side * across * (radius + off), foot, off) for side in (1, -1))
+class NumberedPlace(NamedTuple):
+    """A place that bears a number: its column among the scene's positions, none of an extreme between two of them.
+
+    `crank` and `spot` are where the primary link's end and the track's point are, m; `back` is the return stroke.
+    """
+
+    name: str
+    column: int | None
+    extreme: bool
+    back: bool
+    crank: complex
+    spot: complex
 
 
-def _around(foot: complex, link: int, clear: float, hand: Hand) -> Iterator[NumberPlace]:
-    """Give the places round a spot that is kept clear so far."""
-    for off in OFFS:
-        reach = clear + _radius(str(link), hand) + off
-        turns = (2 * math.pi * (k + 0.5) / DIRECTIONS for k in range(DIRECTIONS))
-        yield from (NumberPlace(foot + cmath.rect(reach, turn), foot, off) for turn in turns)
+class Track(NamedTuple):
+    """A point whose places are numbered: along its guide if it slides on the frame, its strokes, the places."""
+
+    point: str
+    slide: Slide | None
+    travel: ExtremePositions | None
+    places: tuple[NumberedPlace, ...]
 
 
-def _middle(joints: Joints, link: int) -> complex:
-    bones = joints.bones
-    spots = bones.mechanism.links[link].points.values()
-    places = [joints.place.on(complex(bones.numbered.of(link, spot)[bones.shown])) for spot in spots]
-    return sum(places) / len(places)
+def same(bones: Skeletons, extreme: int) -> int | None:
+    """Give the scene's own position that an extreme of the output is, if it is one."""
+    travel = bones.study.travel
+    assert travel is not None  # asked only where there are extremes
+    return _own(bones, travel.directions[extreme])
 
 
-def _radius(content: str, hand: Hand) -> float:
-    left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
-    return max(ROUND * hand.text, abs(complex(right - left, top - bottom)) / 2 + 0.15 * hand.text)
+def _own(bones: Skeletons, direction: complex) -> int | None:
+    apart = np.abs(bones.study.turn.directions - direction)
+    best = int(np.argmin(apart))
+    return best if apart[best] < SAME else None
 
 
-def _number(content: str, spots: list[NumberPlace], labels: Labels, hand: Hand) -> Stroke:
-    """Draw a number in its circle at the first free place, with a leader where that is not beside its link."""
-    radius = _radius(content, hand)
-
-    def covered(spot: NumberPlace) -> int:
-        through = labels.ink.along(spot.middle, spot.foot) // LETTERED if spot.off > BESIDE else 0
-        return labels.ink.under(_square(spot.middle, radius + 0.4)) + through
-
-    spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)
-    left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
-    text = Text(spot.middle - complex(left + right, bottom + top) / 2, content, hand.text, "middle")
-    led = _leader(spot, radius, hand) if spot.off > BESIDE else ()
-    group = Group((Circle(spot.middle, radius, hand.other), text, *led), "", {}, content)
-    labels.ink.draw([group])
-    return group
+def output_point(bones: Skeletons) -> str | None:
+    """Give the point whose places on its path are numbered: the output's pin, or its end away from the frame."""
+    mechanism, out = bones.mechanism, bones.study.output
+    slide = frame_slide(mechanism, out.link)
+    if slide is not None:
+        return out.point or slide.point
+    free = [name for name in mechanism.links[out.link].points if name not in mechanism.links[FRAME].points]
+    chosen = out.point if out.point in free else free[-1] if free else None
+    return chosen if out.link != mechanism.drive.link else None
 
 
-def _leader(spot: NumberPlace, radius: float, hand: Hand) -> tuple[Stroke, ...]:
-    """Lead from a circle's rim to a dot on its link."""
-    rim = spot.middle + (spot.foot - spot.middle) / abs(spot.foot - spot.middle) * radius
-    return Line(rim, spot.foot, hand.drafted), Circle(spot.foot, DOT * hand.symbol, INK)
+def crank_places(bones: Skeletons) -> tuple[NumberedPlace, ...]:
+    """List what is numbered at the primary link: every position, and each extreme of a track that falls between two."""
+    nowhere = np.full(len(bones.numbered), np.nan + 0j)
+    places = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
+    for track in sliders(bones):
+        places += [one for one in track.places if one.column is None and one.name not in {own.name for own in places}]
+    extreme = {one.name for track in sliders(bones) for one in track.places if one.extreme}
+    return tuple(one._replace(extreme=one.extreme or one.name in extreme) for one in places)
 
 
-def _square(middle: complex, half: float) -> Box:
-    return middle.real - half, middle.imag - half, middle.real + half, middle.imag + half
+def output_track(bones: Skeletons) -> Track | None:
+    """Give the track of the output; none of one that has no point to show."""
+    tip, travel = output_point(bones), bones.study.travel
+    if tip is None:
+        return None
+    ends = (np.nan + 0j,) * 2 if bones.extremes is None else tuple(bones.extremes.points[tip].tolist())
+    places = _places(bones, travel, bones.numbered.points[tip], ends, ())
+    return Track(tip, frame_slide(bones.mechanism, bones.study.output.link), travel, tuple(places))
+
+
+def sliders(bones: Skeletons) -> Iterator[Track]:
+    """Give the tracks of the sliders on the frame besides the output."""
+    nowhere = np.full(len(bones.numbered), np.nan + 0j)
+    taken = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
+    for slide, travel in bones.strokes.items():
+        way, spots = slide.way(FRAME), bones.numbered.points[slide.point]
+        aside = 1j * float(np.nanmedian(((spots - way.through) * way.direction.conjugate()).imag))
+        ends = [way.through + (reach + aside) * way.direction for reach in travel.extremes.reach]
+        places = tuple(_places(bones, travel, spots, ends, taken))
+        taken += [one for one in places if one.column is None]
+        yield Track(slide.point, slide, travel, places)
+
+
+def _places(
+    bones: Skeletons,
+    travel: ExtremePositions | None,
+    spots: Complexes,
+    ends: Iterable[complex],
+    taken: Iterable[NumberedPlace],
+) -> Iterator[NumberedPlace]:
+    """Number positions by their order, and extremes between two of them as k', those of one crank position alike."""
+    found = [] if travel is None else [_own(bones, direction) for direction in travel.directions]
+    for k, spot in enumerate(spots.tolist()):
+        yield NumberedPlace(str(k), k, k in found, _returning(bones, travel, k), bones.drive_end(k), spot)
+    known = {one.name: one.crank for one in taken}
+    for which, (own, spot) in enumerate(zip(found, ends, strict=False)):
+        if own is None and travel is not None:
+            crank = _crank(bones, travel, which)
+            name = _named(bones, travel.extremes.phi[which], crank, known)
+            known[name] = crank
+            yield NumberedPlace(name, None, True, which == 1, crank, spot)
+
+
+def _crank(bones: Skeletons, travel: ExtremePositions, which: int) -> complex:
+    turn = CrankPositions(np.array(travel.extremes.phi), np.array(travel.directions))
+    return complex(PRIMARIES[bones.mechanism.drive.kind].ends(bones.mechanism, turn)[which])
+
+
+def _named(bones: Skeletons, phi: float, crank: complex, known: dict[str, complex]) -> str:
+    """Name an extreme after the position before it, with a prime for each other crank position that has the name."""
+    before = int(np.argmin(np.mod(bones.study.sense * (phi - bones.study.turn.phi), 2 * np.pi)))
+    name = f"{before}'"
+    while name in known and not abs(known[name] - crank) <= SAME * abs(crank - known[name] + bones.reach):
+        name += "'"
+    return name
+
+
+def _returning(bones: Skeletons, travel: ExtremePositions | None, k: int) -> bool:
+    """Tell whether a position is passed on the return stroke."""
+    if travel is None or len(travel.rests) > 2:
+        return False
+    (start, end), sense, turn = travel.extremes.phi, bones.study.sense, 2 * np.pi
+    ahead = (sense * (bones.study.turn.phi[k] - start) + SAME) % turn
+    return bool(ahead >= (sense * (end - start)) % turn)
 
 
 UNEVEN = 1e-6  # rad: steps of a turn in equal parts differ by roundings alone

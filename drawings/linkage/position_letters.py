@@ -10,19 +10,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.kinds.scheme import frame_number, link_numbers
 from drawings.layout.ink import Ink
-from drawings.layout.labels import Labels, free_side
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Place
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.phrase import Phrase, slotted, telling
 from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import fixed
-from drawings.linkage.guides import Turning
-from drawings.linkage.numbering import frame_number, link_numbers, numbers
-from drawings.linkage.pairs import Pairs
-from drawings.linkage.skeleton import Skeletons
-from drawings.linkage.tracks import Push, arrows, output_point, sliders
+from drawings.linkage.guides import Push, Turning, arrows
+from drawings.linkage.numbering import numbers, output_point, sliders
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import Traced, phases, sized, traced
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY, SEEN
@@ -256,13 +255,9 @@ LINKS, NUMBERS = "links", "path-numbers"  # the groups of numbers of links, and 
 
 def letters(pairs: Pairs, labels: Labels) -> Group:
     """Letter the points and number the positions, where the lines of all figures leave room."""
-    bones, place, hand = pairs.bones, pairs.place, pairs.sheet
-    strokes: list[Stroke] = []
-    for name in sorted(bones.numbered.points):
-        value = bones.spot(name, bones.shown)
-        if not math.isnan(value.real):
-            gap = pairs.clear(name) + 1.0
-            strokes.append(labels.beside(place.on(value), with_index(name), hand.letter, gap, _free(pairs, name)))
+    bones, hand = pairs.bones, pairs.sheet
+    points = {name: spot for name, spot in pairs.named.items() if name not in bones.masses}
+    strokes: list[Stroke] = [*pairs.letters(points, labels)]
     for name in bones.masses:
         if name in pairs.centres:
             strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
@@ -278,9 +273,3 @@ def _on_arc(arc: Turning | Push | TurnArrow, text: str, labels: Labels, hand: Ha
     """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
     middle, away = arc.middle
     return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away), text)
-
-
-def _free(pairs: Pairs, name: str) -> float:
-    """Give the side of a point that the bars leave free."""
-    spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
-    return free_side(spot, pairs.bars(), pairs.clear(name) + ARROW_LENGTH)

@@ -8,16 +8,16 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
+from drawings.kinds.outlines import Poses, outlines, reach_of
+from drawings.kinds.scheme import ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.linkage.guides import Turning, axes, grounds, ties
-from drawings.linkage.outlines import outlines, reach_of
-from drawings.linkage.pairs import Pairs
+from drawings.linkage.guides import Push, Turning, arrows, axes, grounds
+from drawings.linkage.numbering import same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
-from drawings.linkage.skeleton import Poses, Skeletons
-from drawings.linkage.tracks import Push, arrows, same, stroke_line
+from drawings.linkage.skeleton import Pairs, Skeletons, reference
 from drawings.linkage.trajectories import phases, trajectories
 from drawings.page.scale import Drafting
 from drawings.paper.formats import Field
@@ -28,6 +28,7 @@ from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
 from drawings.paper.walk import stating
 from drawings.symbols import symbols
 from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
@@ -84,6 +85,7 @@ def headed(title: str, spot: Spot, drafting: Drafting) -> Group:
 def layers(pairs: Pairs, language: str) -> list[Group]:
     """Draw the plan of positions at its place, from the thinnest lines to the pairs; its letters come last of all."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    subject = Subject(NAME, "r", bones.shown)
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_path(bones, place, hand), *_positions(pairs)]
@@ -106,7 +108,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
-        Group((*stands, *pairs.marks()), "pairs"),
+        Group((*stands, *pairs.marks(subject, reference(bones.mechanism))), "pairs"),
         Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
         Group(tuple(_sense(arrow, pairs) for arrow in arrows(pairs)), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),

@@ -1,8 +1,8 @@
-"""The plan of positions alone: no velocities, no accelerations, no extremes are made for it (план положений)."""
+"""Positions: what a linkage must be to be drawn, which are shown, the plan of positions alone (план положений)."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
@@ -14,13 +14,18 @@ from drawings.linkage.notes import notes
 from drawings.linkage.skeleton import skeletons
 from drawings.page.scale import drafting_of
 from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.documents import letter
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Draft, Exhibit
+from geometry.errors import LimitError
 from plans.linkage.quantities import MotionComparison
+from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.dyad import formula
 from plans.model.motion import POSITIONS
+from plans.scene.faults import Path
+from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed
 
@@ -28,6 +33,26 @@ if TYPE_CHECKING:
     from plans.forces.quantities import ForceComparison
     from plans.forces.reading.form import ForceForm
     from plans.forces.statics import Statics
+
+POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
+
+
+def of_linkage(scene: Scene) -> None:
+    """See that the names of a linkage can be lettered, and that its positions can be told apart."""
+    letter(scene, _points(scene))
+    count = scene.of(LinkageForm).drive.count
+    if count > POSITIONS_DRAWN:
+        most = message("limit.sheet", most=POSITIONS_DRAWN)
+        raise LimitError(placed(f"{scene.file}: drive.positions = {count}", most))
+
+
+def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
+    mechanism = scene.of(LinkageForm).mechanism
+    for table in ("frame", "points"):
+        yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
+    for link, letters in mechanism.links.items():
+        yield from ((("mechanism", "links", str(link)), point) for point in letters)
+
 
 CHOICES = 12  # positions that a message offers at most
 

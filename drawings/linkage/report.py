@@ -14,7 +14,7 @@ import numpy as np
 from drawings.lettering.phrase import Phrase, Slot, phrase, slotted
 from drawings.lettering.words import decimal, fixed, number, span
 from drawings.linkage.equations import drawn_scales, equations, shown_positions
-from drawings.linkage.numbers import first_numbers, stroke_line
+from drawings.linkage.notes import first_numbers, stroke_line
 from drawings.page.scale import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.formula import Chapters, Formula, display, inline

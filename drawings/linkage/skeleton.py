@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
 
 import numpy as np
 
+from drawings.kinds.outlines import Poses
+from drawings.kinds.scheme import Joints
 from drawings.layout.picture import Place
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.margin import angle
@@ -18,57 +18,10 @@ from plans.linkage.plan import Plan, unnamed
 from plans.linkage.primary import PRIMARIES, CrankPositions
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.linkage.travel import ExtremePositions, other_strokes
-from plans.model.mechanism import FRAME, Link, Mechanism, Slide
-from plans.model.motion import Complexes, Floats, Motion
-
-_LETTER = re.compile(r"S\d*")
-
-
-def is_centre(name: str) -> bool:
-    """Tell whether a point is a mass centre by its letter.
-
-    >>> is_centre("S2"), is_centre("S"), is_centre("SB")
-    (True, True, False)
-    """
-    return bool(_LETTER.fullmatch(name))
-
+from plans.model.mechanism import FRAME, Mechanism, Slide
+from plans.model.motion import Complexes, Motion
 
 MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles
-
-
-class Bones(Protocol):
-    """What links and their pairs are drawn from: a mechanism, its poses, and which of them is shown."""
-
-    @property
-    def mechanism(self) -> Mechanism:
-        """The mechanism."""
-
-    @property
-    def links(self) -> list[int]:
-        """The links that are drawn."""
-
-    @property
-    def numbered(self) -> Poses:
-        """The poses."""
-
-    @property
-    def shown(self) -> int:
-        """Which of them is shown."""
-
-    @property
-    def reach(self) -> float:
-        """The mechanism's size, m."""
-
-    @property
-    def masses(self) -> Mapping[str, tuple[int, complex]]:
-        """The mass centres that no point names: letter, link, place in its own frame."""
-
-    @property
-    def travels(self) -> Mapping[Slide, tuple[float, float]]:
-        """How far along its line each slide's block comes, m."""
-
-    def spot(self, name: str, position: int) -> complex:
-        """Give a point's place; NaN at a gap."""
 
 
 @dataclass(frozen=True)
@@ -203,38 +156,6 @@ def reference(mechanism: Mechanism) -> str:
 BEYOND = 0.25  # share of the mechanism's size that a path between numbered positions may run past them
 
 
-@dataclass(frozen=True)
-class Poses:
-    """A mechanism in several positions: the places of its points and the directions of its links; NaN at gaps."""
-
-    links: Mapping[int, Link]
-    points: Mapping[str, Complexes]
-    turns: Mapping[int, Complexes]
-
-    def __len__(self) -> int:
-        return len(self.turns[FRAME])
-
-    def of(self, link: int, spot: complex) -> Complexes:
-        """Give the places of a spot that is fixed in a link, measured in the link's own frame."""
-        if link == FRAME:
-            return np.full(len(self), spot)
-        name, own = next(iter(self.links[link].points.items()))
-        return np.asarray(self.points[name] + self.turns[link] * (spot - own))
-
-    def line(self, slide: Slide) -> Complexes:
-        """Give the directions of a slide's line."""
-        return np.asarray(self.turns[slide.owner] * slide.on_owner.direction)
-
-    def along(self, slide: Slide) -> Floats:
-        """Give how far a slide's block stands along its line, m from the point that the line goes through."""
-        pins = self.points[slide.point] - self.of(slide.owner, slide.on_owner.through)
-        return np.asarray((pins * np.conj(self.line(slide))).real)
-
-    def blocks(self, slide: Slide) -> Complexes:
-        """Give the places of a slide's block: the foot on its line of the slider's named point."""
-        return self.of(slide.owner, slide.on_owner.through) + self.line(slide) * self.along(slide)
-
-
 def way(study: LinkageStudy, drawn: Sequence[Poses]) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
     nodes = np.linspace(*_whole(study), NODES + 1)
@@ -283,3 +204,10 @@ def _near(path: Complexes, places: Complexes) -> Complexes:
     off = path - middle
     with np.errstate(invalid="ignore"):
         return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)
+
+
+@dataclass(frozen=True, eq=False)
+class Pairs(Joints):
+    """The pairs of a mechanism's shown position."""
+
+    bones: Skeletons

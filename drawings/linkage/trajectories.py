@@ -15,8 +15,7 @@ from drawings.layout.picture import Place
 from drawings.lettering.phrase import Phrase, slotted
 from drawings.lettering.words import fixed
 from drawings.linkage.guides import NUMBERS, OUTER
-from drawings.linkage.pairs import Pairs
-from drawings.linkage.skeleton import Skeletons
+from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke

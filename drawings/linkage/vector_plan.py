@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import combinations
 from typing import NamedTuple
 
 from drawings.kinds.vector_plan import LEAST, directions, letter_images
+from drawings.kinds.working import DIGITS, LENGTHS, READING, ScaleFactor, Working, at_scale
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, StillFigure, picture
 from drawings.lettering.lettering import text_width
+from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import runs
 from drawings.linkage.coriolis import (
     LaidPart,
@@ -22,7 +25,7 @@ from drawings.linkage.coriolis import (
     quarter_turn,
 )
 from drawings.page.page import Field
-from drawings.page.scale import Drafting
+from drawings.page.scale import Drafting, Scale
 from drawings.paper.hand import Hand
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
@@ -32,7 +35,8 @@ from geometry.board import Line as Direction
 from geometry.board import Mark, at
 from geometry.steps import behind
 from plans.linkage.plan import Plan
-from plans.model.motion import ORDERS
+from plans.model.mechanism import Mechanism
+from plans.model.motion import NOTHING, ORDERS
 
 
 def measure_missing(why: str, name: str, drafting: Drafting) -> Picture:
@@ -248,3 +252,51 @@ def _images(shown: VectorDiagram, place: Place) -> Iterator[tuple[complex, list[
     for mark in shown.letters:
         own = [plan.letter(name) for name, image in points if image is mark]
         yield place.on(at(mark.point, shown.column)), [mark.name, *own]
+
+
+def link_working(mechanism: Mechanism, links: Sequence[int], name: str, drafting: Drafting) -> Working:
+    """Write beside a figure how long some links are drawn on it."""
+    return Working(
+        LENGTHS, name, at_scale(lambda scale: list(_link_lines(mechanism, links, scale, drafting))), drafting
+    )
+
+
+def _link_lines(
+    mechanism: Mechanism, links: Sequence[int], scale: Scale | None, drafting: Drafting
+) -> Iterator[tuple[str, ...]]:
+    factor = ScaleFactor(scale, "l", drafting)
+    for link in links:
+        for (first, start), (last, end) in combinations(mechanism.links[link].points.items(), 2):
+            size, ends = abs(end - start), with_index(first) + with_index(last)
+            if size > 0:
+                letter = f"l_{{{first}{last}}}"
+                yield (
+                    f"{ends} = {factor.drawn(letter)}",
+                    factor.of_true(size),
+                    f"{factor.length(size)} {drafting.word('mm')}",
+                )
+
+
+def plan_working(shown: VectorDiagram, name: str, drafting: Drafting) -> Working:
+    """Write beside a plan how each of its vectors is read."""
+    return Working(READING, name, at_scale(lambda scale: list(_plan_lines(shown, scale, drafting))), drafting)
+
+
+def _plan_lines(shown: VectorDiagram, scale: Scale | None, drafting: Drafting) -> Iterator[tuple[str, ...]]:
+    point = VECTOR[shown.plan.board.subject]
+    factor, largest = ScaleFactor(scale, point.symbol, drafting), max(map(abs, shown.points))
+    for arrow in shown.arrows:
+        size = abs(arrow.ends[1] - arrow.ends[0])
+        if size <= NOTHING * largest:
+            continue
+        segment = with_index(arrow.start.name) + with_index(arrow.end.name)
+        for letter in _letters_of(shown, arrow, point.symbol):
+            told = f"{drafting.number(size, DIGITS)} {drafting.word(point.unit)}"
+            yield f"{drafting.letter(with_index(letter))} = {factor.true(segment)}", factor.of_drawn(size), told
+
+
+def _letters_of(shown: VectorDiagram, arrow: Arrow, symbol: str) -> Iterator[str]:
+    """Give all that a vector is: the velocities of the points whose image is its end, and parts."""
+    points = (*shown.plan.letters.items(), *shown.centres.items()) if arrow.absolute else ()
+    names = [f"{symbol}_{name}" for name, image in points if image is arrow.end]
+    yield from dict.fromkeys((*names, *shown.parts.get((arrow.start, arrow.end), ())))

@@ -63,35 +63,35 @@ class Report(NamedTuple):
 
 REPORTS: Final[Mapping[str, Report]] = {
     "linkage": Report(
-        subject="drawings.linkage.numbers:subject",
+        subject="drawings.linkage.notes:subject",
         chapters="drawings.linkage.report:chapters",
         headline="drawings.linkage.report:headline",
         remarks="drawings.linkage.report:remarks",
         idle="drawings.report.report:nothing",
     ),
     "diagrams": Report(
-        subject="drawings.linkage.numbers:subject",
+        subject="drawings.linkage.notes:subject",
         chapters="drawings.diagrams.report:chapters",
         headline="drawings.diagrams.report:headline",
         remarks="drawings.diagrams.report:remarks",
         idle="drawings.report.report:nothing",
     ),
     "forces": Report(
-        subject="drawings.linkage.numbers:subject",
+        subject="drawings.linkage.notes:subject",
         chapters="drawings.forces.note:chapters",
         headline="drawings.forces.report:headline",
         remarks="drawings.forces.report:remarks",
         idle="drawings.report.report:of_forces",
     ),
     "dynamics": Report(
-        subject="drawings.linkage.numbers:subject",
+        subject="drawings.linkage.notes:subject",
         chapters="drawings.dynamics.report:chapters",
         headline="drawings.dynamics.report:headline",
         remarks="drawings.dynamics.report:remarks",
         idle="drawings.report.report:of_dynamics",
     ),
     "balance": Report(
-        subject="drawings.linkage.numbers:subject",
+        subject="drawings.linkage.notes:subject",
         chapters="drawings.balance.report:chapters",
         headline="drawings.balance.report:headline",
         remarks="drawings.balance.report:remarks",

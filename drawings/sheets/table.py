@@ -23,7 +23,7 @@ class Sheet(NamedTuple):
 
 SHEETS: Final[Mapping[str, Sheet]] = {
     "kinematics": Sheet(
-        admit="drawings.linkage.admission:of_linkage",
+        admit="drawings.linkage.positions:of_linkage",
         leaves="drawings.linkage.kinematics:leaves",
         due="drawings.linkage.due:due",
         scales={
@@ -34,7 +34,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         },
     ),
     "positions": Sheet(
-        admit="drawings.linkage.admission:of_linkage",
+        admit="drawings.linkage.positions:of_linkage",
         leaves="drawings.linkage.positions:leaves",
         due="drawings.linkage.due:due",
         scales={"positions": "length"},
@@ -53,7 +53,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         },
     ),
     "dynamics": Sheet(
-        admit="drawings.linkage.admission:of_linkage",
+        admit="drawings.linkage.positions:of_linkage",
         leaves="drawings.dynamics.sheet:leaves",
         due="drawings.dynamics.due:due",
         scales={"flywheel_sketch": "wheel", "load_diagram-": "way"},
@@ -90,7 +90,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         scales={"manufacturing": "cam"},
     ),
     "cyclogram": Sheet(
-        admit="drawings.linkage.admission:of_linkage",
+        admit="drawings.linkage.positions:of_linkage",
         leaves="drawings.cyclogram.sheet:leaves",
         due="drawings.cyclogram.due:due",
         scales={"characteristic": "length"},

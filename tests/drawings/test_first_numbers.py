@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import drawings
-from drawings.linkage.numbers import greatest
+from drawings.linkage.notes import greatest
 from drawings.report.report import headlines
 from plans.scene.scene import parse_scene
 from plans.study import Study

@@ -9,9 +9,8 @@ from pathlib import Path
 import pytest
 
 from drawings.layout.picture import Margins, picture
-from drawings.linkage.pairs import Pairs
 from drawings.linkage.position_plan import layers
-from drawings.linkage.skeleton import skeletons
+from drawings.linkage.skeleton import Pairs, skeletons
 from drawings.linkage.trajectories import phases
 from drawings.page.page import Field
 from drawings.paper.hand import Hand

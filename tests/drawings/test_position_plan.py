@@ -12,9 +12,8 @@ from shapely.geometry.base import BaseGeometry
 
 from drawings.layout.picture import Margins, Place, picture
 from drawings.linkage.kinematics import position
-from drawings.linkage.pairs import Pairs
 from drawings.linkage.position_plan import layers
-from drawings.linkage.skeleton import Skeletons, skeletons
+from drawings.linkage.skeleton import Pairs, Skeletons, skeletons
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Fill, Group, Line, Polyline, Stroke

@@ -1,24 +1,28 @@
-"""The kinematic pairs of the shown position: blocks, slots, hinges, stands, mass centres, rigid corners (пары)."""
+"""Schemes of mechanisms: links with their pairs, stands, mass centres and numbers in one shown position (схемы)."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from typing import NamedTuple
 
 import numpy as np
 
+from drawings.kinds.outlines import Bones, Outline, is_centre, offset_foot, outlines, places
+from drawings.layout.ink import LETTERED
+from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Place
-from drawings.linkage.outlines import Outline, offset_foot, outlines
-from drawings.linkage.skeleton import Bones, Skeletons, is_centre, reference
+from drawings.lettering.extent import bounds
+from drawings.lettering.vector_letters import with_index
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke
+from drawings.paper.strokes import INK, Box, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols import symbols
 from drawings.symbols.figure import Subject
-from drawings.symbols.symbols import BLOCK, HINGE, MASS, POINT, STONE
+from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, HINGE, MASS, POINT, STONE
 from drawings.symbols.trimming import Mask, distinct, trim
 from plans.model.mechanism import FRAME, Slide
 
@@ -50,9 +54,10 @@ class Joints:
         hinged = [spot for name, spot in points.items() if name in self.bones.mechanism.hinges]
         return (self.place.length(abs(second - first)) for first, second in combinations(hinged, 2))
 
-    def _spot(self, name: str) -> complex | None:
-        value = self.bones.spot(name, self.bones.shown)
-        return None if math.isnan(value.real) else value
+    @cached_property
+    def named(self) -> dict[str, complex]:
+        """The shown places of all named points and mass centres, m."""
+        return places(self.bones)
 
     @cached_property
     def outlines(self) -> list[Outline]:
@@ -65,9 +70,9 @@ class Joints:
     def hinges(self) -> dict[str, tuple[Circle, ...]]:
         """The hinges by their letters, the outer circle first."""
         return {
-            name: symbols.hinge(self.place.on(spot), self.hand, len(links))
+            name: symbols.hinge(self.place.on(self.named[name]), self.hand, len(links))
             for name, links in self.bones.mechanism.hinges.items()
-            if (spot := self._spot(name)) is not None
+            if name in self.named
         }
 
     def radius(self, name: str) -> float:
@@ -101,11 +106,9 @@ class Joints:
     @cached_property
     def centres(self) -> dict[str, complex]:
         """The mass centres on paper, by their letters."""
-        poses, k = self.bones.numbered, self.bones.shown
-        places = {name: complex(poses.of(*mass)[k]) for name, mass in self.bones.masses.items()}
-        named = (name for name in poses.points if is_centre(name) and name not in self.bones.mechanism.hinges)
-        places |= {name: self.bones.spot(name, k) for name in named}
-        return {name: self.place.on(spot) for name, spot in places.items() if not math.isnan(spot.real)}
+        points, hinges = self.bones.numbered.points, self.bones.mechanism.hinges
+        centres = *self.bones.masses, *(name for name in points if is_centre(name) and name not in hinges)
+        return {name: self.place.on(self.named[name]) for name in centres if name in self.named}
 
     @cached_property
     def rounds(self) -> list[Mask]:
@@ -205,20 +208,19 @@ class Joints:
             yield from (complex(way) for way in known)
             yield from [complex(run[self.bones.shown])] * len(known)
 
-    def marks(self) -> Iterator[Group]:
-        """Draw hinges, mass centres and other named points; all can be measured."""
-        bones, subject = self.bones, Subject("positions", "r", self.bones.shown)
-        for name in sorted(bones.numbered.points):
-            value = self._spot(name)
-            if value is not None:
-                kind = "pole" if name == reference(bones.mechanism) else "point"
-                data = subject.data(kind, name, value, self.place.scale)
-                yield Group(self.symbol(name, self.place.on(value)), "", data, name)
-        for name in bones.masses:
-            if name in self.centres:
-                value = complex(bones.numbered.of(*bones.masses[name])[bones.shown])
-                data = subject.data("point", name, value, self.place.scale)
-                yield Group(symbols.mass_centre(self.centres[name], self.hand), "", data, name)
+    def marks(self, subject: Subject, zero: str) -> Iterator[Group]:
+        """Draw hinges, mass centres and other named points; all can be measured from the one that is zero."""
+        for name, value in self.named.items():
+            data = subject.data("pole" if name == zero else "point", name, value, self.place.scale)
+            yield Group(self.symbol(name, self.place.on(value)), "", data, name)
+
+    def letters(self, named: Mapping[str, complex], labels: Labels) -> Iterator[Stroke]:
+        """Letter named places, each where the bars at it leave the widest angle free."""
+        bars = list(self.bars())
+        for name, value in named.items():
+            spot, clear = self.place.on(value), self.clear(name)
+            side = free_side(spot, bars, clear + ARROW_LENGTH)
+            yield labels.beside(spot, with_index(name), self.sheet.letter, clear + 1.0, side)
 
     def symbol(self, name: str, at: complex, centre: bool = False) -> tuple[Stroke, ...]:
         """Draw a named place on paper: a hinge, a mass centre, or a point that is neither."""
@@ -227,13 +229,6 @@ class Joints:
         if centre or name in self.centres:
             return symbols.mass_centre(at, self.hand)
         return (Circle(at, POINT * self.hand.symbol, INK),)
-
-
-@dataclass(frozen=True, eq=False)
-class Pairs(Joints):
-    """The pairs of a mechanism's shown position."""
-
-    bones: Skeletons
 
 
 def _welded(exit_: complex, far: complex, block: Polyline, hand: Hand) -> Iterator[Stroke]:
@@ -247,3 +242,140 @@ def _welded(exit_: complex, far: complex, block: Polyline, hand: Hand) -> Iterat
             for way in (side / length, -side / length):
                 fill = symbols.gusset(exit_, rod, way, 0.0, hand)
                 yield from [fill] if fill and cmath.phase(way / rod) else []
+
+
+def ties(joints: Joints) -> Iterator[Line]:
+    """Tie each mass centre that its link's lines do not reach to the nearest place of the link."""
+    for name, spot in joints.centres.items():
+        foot = min(_feet(joints, _link(joints, name), spot), key=lambda foot: abs(foot - spot))
+        if abs(foot - spot) > MASS * joints.hand.symbol:
+            yield Line(foot, spot, joints.hand.other)
+
+
+def _link(joints: Joints, name: str) -> int:
+    masses, links = joints.bones.masses, joints.bones.mechanism.links
+    return masses[name][0] if name in masses else next(n for n in sorted(links) if name in links[n].points)
+
+
+def _feet(joints: Joints, link: int, spot: complex) -> Iterator[complex]:
+    """Give the nearest place of each bar of a link; of a link of one point alone its point."""
+    outline = next(one for one in joints.outlines if one.link == link)
+    bars = [(start, end) for start, end in joints.placed(outline) if start != end]
+    yield from (nearest(start, end, spot) for start, end in bars)
+    if not bars:
+        numbered, k = joints.bones.numbered, joints.bones.shown
+        yield from (joints.place.on(complex(numbered.of(link, own)[k])) for own in numbered.links[link].points.values())
+
+
+def nearest(start: complex, end: complex, spot: complex) -> complex:
+    """Give the place of a piece of a line that is nearest to a spot.
+
+    >>> nearest(0j, 4 + 0j, 3 + 2j), nearest(0j, 4 + 0j, 7 + 2j)
+    ((3+0j), (4+0j))
+    """
+    share = ((spot - start) * (end - start).conjugate()).real / abs(end - start) ** 2
+    return start + min(max(share, 0.0), 1.0) * (end - start)
+
+
+SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand
+
+
+OFFS = (0.6, 2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0)  # mm between a bar and the circle
+
+
+LED = 2.0  # mm: from further off a leader leads to the link
+
+
+DOT = 0.5  # mm, radius of the dot that a leader ends with on its link
+
+
+ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it is wider
+
+
+DIRECTIONS = 16
+
+
+class NumberPlace(NamedTuple):
+    """A place for a number: the middle of its circle, the place of the link that it is for, mm between them."""
+
+    middle: complex
+    foot: complex
+    off: float
+
+
+def link_numbers(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
+    """Number the links where the lines of all figures leave room."""
+    for link in links:
+        spots = [spot for spot in _spots(joints, link, hand) if not cmath.isnan(spot.middle)]
+        yield from (_number(str(link), spots, labels, hand),) if spots else ()
+
+
+def frame_number(joints: Joints, labels: Labels, hand: Hand) -> Iterator[Stroke]:
+    """Number the frame beside the stand of the drive's hinge, or of the first that has one."""
+    fixed_points, drive = joints.bones.mechanism.links[FRAME].points, joints.bones.mechanism.drive
+    hinges = sorted((name for name in fixed_points if name in joints.hinges), key=lambda name: name != drive.pivot)
+    if hinges:
+        bases = [line for line in joints.stand(hinges[0]) if isinstance(line, Line)]
+        spots = [spot for line in bases[2:3] for spot in _around((line.start + line.end) / 2, FRAME, 0.0, hand)]
+        yield _number(str(FRAME), spots, labels, hand)
+
+
+def _spots(joints: Joints, link: int, hand: Hand) -> Iterator[NumberPlace]:
+    """Give the places beside a link, the nearest first; beside a block where the link is no more than one."""
+    radius = _radius(str(link), hand)
+    outlines = (outline for outline in joints.outlines if outline.link == link)
+    bars = [bar for outline in outlines for bar in joints.placed(outline) if abs(bar[1] - bar[0]) > 4 * radius]
+    if not bars:
+        yield from _around(_middle(joints, link), link, abs(complex(*BLOCK)) / 2 * joints.hand.symbol, hand)
+    for off in OFFS if bars else ():
+        for share in SHARES:
+            for start, end in bars:
+                across, foot = 1j * (end - start) / abs(end - start), start + share * (end - start)
+                yield from (NumberPlace(foot + side * across * (radius + off), foot, off) for side in (1, -1))
+
+
+def _around(foot: complex, link: int, clear: float, hand: Hand) -> Iterator[NumberPlace]:
+    """Give the places round a spot that is kept clear so far."""
+    for off in OFFS:
+        reach = clear + _radius(str(link), hand) + off
+        turns = (2 * math.pi * (k + 0.5) / DIRECTIONS for k in range(DIRECTIONS))
+        yield from (NumberPlace(foot + cmath.rect(reach, turn), foot, off) for turn in turns)
+
+
+def _middle(joints: Joints, link: int) -> complex:
+    bones = joints.bones
+    spots = bones.mechanism.links[link].points.values()
+    places = [joints.place.on(complex(bones.numbered.of(link, spot)[bones.shown])) for spot in spots]
+    return sum(places) / len(places)
+
+
+def _radius(content: str, hand: Hand) -> float:
+    left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
+    return max(ROUND * hand.text, abs(complex(right - left, top - bottom)) / 2 + 0.15 * hand.text)
+
+
+def _number(content: str, spots: list[NumberPlace], labels: Labels, hand: Hand) -> Stroke:
+    """Draw a number in its circle at the first free place, with a leader where that is not beside its link."""
+    radius = _radius(content, hand)
+
+    def covered(spot: NumberPlace) -> int:
+        through = labels.ink.along(spot.middle, spot.foot) // LETTERED if spot.off > LED else 0
+        return labels.ink.under(_square(spot.middle, radius + 0.4)) + through
+
+    spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)
+    left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
+    text = Text(spot.middle - complex(left + right, bottom + top) / 2, content, hand.text, "middle")
+    led = _leader(spot, radius, hand) if spot.off > LED else ()
+    group = Group((Circle(spot.middle, radius, hand.other), text, *led), "", {}, content)
+    labels.ink.draw([group])
+    return group
+
+
+def _leader(spot: NumberPlace, radius: float, hand: Hand) -> tuple[Stroke, ...]:
+    """Lead from a circle's rim to a dot on its link."""
+    rim = spot.middle + (spot.foot - spot.middle) / abs(spot.foot - spot.middle) * radius
+    return Line(rim, spot.foot, hand.drafted), Circle(spot.foot, DOT * hand.symbol, INK)
+
+
+def _square(middle: complex, half: float) -> Box:
+    return middle.real - half, middle.imag - half, middle.real + half, middle.imag + half

@@ -1,4 +1,4 @@
-"""Outlines of links: the straight bars that a link is drawn with, and its rigid corners (контуры звеньев).
+"""The poses of links, and their outlines: the straight bars of a link, its rigid corners (контуры звеньев).
 
 An outline is measured in the link's own frame, in metres, so that one outline serves every position.
 """
@@ -7,12 +7,103 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import combinations, pairwise
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
-from drawings.linkage.skeleton import Bones, Poses, is_centre
-from plans.model.mechanism import Slide, Way
+import numpy as np
+
+from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
+from plans.model.motion import Complexes, Floats
+
+_LETTER = re.compile(r"S\d*")
+
+
+def is_centre(name: str) -> bool:
+    """Tell whether a point is a mass centre by its letter.
+
+    >>> is_centre("S2"), is_centre("S"), is_centre("SB")
+    (True, True, False)
+    """
+    return bool(_LETTER.fullmatch(name))
+
+
+class Bones(Protocol):
+    """What links and their pairs are drawn from: a mechanism, its poses, and which of them is shown."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+
+    @property
+    def links(self) -> list[int]:
+        """The links that are drawn."""
+
+    @property
+    def numbered(self) -> Poses:
+        """The poses."""
+
+    @property
+    def shown(self) -> int:
+        """Which of them is shown."""
+
+    @property
+    def reach(self) -> float:
+        """The mechanism's size, m."""
+
+    @property
+    def masses(self) -> Mapping[str, tuple[int, complex]]:
+        """The mass centres that no point names: letter, link, place in its own frame."""
+
+    @property
+    def travels(self) -> Mapping[Slide, tuple[float, float]]:
+        """How far along its line each slide's block comes, m."""
+
+    def spot(self, name: str, position: int) -> complex:
+        """Give a point's place; NaN at a gap."""
+
+
+@dataclass(frozen=True)
+class Poses:
+    """A mechanism in several positions: the places of its points and the directions of its links; NaN at gaps."""
+
+    links: Mapping[int, Link]
+    points: Mapping[str, Complexes]
+    turns: Mapping[int, Complexes]
+
+    def __len__(self) -> int:
+        return len(self.turns[FRAME])
+
+    def of(self, link: int, spot: complex) -> Complexes:
+        """Give the places of a spot that is fixed in a link, measured in the link's own frame."""
+        if link == FRAME:
+            return np.full(len(self), spot)
+        name, own = next(iter(self.links[link].points.items()))
+        return np.asarray(self.points[name] + self.turns[link] * (spot - own))
+
+    def line(self, slide: Slide) -> Complexes:
+        """Give the directions of a slide's line."""
+        return np.asarray(self.turns[slide.owner] * slide.on_owner.direction)
+
+    def along(self, slide: Slide) -> Floats:
+        """Give how far a slide's block stands along its line, m from the point that the line goes through."""
+        pins = self.points[slide.point] - self.of(slide.owner, slide.on_owner.through)
+        return np.asarray((pins * np.conj(self.line(slide))).real)
+
+    def blocks(self, slide: Slide) -> Complexes:
+        """Give the places of a slide's block: the foot on its line of the slider's named point."""
+        return self.of(slide.owner, slide.on_owner.through) + self.line(slide) * self.along(slide)
+
+
+def places(bones: Bones) -> dict[str, complex]:
+    """Give the shown places of all named points and of the mass centres that no point names, m; none at a gap."""
+    poses, k = bones.numbered, bones.shown
+    found = {name: bones.spot(name, k) for name in sorted(poses.points)}
+    found |= {name: complex(poses.of(*mass)[k]) for name, mass in bones.masses.items()}
+    return {name: spot for name, spot in found.items() if not math.isnan(spot.real)}
+
 
 # Points of a link lie on one line when none is off it by more than this share of its length: rounding of coordinates
 # that a scene gives with twelve digits, and no distance on any sheet.
