@@ -17,9 +17,9 @@ from drawings.kinds.working import Working
 from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
-from drawings.linkage import vector_plan as link_working
 from drawings.linkage.positions import position
 from drawings.linkage.skeleton import Skeletons, skeletons
+from drawings.linkage.vector_plan import link_working
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.leaves import EQUATION, lay_out
@@ -163,7 +163,7 @@ class _BalancingSheet:
         """How schemes and polygon are laid off: beside them, where paper would stay bare."""
         mechanism = self.shown.bones.mechanism
         for shown, _ in self._rooms:
-            yield link_working.link_working(mechanism, list(mechanism.links), SCHEME + shown.state, self.drafting)
+            yield link_working(mechanism, list(mechanism.links), SCHEME + shown.state, self.drafting)
         yield self._moments.working(self.drafting)
 
     @property
