@@ -89,13 +89,6 @@ def test_an_arc_and_a_line_are_met_in_either_order() -> None:
     assert turned.step.inputs == (line, arc)
 
 
-def test_a_meeting_of_loci_that_miss_is_a_gap_that_says_by_how_much() -> None:
-    board, (a, c) = board_with(A=0j, C=10 + 0j)
-    b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), +1)
-    assert cmath.isnan(b.point)
-    assert (b.miss, b.sharpness) == (3, 0)
-
-
 def test_similar_with_its_own_image_is_the_normal_acceleration() -> None:
     omega, radius = 3.0, 2 + 1j
     board, (velocity, arm) = board_with(ab=1j * omega * radius, AB=radius)
@@ -106,14 +99,6 @@ def test_a_moment_is_told_from_a_vector() -> None:
     board, (o, a, f) = board_with(O=1 + 1j, A=4 + 1j, F=5 + 2j)
     assert board.moment("M", o, a, f).is_moment and not f.is_moment
     assert board.moment("M0", a, a, f).point == 0
-
-
-def test_a_line_of_action_through_the_fulcrum_balances_nothing() -> None:
-    board, (o, a, f, u) = board_with(O=0j, A=2 + 1j, F=4 - 3j, u=2 + 1j)
-    found = board.balance("R", o, board.parallel("line", a, u), board.moment("M", o, a, f))
-    assert cmath.isnan(found.point)
-    assert found.sharpness == 0
-    assert not board.clear
 
 
 # What is kept
@@ -167,20 +152,6 @@ def test_a_mark_knows_its_role_its_number_and_its_step_and_the_first_of_a_name_k
 
 
 # What a mark rests on
-
-
-def test_behind_a_mark_stand_all_it_rests_on_each_once_and_before_its_use() -> None:
-    board, (a, c, unused) = board_with(A=0j, C=4 + 0j, X=9j)
-    on_2, on_3 = board.arc("AB", a, 3.0), board.arc("CB", c, 3.0)
-    b = board.meet("B", on_2, on_3, +1)
-    board.join("AX", a, unused)
-    ab, cb = board.join("AB", a, b), board.join("CB", c, b)
-    carried = Board("velocities").transfer("AB", ab)
-    assert (carried.subject, carried.step.inputs) == ("velocities", (ab,))
-    order = behind(carried, cb)
-    assert sorted(order, key=id) == sorted((a, c, on_2, on_3, b, ab, cb, carried), key=id)
-    for mark in order:
-        assert all(order.index(source) < order.index(mark) for source in mark.step.inputs)
 
 
 def test_a_chain_of_many_steps_is_followed_to_its_start() -> None:

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import example, given
 from hypothesis import strategies as st
 
-from drawings.commands.explain import sentence
 from geometry.board import Board, Mark
 from geometry.calculus import (
     Derivative,
@@ -24,19 +21,12 @@ from geometry.calculus import (
 from geometry.meet import EPS
 from geometry.precision import errors
 from geometry.replay import exact
-from geometry.steps import behind
 from geometry.strips import Floats, middles, strips
-from plans.explanation import Explanation
 from plans.words.calculus import REASONS
-from plans.words.words import message
 from tests import parts
-from tests.parts import examples
 from tests.rows import over
 
-Function = Callable[[Any], Any]
-COUNTS = (12, 24, 96, 384, 1024, 4096)
 LIFT, PHASE = 0.03, math.radians(120)  # of a follower: m, rad
-LOAD, FROM, TO = 2000.0, 0.3, 2.1  # of a planing machine's load over an angle, with both its jumps
 
 
 def printed(value: float, digits: int) -> str:
@@ -48,41 +38,11 @@ def cosine_law(phi: Any) -> Any:
     return LIFT * math.pi**2 / (2 * PHASE**2) * np.cos(np.pi * phi / PHASE)
 
 
-def cosine_law_first(phi: Any) -> Any:
-    """S' of the cosine law, m/rad."""
-    return LIFT * math.pi / (2 * PHASE) * np.sin(np.pi * phi / PHASE)
-
-
-def sine_law(phi: Any) -> Any:
-    """S of the sine law, m."""
-    return LIFT * (phi / PHASE - np.sin(2 * np.pi * phi / PHASE) / (2 * np.pi))
-
-
-def sine_law_first(phi: Any) -> Any:
-    """S' of the sine law, m/rad."""
-    return LIFT / PHASE * (1 - np.cos(2 * np.pi * phi / PHASE))
-
-
 def drawn(edges: Any, means: Any, **further: Any) -> Integral:
     return integral(Board("works"), "A", edges, means, **further)
 
 
-def order(errors: list[float], counts: tuple[int, ...] = COUNTS) -> float:
-    return math.log(errors[0] / errors[-1]) / math.log(counts[-1] / counts[0])
-
-
 # Worked values
-
-
-def test_the_cosine_law_integrated_in_eight_parts() -> None:
-    edges = strips(0, PHASE, 8)
-    curve = drawn(edges, cosine_law(middles(edges)))
-    middle = curve.values[4]
-    assert printed(middle, 10) == "0.02264522721"
-    assert printed(cosine_law_first(PHASE / 2), 10) == "0.0225"
-    assert printed(middle / 0.0225 - 1, 8) == "0.0064545428"
-    assert middle / 0.0225 - 1 == pytest.approx((math.pi / 16) / math.sin(math.pi / 16) - 1, rel=1e-12, abs=0)
-    assert abs(curve.values[-1]) <= curve.slacks[-1]  # it closes
 
 
 def test_the_cosine_law_integrated_on_paper_is_read_with_its_scale() -> None:
@@ -100,56 +60,7 @@ def test_the_cosine_law_integrated_on_paper_is_read_with_its_scale() -> None:
     assert curve.values[4] == pytest.approx(curve.points[4].point.imag * 40, rel=4 * EPS, abs=0)
 
 
-def test_the_sine_law_differentiated_by_chords_in_twelve_parts() -> None:
-    edges = strips(0, PHASE, 12)
-    curve = derivative_by_chords(Board("slopes"), "S", edges, sine_law(edges))
-    true = float(sine_law_first(curve.middles[4]))
-    assert (printed(curve.values[4], 10), printed(true, 10)) == ("0.02433719921", "0.02445250344")
-    assert printed(curve.values[4] / true - 1, 9) == "-0.00471543641"
-    assert complex(curve.points[4].point) == pytest.approx(complex(PHASE * 4.5 / 12, curve.values[4]), rel=1e-14)
-
-
-def test_the_tangent_of_the_sine_law_on_paper_returns_its_slope() -> None:
-    """S at 0.0005 m a mm, a degree a mm, the pole at 25 mm."""
-    mu_phi, mu_s = PHASE / 120, 0.0005
-    mu = mu_s / (mu_phi * 25)
-    assert printed(mu, 9) == "0.00114591559"
-    phi = 4 * PHASE / 12
-    slope = float(sine_law_first(phi)) * mu_phi / mu_s  # on paper
-    curve = derivative_by_tangents(Board("slopes"), "S", [40.0], [sine_law(phi) / mu_s], [slope], pole=25.0)
-    assert printed(math.degrees(np.angle(curve.directions[0].point)), 10) == "36.86989765"
-    assert curve.points[0].point.imag * mu == pytest.approx(sine_law_first(phi), rel=4 * EPS, abs=0)
-    assert curve.points[0].point.real == pytest.approx(40, rel=EPS)
-
-
 # Orders
-
-
-def largest(edges: Floats, function: Function, whole: Function) -> float:
-    curve = drawn(edges, function(middles(edges)))
-    return float(np.max(np.abs(curve.values - (whole(edges) - whole(edges[0])))))
-
-
-def planed(x: Any) -> Any:
-    return np.where((x > FROM) & (x < TO), LOAD * np.sin(x), 0.0)
-
-
-def planed_whole(x: Any) -> Any:
-    return -LOAD * np.cos(np.clip(x, FROM, TO))
-
-
-def test_with_its_jumps_on_edges_a_load_is_of_the_second_order() -> None:
-    off = [largest(strips(0, 2 * math.pi, count, [FROM, TO]), planed, planed_whole) for count in COUNTS]
-    assert order(off) == pytest.approx(2.0, abs=0.1)
-
-
-def test_chords_differentiate_in_the_second_order() -> None:
-    off = []
-    for count in COUNTS:
-        edges = strips(0, PHASE, count)
-        curve = derivative_by_chords(Board("slopes"), "S", edges, sine_law(edges))
-        off.append(float(np.max(np.abs(curve.values - sine_law_first(curve.middles)))))
-    assert order(off) == pytest.approx(2.0, abs=0.1)
 
 
 # Rounding
@@ -202,40 +113,10 @@ def test_slopes_lie_within_a_few_roundings_of_the_true_ones(pole: float, scale: 
     assert np.all(np.abs(tangent.values - ys) <= tangent.slacks)
 
 
-def test_an_unknown_mean_leaves_all_after_it_unknown() -> None:
-    values = drawn([0, 1, 2, 3], [1.0, math.nan, 1.0]).values
-    assert values[:2].tolist() == [0.0, 1.0]
-    assert np.isnan(values[2:]).all()
-
-
 # What must not change the values
 
 
 means = st.floats(-1e3, 1e3)
-diagrams = st.lists(st.tuples(st.floats(1e-3, 10), means), min_size=1, max_size=8).map(
-    lambda rows: (np.cumsum([0.0, *(width for width, _ in rows)]), np.array([mean for _, mean in rows]))
-)
-
-
-@example((np.array([0.0, 1.0]), np.array([5e-324])), 2.0)
-@examples(6)
-@given(diagrams, st.floats(1e-3, 1e3))
-def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Floats, Floats], pole: float) -> None:
-    one, other = drawn(*diagram), drawn(*diagram, pole=pole)
-    assert np.all(np.abs(one.values - other.values) <= one.slacks + other.slacks)
-    heights = np.array([mark.point.imag for mark in other.points])
-    assert heights * pole == pytest.approx(one.values, rel=1e-9, abs=1e-9)
-
-
-@examples(6)
-@given(diagrams)
-def test_a_derivative_of_an_integral_is_the_diagram_again(diagram: tuple[Floats, Floats]) -> None:
-    curve = drawn(*diagram)
-    again = derivative_by_chords(Board("slopes"), "A", curve.edges, curve.values)
-    slack = 2 * curve.slacks[1:] / np.diff(curve.edges) + again.slacks
-    assert np.all(np.abs(again.values - curve.means) <= slack)
-
-
 # The record
 
 
@@ -251,48 +132,12 @@ def records() -> list[tuple[Mark, ...]]:
     return [one.points for one in diagram()]
 
 
-def test_a_chord_is_parallel_to_its_ray_and_joins_two_points_of_the_curve() -> None:
-    curve = diagram()[0]
-    assert complex(curve.pole.point) == -2
-    for k, ray in enumerate(curve.rays):
-        assert complex(ray.point) == complex(2.0, curve.means[k])
-        assert complex(curve.carried[k].point) == complex(0, curve.means[k])
-        assert curve.chords[k].step.inputs == (curve.points[k], ray)
-        chord = complex(curve.points[k + 1].point) - complex(curve.points[k].point)
-        assert (chord / complex(ray.point)).imag == pytest.approx(0, abs=1e-15)
-        assert complex(curve.points[k + 1].point).real == pytest.approx(curve.edges[k + 1], rel=4 * EPS, abs=0)
-
-
-def test_a_ray_of_a_derivative_is_parallel_to_its_chord_and_its_point_stands_over_the_middle() -> None:
-    curve = diagram()[1]
-    for k, point in enumerate(curve.points):
-        assert curve.rays[k].step.inputs == (curve.pole, curve.directions[k])
-        assert complex(point.point).real == pytest.approx(curve.middles[k], rel=8 * EPS, abs=0)
-
-
 def test_fifty_digits_agree_and_the_bounds_of_the_record_hold() -> None:
     for points in records():
         bounds, truth = errors(*points), exact(list(points))
         for one in points:
             off = abs(complex(one.point) - complex(truth[one]))
             assert off <= float(bounds[one].place.item()) <= 1e-11
-
-
-@over("language", ["en", "ru"])
-def test_every_step_can_be_told_with_its_reason(language: str) -> None:
-    for points in records():
-        steps = tuple(behind(*points))
-        told = Explanation(message("explain.name", mark="A"), steps, {})
-        for step in steps:
-            assert step.step.why, step.name
-            assert "step." not in sentence(step, told, language)
-        assert len({step.name for step in steps}) == len(steps)
-
-
-def test_a_derivative_is_not_joined_across_a_corner() -> None:
-    curve = derivative_by_chords(Board("slopes"), "v", [0, 1, 2, 4], [0, 1, 0, -2], breaks=[1])
-    assert curve.values.tolist() == [1, -1, -1]
-    assert [curve.values[piece].tolist() for piece in curve.pieces] == [[1], [-1, -1]]
 
 
 def test_a_corner_has_the_tangents_of_both_its_sides() -> None:

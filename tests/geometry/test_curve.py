@@ -7,7 +7,7 @@ import math
 
 import pytest
 
-from geometry.curve import CubicPiece, RoundPiece, gaps, sampled, straight
+from geometry.curve import CubicPiece, RoundPiece, sampled, straight
 
 PIECES = (RoundPiece(1 + 0j, 0j, math.pi / 2), CubicPiece(1j, -1 + 1j, -1 - 1j, -1j), straight(-1j, 1 + 0j))
 
@@ -26,9 +26,3 @@ def test_chain_is_nowhere_farther_off_than_its_sag(sag: float) -> None:
     spots = [piece.at(k / 200) for piece in PIECES for k in range(201)]
     off = max(chain.distance(shapely.Point(spot.real, spot.imag)) for spot in spots)
     assert sag / 10 < off <= sag
-
-
-def test_gap_between_pieces_is_told() -> None:
-    assert gaps(PIECES, closed=True) < 1e-15
-    assert gaps((*PIECES, straight(1 + 0.25j, 2j)), closed=False) == 0.25
-    assert gaps(PIECES[:2], closed=True) == pytest.approx(math.sqrt(2))

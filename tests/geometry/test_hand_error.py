@@ -22,21 +22,6 @@ def test_every_verb_that_rounds_slips_or_is_reckoned() -> None:
     assert set(hand_error._RULES) | {"given"} == set(precision._RULES)
 
 
-def test_a_square_meeting_adds_both_lines_and_its_prick() -> None:
-    """Two lines ruled square to each other: each pushes the meeting along the other, and the prick is its own."""
-    board = Board("positions")
-    start = board.given("P", 0j)  # a datum is where it is
-    lines = [board.parallel(name, start, board.given(name, way)) for name, way in (("x", 40 + 0j), ("y", 40j))]
-    assert deviation(board.meet("M", *lines)) == pytest.approx(SLIP * np.sqrt(2 + 2))
-
-
-def test_arcs_that_barely_meet_tell_nothing() -> None:
-    board = Board("positions")
-    a, c = board.given("A", 0j), board.given("C", 100 + 0j)
-    b = board.meet("B", board.arc("AB", a, 50.0), board.arc("CB", c, 50.001), side=+1)
-    assert np.isnan(slopes(HAND, b)[b]).all()
-
-
 def test_one_slip_that_comes_by_two_ways_is_added_as_it_is() -> None:
     """A vector laid off and taken back by what stands on the same prick: the prick is not in their difference."""
     board = Board("positions")
@@ -77,62 +62,6 @@ def test_a_long_vector_is_out_along_itself_and_one_of_nothing_by_its_place() -> 
     assert size_error(np.array([0j]), np.concatenate([slips[:30], 1j * slips[:30]]))[0] == pytest.approx(
         2.4477 * 0.1 * np.sqrt(30), rel=0.03
     )
-
-
-PLACE, OTHER, WAY = 3 + 4j, 8 + 4j, 30 + 0j  # mm: two given points, and a vector from nowhere
-
-
-def _parallels(board: Board, start: Mark) -> Mark:
-    """Two lines square to each other through one point."""
-    lines = [board.parallel(name, start, board.given(name, way)) for name, way in (("x", WAY), ("y", 1j * WAY))]
-    return board.meet("M", *lines)
-
-
-def _squares(board: Board, start: Mark) -> Mark:
-    lines = [board.square(name, start, board.given(name, way)) for name, way in (("x", WAY), ("y", 1j * WAY))]
-    return board.meet("M", *lines)
-
-
-def _notched(board: Board, start: Mark) -> Mark:
-    """A circle notched by a line through its own centre."""
-    line = board.parallel("x", board.given("O", 0j), board.given("way", PLACE))
-    return board.meet("M", line, board.arc("k", start, 5.0), side=+1)
-
-
-# Each slip is SLIP in x and in y, along any one line SLIP. What is drawn from a given point knows that it was pricked.
-PRICKED = {
-    "lay_off": (lambda board, a: board.lay_off("B", a, board.given("v", WAY)), np.sqrt(2 + 2)),
-    "laid off nothing": (lambda board, a: board.lay_off("B", a, board.given("v", 0j)), np.sqrt(2)),
-    "join": (lambda board, a: board.join("AC", a, board.given("C", OTHER)), np.sqrt(2 + 2)),
-    "parallel": (_parallels, np.sqrt(2 + 2 + 2)),  # the point's own prick, two lines, the meeting's
-    "square": (_squares, np.sqrt(2 + 2 + 2)),
-    # Along the line the centre and the opening, square to it the line, and the meeting's own prick.
-    "arc": (_notched, np.sqrt(1 + 1 + 1 + 2)),
-    # Square to the arm of 5 mm: both points and the ruler, over what the tangent reaches, 4 mm.
-    "tangent": (lambda board, a: board.tangent("t", a, board.given("C", OTHER), 3.0, +1), np.sqrt(3) / 4),
-    # A force square to the arm: both points and the ruler along it.
-    "moment": (
-        lambda board, a: board.moment("M", a, board.given("C", OTHER), board.given("F", 1j * WAY)),
-        np.sqrt(3) * 30,
-    ),
-}
-
-
-@pytest.mark.parametrize("verb", PRICKED)
-def test_what_is_drawn_from_a_given_point_is_out_by_its_prick_too(verb: str) -> None:
-    act, times = PRICKED[verb]
-    board = Board("positions")
-    assert deviation(act(board, board.given("A", PLACE))) == pytest.approx(SLIP * times)
-
-
-def test_a_force_that_balances_moments_is_out_by_its_arm() -> None:
-    """M = -F h: of an arm of 5 mm each mm is a fifth of the force; its line's direction is given."""
-    board = Board("positions")
-    about, through = board.given("O", PLACE), board.given("C", OTHER)
-    line = board.parallel("l", through, board.given("way", 1j * WAY))
-    force = board.balance("P", about, line, board.given("T", 60.0))
-    # Both points, the ruled line and the ruler, of a force of 12.
-    assert deviation(force) == pytest.approx(SLIP * np.sqrt(4) * 12 / 5)
 
 
 def test_a_couple_is_out_by_its_arm_and_by_what_turns_it() -> None:

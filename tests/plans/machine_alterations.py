@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from math import degrees
 
 from plans.model.machine import Body, Force, Machine, Moment, Spring
-from tests.plans.alterations import moved, renamed
+from tests.plans.alterations import moved
 from tests.plans.loaded import Loaded
 from tests.plans.studies import driven
 
@@ -90,19 +90,3 @@ def loads_times(machine: Machine, factor: float) -> Machine:
 def massless(machine: Machine) -> Machine:
     """Take all masses away; loads and springs are left."""
     return replace(machine, bodies={}, gravity=0j)
-
-
-def called(one: Loaded, points: Mapping[str, str], numbers: Mapping[int, int]) -> Loaded:
-    """Give links other numbers and points other names, and list bodies and loads the other way round."""
-    its = altered(
-        one.machine,
-        body=lambda b: b._replace(link=numbers[b.link]),
-        force=lambda f: f._replace(link=numbers[f.link], point=points[f.point]),
-        moment=lambda m: m._replace(link=numbers[m.link]),
-        spring=lambda s: s._replace(
-            links=(numbers[s.links[0]], numbers[s.links[1]]), points=(points[s.points[0]], points[s.points[1]])
-        ),
-    )
-    bodies = dict(reversed(its.bodies.items()))
-    its = replace(its, bodies=bodies, forces=its.forces[::-1], moments=its.moments[::-1])
-    return Loaded(renamed(one.mechanism, points, numbers), its, one.phi)

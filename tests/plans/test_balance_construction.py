@@ -8,36 +8,21 @@ import numpy as np
 import pytest
 
 from plans.balance.study import BalanceStudy, substituted
-from plans.model.balance.linkage import EPS, FORCE, FULL, PARTIAL, REACTION, ROUNDING, SHARE, SHARES, Place, Task
+from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Place, Task
 from plans.model.dyad import decompose
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.machine import Body, Transmission
 from plans.scene.faults import SceneError
-from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, YOKE, asked, study
+from tests.plans.balanced import ENGINE, FOUR_BAR, YOKE, asked, study
 from tests.plans.linkages import tangent_mechanism
 
 FAST = "[drive]\nacceleration = 37\n"
-GRAVITY = "[loads]\ngravity = 9.81\n"
 
 
 def inertia_alone(its: BalanceStudy) -> Kinetostatics:
     """Give the forces of a machine on which nothing acts but its inertia."""
     bare = replace(its.machine, gravity=0j, forces=(), moments=(), springs=(), transmission=Transmission())
     return its.statics.bearing(bare).forces
-
-
-@pytest.mark.parametrize("text", [FOUR_BAR.replace("[drive]\n", FAST), SIX_LINK, ENGINE, SHAPER, YOKE])
-def test_shaking_force_by_three_roads(text: str) -> None:
-    its = study(text, positions=90)
-    forces, drawing = inertia_alone(its), its.drawing()
-    frame = [one for key, one in forces.reactions.items() if key.startswith("0-")]
-    by_main_points = its.before.centre.force
-    by_reactions = -np.sum([one.force for one in frame], axis=0)
-    by_links = np.asarray(drawing.shaking.end.point)
-    slack = ROUNDING * EPS * np.abs([side.vector.point for side in drawing.shaking.sides]).max()
-    assert np.abs(by_main_points - by_reactions).max() <= slack
-    assert np.abs(by_main_points - by_links).max() <= slack
-    assert drawing.place.point == pytest.approx(np.asarray(drawing.centre.point), rel=1e-14, abs=1e-16)
 
 
 @pytest.mark.parametrize("text", [FOUR_BAR.replace("[drive]\n", FAST), ENGINE, YOKE])
@@ -61,35 +46,12 @@ def test_block_and_pin_that_slide_leave_both_their_masses() -> None:
     assert found.counterweights == {}
 
 
-def test_the_main_vector_is_against_the_acceleration() -> None:
-    drawing = study(FOUR_BAR).drawing()
-    assert drawing.force.point == pytest.approx(-11 * np.asarray(drawing.accelerations.end.point), rel=1e-14)
-
-
 def test_mechanism_that_cannot_be_assembled_has_counterweights_but_no_costs() -> None:
     its = study(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(SHARE, Place(1, mass=9)))
     assert its.share == 0
     assert its.counterweights[0].moment == pytest.approx(-0.37)
     assert its.after is not None
     assert np.isnan([its.after.shaking, its.after.centre.path]).all()
-
-
-@pytest.mark.parametrize(
-    ("place", "distance", "mass"),
-    [
-        (Place(1, radius=0.05), 0.05, 7.4),
-        (Place(1, at=-0.1), 0.1, 3.7),
-        (Place(1, shape="sector"), None, None),
-    ],
-)
-def test_mass_from_place(place: Place, distance: float | None, mass: float | None) -> None:
-    (one,) = study(ENGINE, asked(PARTIAL, place)).counterweights
-    assert one.moment == pytest.approx(-0.37)
-    if mass is not None:
-        assert (one.distance, one.mass) == pytest.approx((distance, mass))
-    else:  # the centre of a sector lies at 2/3 R sin(a)/a from its apex
-        assert one.distance == pytest.approx(2 / 3 * one.outer * np.sin(np.pi / 3) / (np.pi / 3))
-    assert one.mass * one.centre == pytest.approx(-0.37)
 
 
 @pytest.mark.parametrize(
@@ -112,26 +74,6 @@ def test_balance_that_cannot_be_is_refused(text: str, task: Task, where: str, sa
     assert where in str(refused.value)
     assert said in str(refused.value)
     assert fault.worded("ru") != fault.worded("en")
-
-
-@pytest.mark.parametrize("least", [FORCE, REACTION])
-@pytest.mark.parametrize("place", [Place(1, mass=5), Place(1, radius=0.1)])
-def test_share_of_the_reciprocating_mass(least: str, place: Place) -> None:
-    """The best share is better than shares beside it, and the machine balanced with it is as the curve says."""
-    its = study(ENGINE + GRAVITY, asked(SHARE, place, least=least))
-    shares, after = its.shares, its.after
-    assert shares is not None
-    assert after is not None
-    best = shares.least_force if least == FORCE else shares.least_reaction
-    assert its.share == best.share
-    assert (after.shaking, after.reactions["0-1"]) == pytest.approx((best.force, best.reaction), rel=1e-12)
-    row = "force" if least == FORCE else "reaction"
-    for share in (best.share - 1e-6, best.share + 1e-6):
-        other = study(ENGINE + GRAVITY, asked(SHARE, place, share=share)).after
-        assert other is not None
-        assert (other.shaking if least == FORCE else other.reactions["0-1"]) > getattr(best, row)
-    assert len(shares.curve) == SHARES
-    assert min(getattr(one, row) for one in shares.curve) >= getattr(best, row)
 
 
 def test_mechanism_that_is_balanced_already_needs_nothing() -> None:

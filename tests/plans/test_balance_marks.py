@@ -6,7 +6,7 @@ import pytest
 
 from geometry.board import at
 from plans.balance.marks import marks
-from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.explanation import Explanation, NoMark
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
@@ -21,37 +21,6 @@ FULL = scene(
 
 def studied(text: str = FOUR_BAR.format(positions=12) + FULL, whole: bool = False) -> Study:
     return Study.of_all(parse_scene(text), whole=whole)
-
-
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [
-        ("S", 0.2474528462 + 0.1533593396j),
-        ("S'", 0.02692307692),
-        ("Phi", 68.9302408 + 24.77642635j),
-        ("a_S", -6.266385528 - 2.252402396j),
-        ("mr_S", 11 * (0.2474528462 + 0.1533593396j)),
-    ],
-)
-def test_marks_of_a_position(name: str, value: complex) -> None:
-    found = marks(studied(), 0, name)
-    assert isinstance(found, Explanation)
-    assert at(found.steps[-1].point, 0) == pytest.approx(value, rel=5e-10, abs=1e-15)
-    assert not {step.subject for step in found.steps} & {"positions", "velocities", "accelerations"}
-    whole = marks(studied(whole=True), 0, name)
-    assert isinstance(whole, Explanation)
-    assert len(whole.steps) > len(found.steps)
-    assert found.steps[-1].subject in found.units
-
-
-def test_counterweight_is_told_step_by_step() -> None:
-    """The coupler's counterweight closes its own moment and that of the mass that replaces link 3 at B (8.8)."""
-    found = marks(studied(), 0, "U_2")
-    assert isinstance(found, Explanation)
-    told = {step.name: complex(step.point) for step in found.steps}
-    assert told["m_B3"] == pytest.approx(3)
-    assert told["m_B3·AB"] == pytest.approx(1.2)
-    assert told["U_2"] == pytest.approx(-1.92)
 
 
 def test_balanced_force_is_nothing_but_rounding() -> None:
@@ -77,15 +46,6 @@ def test_what_others_explain_or_nobody(name: str) -> None:
     found = marks(studied(), 0, name)
     assert isinstance(found, NoMark)
     assert {"S", "U_1", "U_2", "Φ'"} <= set(found.names)
-
-
-def test_nothing_is_told_of_after_where_nothing_is_asked_for() -> None:
-    study = studied(FOUR_BAR.format(positions=12) + "[balance]\n")
-    found = marks(study, 0, "S'")
-    assert isinstance(found, NoMark)
-    assert not any("'" in name for name in found.names)
-    with pytest.raises(UnknownMark):
-        marks(study, 12, "S")
 
 
 def test_technique_names_its_marks_and_study() -> None:

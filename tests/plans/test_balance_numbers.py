@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import first
@@ -64,14 +63,3 @@ def test_numbers_of_a_machine_as_it_is_and_of_one_that_is_balanced_already() -> 
     for by in ("construction", "analysis"):
         (one,) = told(rests + asks, by)["counterweights"]
         assert one == {"on": 1, "mass": 0.0, "moment": [0.0, 0.0], "begin": "O"}
-
-
-@pytest.mark.parametrize("by", ["construction", "analysis"])
-@pytest.mark.parametrize(
-    ("asks", "said"),
-    [('aim = "full"\n{}mass = 9', "on = 2"), ('aim = "partial"\n{}at = 0.1', "at = -0.1")],
-)
-def test_a_balance_that_cannot_be_has_no_numbers_by_either_road(asks, said, by) -> None:
-    asks = asks.format("[[balance.counterweights]]\non = 1\n")
-    with pytest.raises(SceneError, match=said):
-        told(ENGINE.format(positions=3) + f"[balance]\n{asks}\n", by)

@@ -9,7 +9,7 @@ import pytest
 
 from plans.balance.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
-from plans.model.balance.linkage import FORCE, FULL, NONE, REACTION, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import FORCE, FULL, REACTION, SECTOR, SHARE, Place, Task
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import parse_scene
 from tests.gallery import GALLERY
@@ -48,12 +48,6 @@ def test_a_task_is_read_with_its_units() -> None:
             Place(3, shape=SECTOR, half_angle=math.pi / 2),
         ),
     )
-
-
-def test_what_is_left_out_is_the_mass_centre_alone_and_steel_of_30_mm() -> None:
-    assert task("[balance]") == Task(NONE)
-    (place,) = task(f'[balance]\naim = "full"\n{counterweight("on = 2", "at = -0.15")}').places
-    assert (place.at, place.density, place.thickness, place.half_angle) == (-0.15, 7850.0, 0.03, math.radians(60))
 
 
 @pytest.mark.parametrize(
@@ -107,13 +101,6 @@ def test_each_thing_that_is_wrong_is_one_fault_at_its_key(name: str) -> None:
     assert said(f"[balance]\n{text}", ENGINE) == [(f"balance.{path}", kind)]
 
 
-def test_something_must_have_a_mass_and_turn() -> None:
-    weightless = re.sub(r"mass = \d", "mass = 0", FOUR_BAR)
-    assert said(f"[balance]\n{ALL}{ONE}", weightless) == [("masses", "massless")]
-    resting = FOUR_BAR.replace("speed = 10", "speed = 0")
-    assert said(f"[balance]\n{ALL}{ONE}", resting) == [("drive.speed", "crank_at_rest")]
-
-
 def noted(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:
     notes = list(notes_of(parse_scene(f"{linkage}[balance]\n{text}")))
     assert all(re.search("[а-я]{3}", note.worded("ru")) for note in notes)
@@ -149,8 +136,3 @@ def test_a_stone_has_no_line_to_tell_a_place_on() -> None:
     shaper = (GALLERY / "shaper-loaded.toml").read_text("utf-8")
     text = f'[balance]\naim = "full"\n{counterweight("on = 2", "at = 0.1")}'
     assert said(text, shaper) == [("balance.counterweights.0.at", "carrier_line")]
-
-
-def test_no_point_has_the_letter_of_the_common_mass_centre() -> None:
-    lettered = re.sub(r"\bB\b|B(?=C)|(?<=A)B", "S", FOUR_BAR)
-    assert said(f"[balance]\n{ALL}{ONE}", lettered) == [("mechanism.links.2", "common_centre")]

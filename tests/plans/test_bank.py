@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given
 
 from plans.bank.engines import ENGINES
-from plans.bank.harmonics import NotSettled, roman
+from plans.bank.harmonics import NotSettled
 from plans.bank.quantities import compare_bank
 from plans.model.balance.bank import Asked, BankTask, Harmonic, Member, Unit
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import examples
-from tests.plans.drawn_banks import BOOK, angles, banks, drawn, places, series, study, summed, task
+from tests.plans.drawn_banks import BOOK, angles, banks, drawn, series, study, summed, task
 from tests.rows import over
 
 ROADS = pytest.mark.parametrize("road", [drawn, summed])
@@ -136,25 +136,6 @@ def test_a_bank_in_the_mirror(road, bank: BankTask) -> None:
     assert np.allclose(now.force, was.force[::-1].conj(), atol=4 * (was.force_slack + now.force_slack), rtol=0)
 
 
-@ROADS
-@examples(3)
-@given(banks(), places)
-def test_a_plane_shifted(road, bank: BankTask, by: Fraction) -> None:
-    """About another plane the moment is other by the force times the way to it."""
-    was, now = (
-        road(bank),
-        road(bank._replace(members=tuple(one._replace(place=one.place + by) for one in bank.members))),
-    )
-    z = float(by)
-    wanted = {
-        n: Harmonic(n, m.ahead + z * was.forces[n].ahead, m.back + z * was.forces[n].back, m.slack)
-        for n, m in was.moments.items()
-    }
-    alike(now.moments, wanted)
-    slack = now.moment_slack + was.moment_slack + abs(z) * was.force_slack
-    assert np.allclose(now.moment, was.moment + z * was.force, atol=2 * slack, rtol=0)
-
-
 @examples(2)
 @given(banks())
 def test_any_bank_by_both_roads(bank: BankTask) -> None:
@@ -170,10 +151,6 @@ def test_speed_and_mass(road) -> None:
     fast = road(BOOK._replace(speed=-60.0, unit=BOOK.unit._replace(reciprocating=19.0)))
     alike(fast.forces, {n: turned(one, 1, 1, 18.0) for n, one in slow.forces.items()}, 18.0)
     assert fast.compensators[0].with_crank == pytest.approx(2 * slow.compensators[0].with_crank, rel=1e-14)
-
-
-def test_letters_of_orders() -> None:
-    assert [roman(n) for n in (1, 2, 4, 6, 9, 40, 99, 100)] == ["I", "II", "IV", "VI", "IX", "XL", "XCIX", "100"]
 
 
 def test_a_rod_all_but_as_long_as_the_crank_is_told() -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from plans.bank.marks import marks
 from plans.bank.quantities import numbers
-from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.explanation import NoMark, UnknownMark
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.scenes import scene
@@ -39,31 +39,10 @@ def test_numbers_of_both_roads(study: Study) -> None:
     assert ours["largest"] == pytest.approx(theirs["largest"], rel=1e-13)
 
 
-def test_what_is_not_asked_for_is_not_told(study: Study) -> None:
-    alone = Study(study.scene, ["harmonics"])
-    assert numbers(alone, "construction").plain()["bank"].keys() == {"harmonics", "largest"}
-    assert not numbers(alone, "construction").flawed
-
-
-def test_a_vector_of_the_bank_is_explained_without_the_ordinates(study: Study) -> None:
-    told = marks(study, 0, "F_II")
-    assert isinstance(told, Explanation)
-    assert [mark.name for mark in told.steps[:3]] == ["0", "f_II", "F_II,1"] and told.steps[-1].name == "F_II"
-    (note,) = told.notes
-    assert str(note).endswith("steps of the polygons of ordinates are left out: --all tells them")
-    whole = Study.of_all(study.scene, whole=True)
-    assert len(marks(whole, 0, "F_II").steps) == len(told.steps) + dict(note.parts)["count"]
-
-
 def test_a_harmonic_is_explained_by_its_ordinates(study: Study) -> None:
     told = marks(study, 0, "f_-II")
     assert told.notes == () and told.steps[-1].name == "f_-II"
     assert str(told.steps[1].step.why) == "ordinate: the shaking force at 0 degrees of the crank"
-
-
-def test_what_vanishes_is_told_as_nothing(study: Study) -> None:
-    told = marks(study, 0, "F_-I")
-    assert {"F_-I", "-F_-I"} <= {mark.name for mark in told.zeros}
 
 
 def test_a_couple_is_explained_by_its_compensator(study: Study) -> None:
@@ -78,14 +57,6 @@ def test_a_mark_that_is_not_there(study: Study) -> None:
     assert str(answer.listed) == "marks are f_I, F_I, M_I, F_I,1, mr_II" and "M_-II" in answer.names
     with pytest.raises(UnknownMark, match="same in every position"):
         marks(study, 3, "F_I")
-
-
-@pytest.mark.parametrize("name", ["F_IX", "F_-IX,2", "mr_M,IX"])
-def test_a_mark_of_an_order_that_is_not_told_says_how_to_have_it(study: Study, name: str) -> None:
-    answer = marks(study, 0, name)
-    assert isinstance(answer, NoMark)
-    assert "orders = [1, 2, 9] in [bank]" in str(answer.listed)
-    assert not answer.names
 
 
 def test_a_mark_of_another_technique_draws_no_bank(study: Study) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from fractions import Fraction
 
@@ -10,12 +9,11 @@ import pytest
 
 from plans.bank.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
-from plans.model.balance.bank import Asked, BankTask, Member, Unit
+from plans.model.balance.bank import BankTask, Member
 from plans.scene import notes
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import Scene, parse_scene
 from tests.plans.banks import ENGINE, MEMBER, UNIT
-from tests.plans.scenes import scene
 
 SPEED = 'speed = "3000 rpm"\n'
 BANK = f"[bank]\n{SPEED}{UNIT}{MEMBER}"
@@ -37,26 +35,6 @@ def refused(text: str) -> list[Fault]:
 def said(text: str) -> list[tuple[str, str]]:
     """Give what is refused, each as its place and its kind."""
     return [(".".join(map(str, fault.path)), fault.kind) for fault in refused(text)]
-
-
-def test_a_bank_by_sizes_is_read_with_its_units() -> None:
-    text = scene(
-        f'{BANK}place = "-150 mm"',
-        bank_members=['crank = "3.5 rad"; axis = 60'],
-        bank_compensators=['order = 2; mass = "500 g"; offset = "-6 cm"; shafts = "500 mm"'],
-    )
-    found = task(text)
-    assert found.unit == Unit(0.04, 0.14, 0.6, 0.5)
-    assert found.members[0] == Member("1", Fraction(0), Fraction(-3, 20), Fraction(0))
-    assert (found.members[1].name, found.members[1].place, found.members[1].axis) == ("2", 0, 60)
-    assert float(found.members[1].crank) == pytest.approx(math.degrees(3.5))
-    assert found.speed == pytest.approx(100 * math.pi)
-    assert found.asked == (Asked(2, 0.5, -0.06, 0.5),)
-    assert (found.orders, found.axis) == ((1, 2, 4, 6), math.pi / 2)
-
-
-def test_orders_are_told_from_the_first() -> None:
-    assert task(BANK.replace(SPEED, f"{SPEED}orders = [4, 1, 3]\n")).orders == (1, 3, 4)
 
 
 def test_a_bank_of_the_linkage_turns_as_the_drive_does() -> None:

@@ -6,13 +6,11 @@ import math
 from dataclasses import replace
 from functools import cache
 
-import numpy as np
 import pytest
 
 from plans.analytic.cam.findings import cam_found as analysed
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
-from plans.cam.profile.profile import profile
 from plans.model.cam import FORCE, RETURN, RISE, Limits, Load
 from plans.model.cam_motion import CamFound, Extreme, Sizes
 from tests.parts import some
@@ -117,17 +115,6 @@ def test_textbook_least_radius_and_roller(road):
 
 
 @BOTH
-def test_a_hollow_chooses_the_roller_of_a_groove(road):
-    """Its outer side is not undercut by the roller of the rule; closed by force the hollow bounds nothing."""
-    own = cam(phases((RISE, 40, LIFT, "sine"), (RETURN, 60, -LIFT, "sine")), end="roller")
-    found = road(own, offset_sizes(0.0, 0.05))
-    assert found.hollow is not None
-    assert (found.rule, found.roller) == ("hollow", pytest.approx(-0.7 * found.hollow.value))
-    assert "hollow" not in {one.kind for one in found.flaws}
-    assert road(replace(own, closure=FORCE), offset_sizes(0.0, 0.05)).roller > found.roller
-
-
-@BOTH
 def test_textbook_undercut(road):
     """M2.14: a roller of 35 mm undercuts; every sharp part is told with its least radius, the dwell's over the turn."""
     flaws = road(*ALL["undercut everywhere"]).flaws
@@ -135,32 +122,6 @@ def test_textbook_undercut(road):
     assert worst == pytest.approx([0.03481075801, 0.02960986148, 0.03266494437], abs=5e-12)
     last = [one for one in flaws if one.kind == "undercut"][-1]
     assert last.start > last.end
-
-
-@ROADS
-def test_where_a_profile_crosses_itself_it_is_at_one_point(road):
-    own, sizes = ALL["undercut once"]
-    (loop,) = (one for one in road(own, sizes).flaws if one.kind == "crossing")
-    at = cam_found(Course(own), sizes, np.array([loop.start, loop.end])).contour.profile
-    assert abs(at[0] - at[1]) < 1e-15
-
-
-@ROADS
-def test_a_loop_that_is_cut_away_costs_lift(road):
-    """By the definition: the cutter takes all that is within its circles, the roller rests on what is left."""
-    own, sizes = ALL["undercut once"]
-    (loop,) = (one for one in road(own, sizes).flaws if one.kind == "crossing")
-    pitch, points = (cam_found(Course(own), sizes, np.radians(np.linspace(140, 200, n))).contour for n in (601, 6001))
-    far = [np.abs(pitch.pitch - point).min() for point in points.profile]
-    left = points.profile[np.array(far) > 0.0301 - 2e-8]
-    turned = loop.worst.turned
-    seen = left * np.exp(1j * turned) - sizes.offset
-    seen = seen[np.abs(seen.real) < 0.0301]
-    reach = seen.imag + np.sqrt(0.0301**2 - seen.real**2)
-    lift = float(reach.max()) - math.sqrt(sizes.base**2 - sizes.offset**2)
-    whole = float(Course(own).at(np.array([turned])).s[0])
-    assert loop.worst.value == pytest.approx(whole - lift, abs=2e-7)
-    assert loop.worst.value > 8e-6
 
 
 @ROADS
@@ -175,40 +136,11 @@ def test_a_roller_as_large_as_the_least_radius_leaves_a_cusp(road):
 
 
 @ROADS
-def test_a_hard_shock_makes_corners(road):
-    """At the top of a rise at constant velocity the curve has a corner out, at the bottom one in."""
-    flaws = {one.kind: one for one in road(*ALL["corner"]).flaws}
-    assert flaws["undercut"].start == flaws["undercut"].end == pytest.approx(math.radians(120))
-    assert flaws["hollow"].start == 0.0
-    assert flaws["crossing"].start < math.radians(120) < flaws["crossing"].end
-
-
-@ROADS
 def test_the_outer_side_of_a_groove_is_undercut_in_a_hollow(road):
     own, sizes = ALL["hollow"]
     (flaw,) = (one for one in road(own, sizes).flaws if one.kind == "hollow")
     assert -0.019 < flaw.worst.value < 0
     assert not road(replace(own, closure=FORCE), sizes).flaws
-
-
-@ROADS
-def test_a_flat_face_cannot_follow_a_hollow(road):
-    """H13: from where to where S + S'' + R0 is below 0."""
-    own, sizes = ALL["flat hollow"]
-    (flaw,) = (one for one in road(own, sizes).flaws if one.kind == "concave")
-    travel = Course(own).at(np.array([flaw.start, flaw.end, flaw.worst.turned]))
-    assert travel.s + travel.bend + 0.03 == pytest.approx([0, 0, flaw.worst.value], abs=1e-15)
-    assert road(*ALL["flat"]).flaws == ()
-    (sharp,) = road(replace(ALL["flat"][0], limits=Limits(curvature=0.006)), ALL["flat"][1]).flaws
-    assert (sharp.kind, sharp.worst.value) == ("sharp", pytest.approx(0.005))
-    assert not road(replace(ALL["flat"][0], limits=Limits(curvature=0.005)), ALL["flat"][1]).flaws
-
-
-@BOTH
-def test_a_hard_shock_leaves_an_edge_under_a_flat_face(road):
-    """Where S' falls at once contact jumps back along the face; where it grows at once the profile goes straight on."""
-    flaws = road(cam(phases(*STEADY), end="flat", closure=FORCE), Sizes(0.2)).flaws
-    assert [one.start for one in flaws if one.kind == "concave"] == pytest.approx([math.radians(120)])
 
 
 @ROADS
@@ -237,78 +169,3 @@ def test_what_would_make_the_profile_under_a_flat_face_convex(road):
     assert road(own, Sizes(mending)).sharpest.value == pytest.approx(0.004, abs=1e-15)
     assert {one.kind for one in road(own, Sizes(mending * 0.999)).flaws} == {"sharp"}
     assert road(cam(phases(*STEADY), end="flat", closure=FORCE), Sizes(0.2)).mending is None
-
-
-@ROADS
-def test_a_face_that_is_too_short_is_told(road):
-    own, sizes = ALL["flat"]
-    short = replace(own, follower=own.follower._replace(reach=0.03))
-    (flaw,) = road(short, sizes).flaws
-    assert (flaw.kind, flaw.worst.value) == ("short face", pytest.approx(0.0358098622, abs=5e-12))
-    at = Course(own).at(np.array([flaw.start, flaw.end])).slope
-    assert np.abs(at) == pytest.approx([0.03, 0.03], rel=1e-8)
-    assert not road(replace(own, follower=own.follower._replace(reach=0.036)), sizes).flaws
-
-
-@BOTH
-def test_a_pressure_angle_beyond_its_limit_is_told_on_its_own_phase(road):
-    own, sizes = ALL["limits"]
-    rise, back = road(own, sizes).flaws
-    assert [rise.kind, back.kind] == ["pressure", "pressure"]
-    assert rise.end < math.radians(120) and math.radians(150) <= back.start
-    ends = cam_found(Course(own), sizes, np.array([rise.start, rise.end])).contour.pressure
-    assert np.abs(ends) == pytest.approx([0.4, 0.4], rel=1e-8)
-    assert math.degrees(rise.worst.value) == pytest.approx(30.0)
-    assert road(replace(own, closure=FORCE), sizes).flaws == (rise,)
-    exact = replace(own, limits=Limits(math.radians(30), math.radians(40)))
-    assert road(exact, sizes).flaws == ()
-
-
-@BOTH
-def test_a_weak_spring_lets_the_follower_off(road):
-    """The inertia pulls it off where the force along its way would have to be below 0; the preload told just holds."""
-    own, sizes = ALL["loaded"]
-    found = road(own, sizes)
-    kinds = [one.kind for one in found.flaws]
-    assert set(kinds) == {"lift-off"} and found.pressing is not None
-    assert found.pressing.least.value == min(one.worst.value for one in found.flaws) < 0
-    held = replace(own, load=LOAD._replace(preload=found.pressing.preload))
-    assert road(held, sizes).pressing.least.value == pytest.approx(0.0, abs=1e-9)
-    assert road(replace(own, load=LOAD._replace(preload=found.pressing.preload * 1.001)), sizes).flaws == ()
-
-
-@BOTH
-def test_wear_goes_by_the_speed(road):
-    """Without a mass the force is the same at any speed; what wears in a second is as much more as the speed."""
-    (own, sizes), load = ALL["loaded"], LOAD._replace(mass=0.0)
-    slow, fast = (road(replace(own, load=load, speed=speed), sizes).pressing for speed in (5.0, 15.0))
-    assert fast.most.value == pytest.approx(slow.most.value)
-    assert fast.wear.value == pytest.approx(3 * slow.wear.value)
-
-
-@BOTH
-def test_the_contact_drives_the_load(road):
-    """By power: the force times the speed of the point of contact along the normal is what goes into the load."""
-    for name in ("loaded", "rocker loaded", "flat rocker loaded"):
-        own, sizes = ALL[name]
-        found = road(own, sizes)
-        assert found.pressing is not None and own.speed is not None
-        turned = np.array([found.pressing.most.turned])
-        step = 1e-6
-        places = profile(Course(own), sizes, found.roller, turned + np.array([-step, 0, step])).contour
-        normal = places.lever[1] / abs(places.lever[1])
-        moved = in_follower(own, sizes, places)
-        along = (np.conj(normal) * (moved[2] - moved[0])).real / (2 * step)
-        s, slope, bend = (float(one[1]) for one in places.travel)
-        load = own.load
-        assert load is not None
-        needed = (load.mass * own.speed**2 * bend + load.force + load.preload + load.stiffness * s) * slope
-        assert found.pressing.most.value * along == pytest.approx(needed, rel=1e-6)
-
-
-def in_follower(own, sizes, places):
-    """Give where the follower's point that touches at the middle turn is at all of them."""
-    if not own.rocks:
-        return places.tip
-    turn = np.exp(1j * own.rising * (places.travel.s - places.travel.s[1]))
-    return sizes.pivot + (places.tip[1] - sizes.pivot) * turn

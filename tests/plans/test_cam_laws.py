@@ -19,8 +19,6 @@ from tests.plans.law_cams import (
     BLOCKS,
     EVERY,
     LIFT,
-    LINES,
-    NOISY,
     READINGS,
     RISING,
     RULER,
@@ -176,62 +174,12 @@ def test_worked_peaks(road: str) -> None:
     assert printed(fastest * SPEED) == (0.7068583471,)
 
 
-@pytest.mark.parametrize("road", ROADS)
-def test_jumps_of_equal_sign_merge_without_a_dwell(road: str) -> None:
-    """M2.5: a cosine rise followed at once by a cosine return of the same angle has no jump at the top."""
-    cam = law_cam((RISE, 120, Law("cosine")), (RETURN, 120, Law("cosine")), (DWELL, 120, None))
-    assert [one.turned for one in shocks(cam, road)] == pytest.approx([0.0, 2 * RISING])
-    uneven = law_cam((RISE, 120, Law("cosine")), (RETURN, 90, Law("cosine")), (DWELL, 150, None))
-    assert [one.turned for one in shocks(uneven, road)] == pytest.approx([0.0, RISING, math.radians(210)])
-    whole = law_cam((RISE, 180, Law("cosine")), (RETURN, 180, Law("cosine")))
-    assert shocks(whole, road) == ()
-
-
 @pytest.mark.parametrize("slides", [False, True])
 @pytest.mark.parametrize("law", some(EVERY, 3), ids=titled)
 def test_both_roads_find_the_same_shocks(law: Law, slides: bool) -> None:
     own, other = (shocks(usual(law, translates=slides), road) for road in ROADS)
     assert [(one.turned, one.order) for one in own] == [(one.turned, one.order) for one in other]
     assert [one.jump for one in own] == pytest.approx([one.jump for one in other], rel=1e-9)
-
-
-@pytest.mark.parametrize("first", [0.3, 0.41, 0.7])
-def test_unequal_accelerations_meet_where_they_should(first: float) -> None:
-    """Sizes 2/first and 2/(1 - first): the follower stops at the end; the jump stands at the share."""
-    cam = usual(Law("constant acceleration", first=first), Law("sine"))
-    for road in ROADS:
-        middle = shocks(cam, road)[1]
-        assert middle.turned == pytest.approx(first * RISING)
-        assert middle.jump * RISING**2 / LIFT == pytest.approx(-2 / first - 2 / (1 - first))
-
-
-@pytest.mark.parametrize("road", ROADS)
-def test_a_ruler_through_the_points_of_a_cubic_is_that_cubic(road: str) -> None:
-    """3k^2 - 2k^3 has no slope at both ends and bends least of all."""
-    points = tuple((k, 3 * k**2 - 2 * k**3) for k in (0.0, 0.15, 0.2, 0.6, 0.9, 1.0))
-    for law in (
-        Law(TABLE, points=points),
-        Law(TABLE, points=((0, 0), (1, 1))),
-        Law(TABLE, points=points, tolerance=0.1),
-    ):
-        found = [share(law, 0.37, order, road) for order in range(3)]
-        assert found == pytest.approx([3 * 0.37**2 - 2 * 0.37**3, 6 * 0.37 - 6 * 0.37**2, 6 - 12 * 0.37], abs=1e-9)
-
-
-def test_smoothing_is_told_and_keeps_to_its_tolerance() -> None:
-    """It departs by nearly what is allowed, bends far less, and keeps both ends."""
-    rough = Law(TABLE, points=NOISY)
-    off, at = smoothing(SMOOTH)
-    assert 0.5 * SMOOTH.tolerance < off <= SMOOTH.tolerance and off == pytest.approx(departure(SMOOTH), rel=1e-9)
-    own = share(SMOOTH, at, 0, "construction")
-    assert abs(own - dict(NOISY)[at]) == pytest.approx(off, rel=1e-9)
-    assert (
-        smoothing(rough) == (0.0, 0.0) and smoothing(LINES) == (0.0, 0.0) and departure(LINES) == departure(rough) == 0
-    )
-    k = np.linspace(0, 1, 501)
-    bent = [np.mean(law_of(law).at(k, 2) ** 2) for law in (SMOOTH, rough)]
-    assert bent[0] < 0.2 * bent[1]
-    assert [share(SMOOTH, end, 0, "construction", end == 1) for end in (0.0, 1.0)] == pytest.approx([0, 1], abs=1e-12)
 
 
 def test_a_tolerance_that_is_too_small_to_use_leaves_the_points() -> None:

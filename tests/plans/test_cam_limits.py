@@ -6,11 +6,9 @@ import math
 from dataclasses import replace
 from itertools import product
 
-import numpy as np
 import pytest
 
 from plans.analytic.cam.findings import cam_found as analysed
-from plans.analytic.cam.pressure import pressure
 from plans.analytic.cam.sizes import sizes
 from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course, positions
@@ -27,7 +25,6 @@ from plans.model.cam import (
     Cam,
     GivenSizes,
     Limits,
-    interval_of,
 )
 from plans.model.cam_motion import CamError, CamFound, Sizes
 from tests.parts import some
@@ -64,37 +61,6 @@ def test_sizes_that_are_found_keep_to_the_limits(case):
     one = limited(*case)
     for found in (draw(one, sizing(Course(one)).sizes), analyse(one, sizes(one))):
         assert "pressure" not in {flaw.kind for flaw in found.flaws} and found.advised is None
-
-
-@BOTH
-@pytest.mark.parametrize("closure", some([GROOVE, FORCE], 2))
-def test_flaws_are_where_a_scan_leaves_the_interval(road, closure):
-    """An offset that leans the angle below 0 on the rise: told with its sign, by formula (5.28) of any other road."""
-    one = limited(TRANSLATING, closure, 40, 15)
-    own = Sizes(0.05, 0.025)
-    flaws = [flaw for flaw in road(one, own).flaws if flaw.kind == "pressure"]
-    turned = np.linspace(0, 2 * math.pi, 1441)[:-1]
-    alpha = pressure(one, own, turned)
-    beyond = np.zeros(len(turned), dtype=bool)
-    for phase in one.moving():
-        interval = interval_of(one, phase.kind)
-        if interval is not None:
-            on = (turned > phase.start) & (turned < phase.end)
-            beyond |= on & ((alpha < interval.low) | (alpha > interval.high))
-    told = np.any([(flaw.start < turned) & (turned < flaw.end) for flaw in flaws] or [turned < 0], axis=0)
-    assert (told == beyond).all()
-    for flaw in flaws:
-        assert flaw.worst.value == pytest.approx(float(pressure(one, own, np.array([flaw.worst.turned]))[0]), rel=1e-9)
-
-
-@BOTH
-def test_the_flaw_comes_with_sizes_that_would_do(road):
-    one = replace(limited(TRANSLATING, GROOVE, 20, 40), given=GivenSizes(0.02, 0.0))
-    advised = road(one, Sizes(0.02)).advised
-    assert advised is not None
-    assert "pressure" not in {flaw.kind for flaw in road(replace(one, given=GivenSizes(*advised[:2])), advised).flaws}
-    free = sizes(replace(one, given=GivenSizes()))
-    assert (advised.base, advised.offset) == pytest.approx((free.base, free.offset), rel=1e-12)
 
 
 @BOTH

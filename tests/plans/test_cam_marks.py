@@ -72,15 +72,3 @@ def test_examples_exist_and_another_cam_is_asked_for_by_its_name() -> None:
     assert "K2:P" in str(none.listed)
     assert isinstance(marks(both, 0, "K2:Q"), NoMark)
     assert isinstance(marks(both, 0, "K1:Q"), Explanation)
-
-
-SLIDE = one(
-    sizes='[cam.sizes]\nroller = "8 mm"\n', phases=PHASES.format(by="travel", rise='"60 mm"', back='"60 mm"')
-).replace("300 rpm", "0.2 m/s")
-
-
-def test_a_cam_that_translates_is_at_a_travel() -> None:
-    found = explained(study_of(SLIDE), 3, "S'")
-    assert str(found.title) == "S' in position 3 (x = 22.5 mm)"
-    assert found.title.worded("ru") == "S' в положении 3 (x = 22,5 мм)"
-    assert found.units["law"] == "1"

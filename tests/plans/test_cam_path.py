@@ -48,20 +48,6 @@ def test_path_is_within_its_tolerance_with_no_more_than_72_pieces(case: Case) ->
     assert _off(cam, sizes, found, roller_of(cam)) <= found.deviation * 1.02  # between the places of measuring
 
 
-@pytest.mark.parametrize("case", CASES, ids=titled)
-def test_dwells_are_true_arcs_about_the_centre(case: Case) -> None:
-    cam, sizes = case
-    found = path(cam, sizes, -roller_of(cam))
-    arcs = {
-        start: piece for start, piece in zip(found.starts, found.pieces, strict=True) if isinstance(piece, RoundPiece)
-    }
-    dwells = [] if cam.translates else [one for one in cam.phases if one.kind == DWELL]
-    assert sorted(arcs) == [one.start for one in dwells]
-    for one in dwells:
-        assert arcs[one.start].centre == 0
-        assert arcs[one.start].sweep == pytest.approx(-cam.sense * one.angle, rel=1e-15)
-
-
 def test_dwell_ends_where_the_next_phase_begins() -> None:
     """0.1 + 0.02 is more than 0.12: what follows a dwell is not one for that."""
     rise, dwell, fall = cases.phases(((RISE, 1.0, "sine"), (DWELL, 1.0, ""), (RETURN, 1.0, "sine")), 0.03)
@@ -106,11 +92,3 @@ def _foot(cubic: CubicPiece, spot: complex) -> float:
     feet = [root.real - fall(root.real) / fall.deriv()(root.real) for root in fall.roots() if abs(root.imag) < 1e-6]
     inside = [foot for foot in feet if 0 <= foot <= 1]
     return float(min(abs(run(share)) for share in (0.0, 1.0, *inside)))
-
-
-def test_no_lift_is_a_circle() -> None:
-    cam = cases.cam(phases=cases.phases(cases.USUAL, 0.0))
-    found = path(cam, cases.sizes(cam), -cases.ROLLER_RADIUS)
-    assert all(isinstance(piece, RoundPiece) for piece in found.pieces)
-    assert {round(piece.radius, 15) for piece in found.pieces if isinstance(piece, RoundPiece)} == {0.04}
-    assert found.deviation == 0.0

@@ -164,16 +164,6 @@ def test_peaks_are_those_of_the_handbook(road, name):
 
 
 @ROADS
-def test_peaks_between_samples_are_found_at_their_places(road):
-    """3-4-5: the acceleration is largest at (3 - sqrt 3)/6 of the phase, here at no whole part of a degree."""
-    cam = law_cam((RISE, 100, Law("3-4-5")), (RETURN, 137, Law("sine")), (DWELL, 123, None))
-    found = road(cam).peaks[BEND]
-    places = np.radians(100) * (3 + np.array([-1, 1]) * math.sqrt(3)) / 6
-    assert np.abs(found.turned - places).min() < 1e-11
-    assert abs(found.value) == pytest.approx(10 / math.sqrt(3) * LIFT / math.radians(100) ** 2, rel=1e-14)
-
-
-@ROADS
 @pytest.mark.parametrize(("law", "peak"), [(STEADY, 2 / 0.3), (BLOCKS, None)])
 def test_a_peak_may_be_a_corner_or_a_jump(road, law, peak):
     found = road(law_cam((RISE, 90, law), (RETURN, 200, Law("sine")), (DWELL, 70, None))).peaks

@@ -10,10 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plans.cam.reading.cams import asked_of, cams_of
 from plans.cam.reading.phase_form import Shape, cancelled
-from plans.model.cam import DWELL, RETURN, RISE, Cam, Follower, GivenSizes, Law, Limits, Load
-from plans.model.cyclogram import Window
+from plans.model.cam import RETURN, RISE, Cam, Law
 from plans.scene.faults import Fault, SceneError
 from plans.scene.notes import notes_of
 from plans.scene.scene import Scene, parse_scene
@@ -56,40 +54,6 @@ def lawful(law: str, phase: str = RISING) -> Cam:
     return cam_of(FOLLOWER, phase.replace('law = "sine"', f"law = {law}"), TOP, BACK, REST)
 
 
-def test_a_cam_is_what_its_tables_say() -> None:
-    head = 'name = "K1"\nspeed = "-300 rpm"\nclosure = "groove"\nsetting = 366.5\ndivisions = 12\n'
-    limits, sizes = "[cam.limits]\nrise = 30\nreturn = 40\n", '[cam.sizes]\noffset = "-2 mm"\nroller = "10 mm"\n'
-    load = '[cam.load]\nmass = 2\nforce = 100\npreload = "50 N"\nstiffness = "2 N/mm"\n'
-    cam = cam_of(FOLLOWER, limits, sizes, PHASES, load, head=head)
-    assert (cam.name, cam.sense, cam.closure, cam.divisions, cam.translates) == ("K1", -1, "groove", 12, False)
-    assert cam.speed == pytest.approx(10 * math.pi, rel=1e-15)
-    assert cam.setting == pytest.approx(math.radians(6.5), rel=1e-15)
-    assert cam.follower == Follower("translating", "roller")
-    assert cam.limits == Limits(math.radians(30), math.radians(40))
-    assert (cam.given, cam.roller) == (GivenSizes(offset=-0.002), 0.01)
-    assert cam.load == Load(2, 100, 50, 2000)
-    assert cam.angles == (120, 30, 90, 120)
-    assert [(one.kind, one.level, one.change) for one in cam.phases] == [
-        (RISE, 0, 0.03),
-        (DWELL, 0.03, 0),
-        (RETURN, 0.03, -0.03),
-        (DWELL, 0, 0),
-    ]
-    assert [one.start for one in cam.phases] == [math.radians(one) for one in (0, 120, 150, 240)]
-    assert [one.law for one in cam.phases] == [Law("sine"), None, Law("3-4-5"), None]
-
-
-def test_a_rocker_has_its_swing_its_arm_and_its_spring_in_its_own_units() -> None:
-    load = '[cam.load]\ninertia = "200 kg*cm2"\nmoment = 3\npreload = "500 N*mm"\nstiffness = "40 N*m/rad"\n'
-    sizes = '[cam.sizes]\nbase = "50 mm"\ncentre = "150 mm"\n'
-    cam = cam_of(ROCKER.replace("25", '"25 deg"') + 'turns = "against"\n', sizes, PHASES, load, head="speed = 10")
-    assert cam.follower == Follower("rocking", "roller", 0.12, -1)
-    assert cam.rising == -1
-    assert (cam.lift, cam.phases[2].change) == (math.radians(25), -math.radians(25))
-    assert cam.load == Load(0.02, 3, 0.5, 40)
-    assert cam.given == GivenSizes(0.05, None, 0.15)
-
-
 def test_a_flat_rocker_has_no_length_but_a_face() -> None:
     flat = '[cam.follower]\nmotion = "rocking"\nend = "flat"\nswing = 20\nface = "-5 mm"\n'
     cam = cam_of(flat, '[cam.sizes]\ncentre = "150 mm"\n', "[cam.limits]\ncurvature = '4 mm'\n", PHASES)
@@ -110,15 +74,6 @@ def test_a_cam_that_translates_goes_by_its_travels() -> None:
     assert cam.turn == pytest.approx(0.12, rel=1e-15)
     assert [one.start for one in cam.phases] == [0, 0.06, 0.08]
     assert cam.lift == pytest.approx(0.03)  # it need not come back: the cam itself does
-
-
-def test_parts_of_the_way_and_what_is_left_of_it() -> None:
-    half = RISING.replace("120", "60")
-    cam = cam_of(
-        FOLLOWER, half + 'lift = "12 mm"\n', TOP, half, BACK + 'lift = "20 mm"\n', BACK.replace("90", "40"), REST
-    )
-    assert [round(1000 * one.level, 9) for one in cam.phases] == [0, 12, 12, 30, 10, 0]
-    assert cam.angles[-1] == 360 - 280
 
 
 def test_a_dwell_of_no_angle_is_none() -> None:
@@ -154,12 +109,6 @@ def test_a_table_is_in_shares_of_its_phase_and_its_lift() -> None:
     assert law.phases[0].law == Law("table", points=((0, 0), (0.25, 0.2), (0.75, 0.9), (1, 1)), tolerance=0.01)
 
 
-def test_a_table_of_a_return_falls_from_where_the_follower_stands() -> None:
-    table = '{ name = "table", points = [[0, "30 mm"], [45, "9 mm"], [90, 0]], through = "lines" }'
-    cam = cam_of(FOLLOWER, RISING, TOP, BACK.replace('"3-4-5"', table), REST)
-    assert cam.phases[2].law == Law("table", points=((0, 0), (0.5, 0.7), (1, 1)), through="lines")
-
-
 def test_a_shape_is_taken_as_it_is_if_it_cancels() -> None:
     law = lawful('{ name = "shape", points = [[0, 2], [0.25, 2], [0.25, 0], [0.75, 0], [0.75, -2], [1, -2]] }')
     assert law.phases[0].law == Law("shape", points=((0, 2), (0.25, 2), (0.25, 0), (0.75, 0), (0.75, -2), (1, -2)))
@@ -181,45 +130,6 @@ def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pie
 def test_a_shape_lifts_by_what_two_integrations_give() -> None:
     """Of 1 - 2k that is k - k2, then k2/2 - k3/3."""
     assert Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).lift == Fraction(1, 6)
-
-
-def test_a_cam_on_the_shaft_of_a_linkage_turns_as_its_drive_does() -> None:
-    drive = '[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n1 = "OA"\n[mechanism.lengths]\nOA = 1\n'
-    scene = scene_of(FOLLOWER, PHASES, drive, "[drive]\nlink = 1\nspeed = -7\n")
-    (cam,) = scene.meaning["cam"].cams
-    assert (cam.sense, cam.speed) == (-1, 7)
-    assert asked_of(scene) == ("linkage",)
-
-
-WINDOW = Window(math.radians(306.882), math.radians(381.459))
-BY_CYCLOGRAM = TOP + RISING.replace("120", '"cyclogram"') + BACK + REST
-
-
-def test_a_phase_and_a_setting_by_the_cyclogram() -> None:
-    scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
-    (cam,) = cams_of(scene, WINDOW)
-    assert cam.phases[1].angle == pytest.approx(math.radians(74.577), rel=1e-14)
-    assert sum(cam.angles) == 360
-    assert cam.setting == pytest.approx(math.radians(276.882), rel=1e-14)  # its rise begins with the window
-    assert asked_of(scene) == ("cyclogram",)
-    survey = scene.meaning["cam"]
-    assert (survey.waiting, survey.cams) == (True, ())
-
-
-def test_a_window_beyond_what_is_left_of_the_turn() -> None:
-    scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
-    with pytest.raises(SceneError, match="the other phases take 420 degrees"):
-        cams_of(scene, Window(math.radians(100), math.radians(400)))
-
-
-def _unchecked(phases: str, head: str) -> Scene:
-    """Read a scene that asks for a cyclogram which its file lacks."""
-    plain = scene_of(FOLLOWER, PHASES)
-    asking = scene_of(FOLLOWER, phases.replace('"cyclogram"', "74"), head=head.replace('"cyclogram"', "0"))
-    (form,) = next(iter(asking.forms)).cam  # type: ignore[attr-defined]
-    asked = tuple(one.changed(angle="cyclogram") if one.angle == 74 else one for one in form.phases)
-    whole = next(iter(plain.forms)).changed(cam=(form.changed(phases=asked, setting="cyclogram"),))
-    return plain.changed(whole)
 
 
 ALL_AT_ONCE = """
@@ -322,44 +232,6 @@ def test_what_is_odd_is_noted(parts: tuple[str, ...], head: str, expected: list[
 def test_cams_of_one_shaft_have_one_speed(speed: str, expected: list[str]) -> None:
     first, second = (f"[[cam]]\nspeed = {one}\n{FOLLOWER}{LIMITS}{PHASES}" for one in ("10", speed))
     assert kinds(notes_of(parse_scene(first + second))) == expected
-
-
-def test_shocks_are_for_the_laws_to_tell_not_for_the_reader() -> None:
-    assert lawful('"constant velocity"').phases[0].law == Law("constant velocity")
-    assert notes(FOLLOWER, LIMITS, PHASES.replace('"sine"', '"constant velocity"')) == []
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "meant"),
-    [
-        ("lift =", "stroke =", 'lift = "30 mm"'),
-        ("angle = 120", "phi = 120", "angle = 120"),
-        ("rise = 30", "rize = 30", '"rise"'),
-        ("[cam.limits]\nrise = 30\n", "[cam.sizes]\nr0 = 0.1\n", "base"),
-        ("[cam.limits]\nrise = 30\n", "[cam.sizes]\ne = 0.1\n", "offset"),
-    ],
-)
-def test_a_key_by_another_name(old: str, new: str, meant: str) -> None:
-    whole = FOLLOWER + LIMITS + PHASES
-    assert old in whole
-    told = refused(whole.replace(old, new, 1))
-    assert any(fault.kind == "unknown_key" and meant in fault.advice for fault in told)
-
-
-def test_what_was_taken_in_silence_is_noted() -> None:
-    """A table that goes back within its phase, and a flat face in a groove."""
-    law = '{ name = "table", points = [[0, 0], [40, "20 mm"], [80, "15 mm"], [120, "30 mm"]] }'
-    (one,) = [one for one in notes(FOLLOWER, PHASES.replace('"sine"', law), LIMITS) if one.kind == "table_falls"]
-    assert one.path == ("cam", 0, "phases", 0, "law", "points", 2, 1)
-    flat = FOLLOWER.replace("roller", "flat")
-    assert "flat_groove" in kinds(notes(flat, PHASES, head='closure = "groove"'))
-    assert not {"flat_groove", "table_falls"} & {*kinds(notes(FOLLOWER, PHASES, head='closure = "groove"'))}
-
-
-def test_numbers_of_a_message_have_the_mark_of_its_language() -> None:
-    (one,) = refused(FOLLOWER, PHASES.replace("angle = 30", "angle = 300.5"))
-    assert "510.5" in str(one)
-    assert "510,5" in one.worded("ru")
 
 
 def test_a_follower_may_stand_still() -> None:

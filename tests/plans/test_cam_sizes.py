@@ -12,7 +12,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.analytic.cam.laws import travel
 from plans.analytic.cam.pressure import extreme, pressure
 from plans.analytic.cam.sizes import sizes
 from plans.cam.centre.place import Sizing
@@ -71,50 +70,12 @@ def turned_at(sizing: Sizing, kind: str) -> float:
     return math.degrees(found.turned - found.stretch.phase.start)
 
 
-# The numbers of the book's examples, each found with 30 digits in two ways.
-def test_pressure_angle_of_a_given_cam() -> None:
-    cam = translating(given=GivenSizes(0.05, 0.012))
-    at = travel(cam, np.radians([50.0]))
-    assert printed(float(at.s[0]), "0.01011267585") and printed(float(at.slope[0]), "0.02672884503")
-    assert printed(math.degrees(pressure(cam, sizes(cam), np.radians([50.0]))[0]), "14.09692312")
-
-
-@over("sense", BOTH)
-def test_groove_by_two_tangents(sense: int) -> None:
-    cam = translating(sense)
-    found = construction(cam)
-    own = found.sizes
-    assert printed(own.base, "0.03266494437") and printed(own.offset, "0.002220357697")
-    centre = complex(found.centre.point) if found.centre else 0
-    assert printed(-sense * centre.real, "0.002220357697") and printed(-centre.imag, "0.03258939402")
-    assert printed(turned_at(found, RISE), "52.7377369") and printed(turned_at(found, RETURN), "52.22304067")
-    ends = [complex(one.point.point) for one in found.tangents]
-    assert printed(-sense * ends[0].real, "0.02762475084") and printed(ends[0].imag, "0.01141230563")
-    assert printed(sense * ends[1].real, "0.03398841416") and printed(ends[1].imag, "0.01056253993")
-    assert same(own, sizes(cam))
-
-
-@over("sense", BOTH)
-def test_radial_follower(sense: int) -> None:
-    cam = translating(sense, given=GivenSizes(offset=0.0))
-    assert printed(construction(cam).sizes.base, "0.03643516636")
-    assert same(construction(cam).sizes, sizes(cam))
-
-
 @over("cam, most", [(translating(limits=NO_LIMITS), 30), (rocking(limits=NO_LIMITS), 45)])
 def test_without_limits_those_of_the_book_are_kept(cam: Cam, most: int) -> None:
     """5.9.3: 30 degrees of a follower that translates, 45 of one that rocks."""
     for own in (construction(cam).sizes, sizes(cam)):
         assert abs(extreme(cam, own, RISE, 1).value - math.radians(most)) < 1e-12
         assert abs(extreme(cam, own, RETURN, -1).value + math.radians(most)) < 1e-12
-
-
-def test_beside_a_loose_limit_the_other_alone_binds() -> None:
-    """O is the foot of the perpendicular from A on the line S0 tan α + e = Q: R0 = Q cos α, Q by a dense look."""
-    cam, limit = translating(limits=degrees(60, 80)), math.radians(60)
-    at = travel(cam, np.linspace(0, cam.phases[0].angle, 20001))
-    least = float((at.slope - at.s * math.tan(limit)).max()) * math.cos(limit)
-    assert all(abs(own.base - least) < 1e-9 for own in (construction(cam).sizes, sizes(cam)))
 
 
 @over("sense, offset", product(BOTH, (0.009, -0.004)))
@@ -124,29 +85,6 @@ def test_with_a_given_offset_one_limit_is_reached_and_the_other_kept(sense: int,
     assert own.offset == offset and held(cam, own)
     rise, back = extreme(cam, own, RISE, 1).value, -extreme(cam, own, RETURN, -1).value
     assert abs(max(rise / math.radians(30), back / math.radians(40)) - 1) < 1e-12
-
-
-@over("sense", BOTH)
-def test_force_closure_by_a_ray_through_the_start(sense: int) -> None:
-    cam = translating(sense, closure=FORCE, limits=degrees(30))
-    found = construction(cam)
-    assert printed(found.sizes.base, "0.02103585311") and printed(found.sizes.offset, "0.01051792655")
-    assert complex(found.tangents[1].point.point) == 0  # the second line goes through A
-    assert same(found.sizes, sizes(cam))
-    assert f"{math.degrees(extreme(cam, found.sizes, RETURN, -1).value):.4f}" == "-57.8345"
-
-
-@over("sense", BOTH)
-def test_rocker_by_a_limiting_line_of_each_position(sense: int) -> None:
-    cam = rocking(sense)
-    found = construction(cam)
-    own = found.sizes
-    assert printed(own.base, "0.03692159408") and printed(own.centre, "0.1363651929")
-    assert printed(math.degrees(own.initial), "14.86559732")
-    assert printed(-sense * own.pivot.real, "0.1211047752") and printed(own.pivot.imag, "0.06268252757")
-    assert printed(turned_at(found, RISE), "42.66108814") and printed(turned_at(found, RETURN), "49.83080671")
-    assert same(own, sizes(cam))
-    assert printed(math.degrees(pressure(cam, own, np.radians([50.0]))[0]), "43.90567147")
 
 
 def test_rocker_by_the_chord() -> None:
@@ -163,17 +101,6 @@ def test_rocker_by_the_chord() -> None:
     assert f"{math.degrees(extreme(cam, own, RETURN, -1).value):.4f}" == "-41.1389"
 
 
-def test_points_of_the_rocker_diagram_by_both_senses() -> None:
-    ends = []
-    for sense in BOTH:
-        cam = rocking(sense, sense, divisions=12)  # the rocker rises counter-clockwise in either
-        found = construction(cam)
-        assert found.end is not None
-        ends.append(complex(np.asarray(found.end.point)[5]))  # 50 degrees of 120
-    assert printed(ends[0].real, "0.07316413205") and printed(ends[0].imag, "-0.005209521395")
-    assert printed(ends[1].real, "0.1662297838") and printed(ends[1].imag, "-0.01183609497")
-
-
 @over("sense", BOTH)
 def test_flat_face_by_convexity(sense: int) -> None:
     cam = flat(sense)
@@ -186,7 +113,7 @@ def test_flat_face_by_convexity(sense: int) -> None:
 
 
 # Both roads, whatever is given.
-FREE, ALL = GivenSizes(), [GivenSizes(), GivenSizes(offset=0.0), GivenSizes(offset=0.009), GivenSizes(base=0.06)]
+ALL = [GivenSizes(), GivenSizes(offset=0.0), GivenSizes(offset=0.009), GivenSizes(base=0.06)]
 ROCKED = [GivenSizes(), GivenSizes(centre=0.14), GivenSizes(base=0.05), GivenSizes(base=0.05, centre=0.14)]
 CASES = [
     *(translating(s, given=g) for s, g in product(BOTH, ALL)),
@@ -216,26 +143,6 @@ def held(cam: Cam, own: Sizes) -> bool:
     return bool(
         angles.max() <= cam.limits.rise + 1e-12 and angles.min() >= -(cam.limits.back or cam.limits.rise) - 1e-12
     )
-
-
-def test_the_least_radius_is_least_curvature_under_a_rocking_face() -> None:
-    """The profile's radius of curvature by differences of its contact points reaches the least one, and no less."""
-    for sense, turns in ((1, 1), (-1, -1)):
-        cam = flat_rocker(sense, turns, given=GivenSizes(centre=0.12))
-        own = sizes(cam)
-        assert abs(_least_radius(cam, own) - 0.005) < 1e-6
-
-
-def _least_radius(cam: Cam, own: Sizes) -> float:
-    """Give the least p + p'' of the face's distance p over the angle of its normal in the cam, by differences."""
-    turned = np.linspace(0, 2 * math.pi, 7201)
-    s = travel(cam, turned).s
-    lean = cam.rising * (s - cam.lift / 2)
-    normal = 1j * np.exp(1j * lean)
-    distance = cam.follower.face + (own.pivot * normal.conj()).real
-    angle = lean - cam.sense * turned
-    slope = np.gradient(distance, angle)
-    return float((distance + np.gradient(slope, angle))[4:-4].min())
 
 
 @given(
@@ -287,13 +194,3 @@ def test_what_cannot_be_is_said_with_advice_by_both_roads(said: str, cam: Cam) -
             road(cam)
         assert said in str(error.value)
         assert "Исправьте: " in error.value.message.worded("ru")
-
-
-def test_a_cam_that_translates_has_no_sizes_but_may_be_too_short() -> None:
-    rail = usual(LIFT)[0]._replace(angle=0.05, start=0.0)
-    cam = replace(translating(), phases=(rail,), translates=True)
-    found = construction(cam)
-    steepest = 2 * LIFT / 0.05  # of the sine law
-    assert found.sizes == sizes(cam) == Sizes(0.0)
-    assert abs(found.longer - steepest / math.tan(math.radians(30))) < 1e-12
-    assert abs(extreme(cam, Sizes(0.0), RISE, 1).value - math.atan(steepest)) < 1e-12

@@ -52,14 +52,6 @@ def test_textbook_shaper(shaper) -> None:
         assert math.isclose(math.degrees(found.window.rest), 285.4229526, abs_tol=5e-8)
 
 
-def test_positions_are_numbered_as_in_the_book(shaper) -> None:
-    """Extremes 0 and 6, pressure angle 2 and 7, overruns 1 and 8, changes of the load 3, 4 and the work's end 5."""
-    ours, _ = shaper
-    order = [c.BEGIN, c.ENTRY, c.PRESSURE, c.BREAK, c.BREAK, c.EXIT, c.END, c.PRESSURE, c.LEAVE]
-    assert [one.role for one in ours.positions] == order
-    assert all(one.notched for one in ours.positions)
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_both_roads_agree_on_every_linkage(name: str) -> None:
     comparison = compare_cyclogram(cyclogram_of(name))
@@ -96,16 +88,6 @@ def test_without_overrun_at_the_beginning_the_window_is_at_the_end() -> None:
     assert out.turned < found.of(c.END)[0].turned < back.turned
     kinds = [span.kind for span in rows_of_machine(found)[1].spans]
     assert kinds == [r.CUT, r.OVERRUN, r.OVERRUN, r.BACK_OVER]
-
-
-def test_a_main_shaft_that_turns_clockwise_counts_its_angles_so() -> None:
-    """Mirrored in the y axis and turned the other way a shaper does the same; φ is counted from the x axis."""
-    other = compare_cyclogram(cyclogram_of("shaper", "overrun = 0.1\n", '"10 rad/s"', '"-10 rad/s"'))
-    assert other.agrees
-    there = other.construction
-    assert there.sense == -1 and there.stroke == pytest.approx(0.48)
-    begin, end = there.of(c.BEGIN)[0].turned, there.of(c.END)[0].turned
-    assert math.isclose((end - begin) % TURN, math.pi + there.overlap)  # the slower stroke works
 
 
 def test_a_span_is_cut_where_the_turn_begins() -> None:
@@ -214,10 +196,3 @@ def test_rows_cover_the_turn_once() -> None:
         assert math.isclose(sum(one.end - one.start for one in row.spans), TURN)
         for one, other in zip(row.spans, (*row.spans[1:], row.spans[0]), strict=True):
             assert math.isclose(math.remainder(one.end - other.start, TURN), 0.0, abs_tol=1e-12)
-
-
-@pytest.mark.parametrize("name", ["walking-leg", "oscillating-cylinder"])
-def test_where_no_notches_lead_back_the_travel_is_tried(name: str) -> None:
-    study = cyclogram_of(name)
-    assert study.stations.plan is None
-    assert {one.notched for one in study.cyclogram.positions if one.role == c.ENTRY} == {False}

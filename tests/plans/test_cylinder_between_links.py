@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -15,13 +14,11 @@ from plans.forces import cylinder
 from plans.linkage import ram
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.primary import CrankPositions
-from plans.model.mechanism import Mechanism
 from plans.model.motion import Rates
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.parts import some
-from tests.plans.test_stroke_drive import by_cylinder
 
 CASES = Path(__file__).parents[1] / "cases"
 # The arms cross in their middles, E and F are 0.5 m from it, so that EF = 2 * 0.5 sin(phi); D is at 1.6 sin(phi).
@@ -126,29 +123,6 @@ def test_a_refusal_tells_the_lengths_between_which_it_can_go() -> None:
     with pytest.raises(SceneError) as refused:
         _ = Study(parse_scene(SCISSOR.replace("750 mm", "1001 mm")))["linkage"].mechanism
     assert "between 8.7" in str(refused.value) and "999.96" in str(refused.value)
-
-
-def test_a_cylinder_that_a_triangle_holds_is_the_same_by_the_plans_of_its_linkage() -> None:
-    mechanism = by_cylinder()["linkage"].mechanism
-    other = as_between(mechanism)
-    ways = np.linspace(0.45, 0.55, 7)
-    phi = ram.cylinder(mechanism).positions(ways).phi
-    assert ram.cylinder(other).positions(ways).phi == pytest.approx(phi, abs=4e-15)
-    for own, theirs in zip(ram.cylinder(other).pace(phi), ram.cylinder(mechanism).pace(phi), strict=True):
-        assert own == pytest.approx(theirs, rel=1e-12)
-    assert ram.cylinder(other).ways(phi) == pytest.approx(ways, rel=1e-14)
-    motion = by_cylinder()["linkage"].motion(0)
-    assert ram.cylinder(other).lever(motion) == pytest.approx(ram.cylinder(mechanism).lever(motion), rel=1e-12)
-
-
-def as_between(mechanism: Mechanism) -> Mechanism:
-    """Take a cylinder that a triangle holds for one between two links."""
-    own = mechanism.drive.ram
-    assert own is not None
-    loose = replace(mechanism, drive=mechanism.drive._replace(ram=own._replace(links=(0, 1))))
-    found = ram.passage(loose)
-    assert found is not None and loose.drive.ram is not None
-    return replace(loose, drive=loose.drive._replace(ram=loose.drive.ram._replace(passage=found[0])))
 
 
 def test_a_sketch_that_tells_no_assembly_is_told_as_of_any_linkage() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plans.diagrams.marks import marks
-from plans.explanation import Explanation, UnknownMark
+from plans.explanation import Explanation
 from plans.model.diagrams import Diagrams
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
@@ -26,11 +26,6 @@ YOKE = scene(
     drive="link = 1",
 )
 ROCKER = LINKAGE.replace('"10 rad/s"', "10")
-# Both cranks turn fully: the second by its own law, with the first in the mean.
-DRAG = ROCKER.replace("0.350", "0.050").replace("OA = 0.100", "OA = 0.200").replace("[0.39, 0.30]", "[0.05, 0.3]")
-# A crank longer than all: it swings.
-SWING = ROCKER.replace("OA = 0.100", "OA = 0.420")
-
 # A parallelogram that a second one carries through its change points.
 PARALLEL = (
     ROCKER.replace("OA = 0.100", "OA = 0.200").replace("CB = 0.300", "CB = 0.200").replace("AB = 0.400", "AB = 0.350")
@@ -66,43 +61,6 @@ def test_chords_of_a_sine_mechanism_are_those_of_the_closed_form(drive: str) -> 
         assert found.at.a == pytest.approx(found.true_growths + own, abs=1e-12)
 
 
-def test_uneven_positions_have_their_chords_in_the_order_in_which_the_crank_passes_them() -> None:
-    for found in both(f"{YOKE}speed = 10\npositions = [40, 10, 100, 130]"):
-        assert found.axis.numbers == (1, 0, 2, 3)
-        assert np.degrees(found.axis.turned) == pytest.approx([0, 30, 90, 120])
-        place = np.radians([10, 40, 100, 130])
-        assert found.speeds == pytest.approx(-RADIUS * SPEED * np.diff(np.cos(place)) / np.diff(place))
-        assert np.isnan(found.growths[[0, -1]]).all()
-        # Over two steps of unlike lengths a belongs midway between their middles, not to the position between them.
-        middles = (place[1:] + place[:-1]) / 2
-        assert np.degrees(found.axis.places[1:-1]) + 10 == pytest.approx(np.degrees((middles[1:] + middles[:-1]) / 2))
-        assert found.true_growths[1:-1] == pytest.approx(RADIUS * SPEED**2 * np.cos((middles[1:] + middles[:-1]) / 2))
-
-
-def test_a_rocker_is_counted_from_where_it_begins_to_work() -> None:
-    study = study_of(f"{ROCKER}positions = 24\nstart = 'extreme'")
-    found, extremes = study["diagrams"].diagrams, study["linkage"].extreme_positions.extremes
-    assert found.at.s[0] == pytest.approx(0.0, abs=1e-12)
-    assert 0.95 * extremes.stroke < found.at.s.max() <= extremes.stroke
-    assert found.at.s.min() > -1e-12
-    assert study.comparison("diagrams").agrees
-
-
-def test_of_an_output_that_turns_fully_the_even_turn_is_left_aside() -> None:
-    for found in both(f"{DRAG}positions = 36"):
-        assert found.count.turns == 1
-        assert np.mean(found.at.s[:-1]) == pytest.approx(0.0, abs=1e-12)
-        assert found.at.s[0] == pytest.approx(found.at.s[-1], abs=1e-12)
-        assert np.mean(found.speeds) == pytest.approx(0.0, abs=1e-12)  # it comes back to where it was ahead
-
-
-def test_no_chord_spans_a_gap() -> None:
-    for found in both(f"{SWING}positions = 36"):
-        assert not found.axis.closed
-        assert found.axis.joined.sum() == len(found.axis.numbers) - 1 < 35
-        assert np.isnan(found.growths[[0, -1]]).all()
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -127,14 +85,6 @@ def test_a_scene_that_wants_none_makes_none() -> None:
     assert study.numbers("diagrams", "construction").plain() == {}
 
 
-def test_the_error_of_chords_is_of_second_order() -> None:
-    def off(count: int) -> float:
-        found = study_of(f"{ROCKER}positions = {count}")["diagrams"].diagrams
-        return float(np.abs(found.speeds - found.true_speeds).max())
-
-    assert off(24) / off(48) == pytest.approx(4, rel=0.05)
-
-
 @pytest.mark.parametrize(
     ("mark", "value"), [("dS/dt", RADIUS * SPEED * SINC * np.sin(np.pi / 12)), ("dv/dt", RADIUS * SPEED**2 * SINC**2)]
 )
@@ -146,12 +96,6 @@ def test_explain_tells_the_chords_behind_a_value(mark: str, value: float) -> Non
     steps = {step.name for step in told.steps}
     assert {"v:P", "v:0-1"} <= steps
     assert ("a:P" in steps) is (mark == "dv/dt")
-
-
-def test_a_chord_that_is_not_there_is_told() -> None:
-    study = study_of(f"{YOKE}speed = 10\npositions = [0, 30, 60, 90]")
-    with pytest.raises(UnknownMark, match="dS/dt: no chord is drawn at position 3"):
-        marks(study, 3, "dS/dt")
 
 
 def test_a_key_that_no_sheet_uses_is_told_with_the_sheet_that_does() -> None:

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 
 from plans.analytic.dynamics.flywheel import Exact, exact_cycle, flywheel, flywheel_of_points, sampled_cycle
-from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel
+from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel, without_flywheel
 from plans.model.dynamics import Task
-from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Body, Force, Machine, Moment
+from plans.model.machine import Body, Force, Machine, Moment
 from plans.model.motion import Floats
 from tests.parts import examples
 from tests.plans import linkages
@@ -51,28 +51,6 @@ def test_constant_inertia_needs_the_range_of_energy_alone() -> None:
     assert its.whole == pytest.approx(height / (SPEED**2 * DELTA), rel=1e-12)
 
 
-def test_a_machine_that_would_stop_is_told_where() -> None:
-    """Without a flywheel the cut uses up all there is, at its end."""
-    stall = without_flywheel(planer(), TASK)
-    assert isinstance(stall, Stall)
-    assert np.degrees(stall.turned) == pytest.approx(150.3837539, abs=5e-8)
-    assert stall.mean > SPEED
-    barely = steady(planer(), planer().own, stall.mean * 1.01)
-    assert isinstance(barely, Swing)
-    low, high = barely.extremes()[1]
-    assert low < 0.02 * high
-    assert isinstance(steady(planer(), planer().own, stall.mean * 0.99), Stall)
-
-
-@pytest.mark.parametrize(("way", "stroke"), [(FORWARD, WORKING), (BACKWARD, IDLE)])
-def test_a_load_by_its_way_is_that_of_a_stroke_that_turns_back_only_at_its_ends(way: str, stroke: str) -> None:
-    ours, theirs = (worked(OUTWARD._replace(during=when)).exact for when in (way, stroke))
-    assert ours.breaks == pytest.approx(theirs.breaks, abs=1e-12)
-    every = np.linspace(0, 2 * pi, 50)
-    assert ours.settled
-    assert ours.moment(every) == pytest.approx(theirs.moment(every), abs=1e-10)
-
-
 def measure(found: Exact) -> float:
     """Give the largest energy J that counts, for what is less than its rounding."""
     every = np.linspace(0, 2 * pi, 97)
@@ -88,25 +66,6 @@ def by_gauss(one: Steady, found: Exact) -> tuple[float, Floats]:
     moments = one.reduction.ordinates(one.reduction.motion(at)).moment
     assert found.moment(at) == pytest.approx(moments, abs=1e-11 * measure(found))
     return float((moments.reshape(len(low), -1) @ weights * np.diff(knots) / 2).sum()), moments
-
-
-@given(steadies())
-@examples(2, 200)
-def test_flywheel_put_back_keeps_the_fluctuation(one: Steady) -> None:
-    """The exact motion with the flywheel found has the delta asked for, and the mean speed, to 1e-9."""
-    found = one.exact
-    assert found.settled
-    its = flywheel(found, TASK)
-    swing = with_flywheel(found, TASK, its)
-    if its.needed <= 0:
-        assert isinstance(swing, Stall) or swing.speeds(edges(found)).delta <= DELTA * (1 + 1e-9)
-        return
-    assert isinstance(swing, Swing)
-    scan = swing.speeds(edges(found, 180))
-    assert scan.delta == pytest.approx(DELTA, rel=1e-9)
-    assert scan.mean == pytest.approx(SPEED, rel=1e-12)
-    assert scan.extremes[0] * (1 - 1e-12) <= scan.omega.min()
-    assert scan.omega.max() <= scan.extremes[1] * (1 + 1e-12)
 
 
 @given(steadies())

@@ -13,7 +13,7 @@ from geometry.precision import condition, errors
 from geometry.replay import exact
 from geometry.steps import behind
 from plans.forces.statics import Statics
-from tests.plans.force_cases import DYADS, ROADS, WORKED, compared, finding, of_road, statics_of, text_of, worked
+from tests.plans.force_cases import DYADS, ROADS, WORKED, finding, of_road, statics_of, text_of, worked
 
 SHAPER = WORKED["shaper"]
 NAMES = (*DYADS, "shaper")
@@ -89,22 +89,6 @@ def test_the_power_of_all_forces_but_the_drive_is_that_of_the_worked_example() -
     assert printed(hung, SHAPER["power"])
 
 
-def test_without_a_gear_the_frame_bears_less_and_the_moment_is_the_same() -> None:
-    gear = "[drive.gear]\nradius = 0.18\nat = 210\npressure_angle = 20\n"
-    told = {
-        how: compared(text_of("shaper", (gear, ""), ("acceleration = 5", f'acceleration = 5\nbalancing = "{how}"')))
-        for how in ("moment", "coupling", "force")
-    }
-    moments = [of_road(one, "construction").balancing.moment[0] for one in told.values()]
-    assert moments == pytest.approx([SHAPER["moment"]] * 3, rel=1e-9)
-    force = of_road(told["force"], "construction").balancing.force
-    assert force is not None
-    assert abs(force[0]) == pytest.approx(SHAPER["moment"] / 0.12, rel=1e-9)
-    # A moment loads no bearing: what is left on the frame is the opposite of what the stone and the weight bring.
-    frame = of_road(told["moment"], "construction").reactions
-    assert frame["0-1"].force[0] == pytest.approx(frame["1-2"].force[0] + 6 * 9.81j, rel=1e-12)
-
-
 # The construction in fifty digits
 
 
@@ -142,17 +126,3 @@ def worst(mark: Mark, position: int) -> float:
             board = "forces" if one.subject == "forces" else "motion"
             kappas[board] = max(kappas[board], kappa)
     return kappas["forces"] * kappas["motion"]
-
-
-def test_nothing_acts_where_nothing_is_loaded() -> None:
-    text = text_of("kind-4")
-    told = of_road(compared(text), "construction")
-    assert told.balancing.moment[0] == 0
-    assert told.reactions["0-1"].force[0] == 0
-
-
-def test_a_load_where_the_slot_of_a_sliding_link_crosses_its_guide_has_a_place_on_the_lever() -> None:
-    """That point is found by the construction before it is looked at as the point N of the scene."""
-    comparison = compared(text_of("kind-5", ('point = "S3"', 'point = "N"')))
-    assert comparison.agrees
-    assert [of_road(comparison, road).reactions["0-3"].point for road in ROADS] == ["N", "N"]

@@ -13,9 +13,9 @@ from plans.analytic.friction import friction as by_analysis
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.force_template import ForcePattern
-from plans.forces.friction import edges, friction, lost_power, pressing
+from plans.forces.friction import friction, pressing
 from plans.model.dyad import pairs
-from plans.model.kinetostatics import CENTRAL, SLANTED, TILTED, Applied, Friction, Loading, Reaction, Twist
+from plans.model.kinetostatics import SLANTED, TILTED, Applied, Friction, Loading
 from plans.model.machine import GEAR, Body, Machine, Rubbing, Transmission
 from plans.model.mechanism import Mechanism, Way
 from plans.model.motion import Motion
@@ -92,13 +92,6 @@ def against(link: int, point: str, size: float) -> Load:
     return load
 
 
-def cutting(motion: Motion) -> Loading:
-    """1500 N on the ram from the end of the overrun to the end of the cut (M2.1)."""
-    degrees = np.degrees(motion.phi) % 360
-    cut = (degrees > 21.4590389) & (degrees < 159.5541014)
-    return Loading((Applied("F_us", 5, "D", 0j, np.where(cut, 1500 + 0j, 0)),), ())
-
-
 # Worked values (M6.1, M6.2)
 
 
@@ -117,25 +110,6 @@ def test_efficiency_and_wear_of_the_shaper(road: str) -> None:
     assert tuple(now.wear.values())[:3] == printed(0.4185536972, 0.2926377574, 0.1383148257)
     assert now.shares["2-3"][0] == pytest.approx(0.4185536972, rel=DIGITS)
     assert now.cycle is None  # one position is no cycle
-
-
-def test_efficiency_over_the_cycle(road: str) -> None:
-    cycle = found(shaper(epsilon=0), SHAPER, cutting, 0, 24, road)
-    assert (cycle.lost.mean(), cycle.useful.mean()) == printed(352.36502, 902.6572002)
-    assert cycle.cycle == pytest.approx(0.7192360308, rel=DIGITS)
-    assert cycle.efficiency[4] == pytest.approx(0.8847846048, rel=DIGITS)
-    assert cycle.efficiency[[0, 1, 11, 23]].tolist() == [0, 0, 0, 0]  # the ram runs idle
-    assert sum(cycle.wear.values()) == pytest.approx(1)
-    assert cycle.jams == ()
-
-
-def test_a_reaction_beyond_the_contact_bears_on_two_edges() -> None:
-    across, moment = np.array([800.0]), np.array([800 * 0.09])
-    near, far = edges(across, moment, 0.12)
-    assert (near[0], -far[0], pressing(across, moment, 0.12)[0]) == pytest.approx((1000.0, 200.0, 1200.0))
-    guide = Reaction(0, 3, "D", np.zeros(1, complex), 800j + np.zeros(1), moment, np.ones(1, complex))
-    assert lost_power(Rubbing(0.1, 0, 0.12), guide, np.array([-1.7]))[0] == pytest.approx(204.0)
-    assert lost_power(Rubbing(0.1), guide, np.array([-1.7]))[0] == pytest.approx(136.0)  # any length: 800 N on one side
 
 
 @pytest.mark.parametrize(("x", "total"), [(0.0, 800), (0.06, 800), (-0.06, 800), (-0.09, 1200), (0.12, 1600)])
@@ -194,27 +168,6 @@ def test_a_yoke_jams_when_the_block_is_far_from_a_short_guide(road: str) -> None
     assert {jam.advice for jam in now.jams} == {TILTED}
 
 
-def test_a_rocker_jams_where_the_rod_cuts_its_friction_circle() -> None:
-    bar = linkages.four_bar(0.1, 0.3, 0.15, 0.3, sketch={"B": 0.3 + 0.15j})
-    f, radius = 0.4, 0.3
-    study = study_of(bar, 0, 24)
-    motion = study.motion(2)
-    a, b = (motion.points[name].r for name in "AB")
-    arm = np.abs(((b - 0.3).conj() * (b - a)).imag) / 0.3
-
-    def resisting(motion: Motion) -> Loading:
-        omega = motion.links[3].omega
-        assert omega is not None
-        return Loading((), (Twist("M", 3, -20 * np.sign(omega)),))
-
-    now = found(bar, replace(LIGHT, friction={"0-3": Rubbing(f, radius)}), resisting, 0, 24)
-    assert now.locking["0-3"] == pytest.approx(f * radius / arm)
-    jammed = np.flatnonzero(arm <= f * radius).tolist()
-    assert 0 < len(jammed) < 24
-    assert [jam.position for jam in now.jams] == jammed
-    assert now.jams[0].advice == CENTRAL
-
-
 def test_a_slider_driven_by_a_moving_guide() -> None:
     """PRP: the rocker's slot presses square to itself, at phi to the line x = h on which the pin slides."""
     machine = replace(LIGHT, friction={"0-3": Rubbing(0.5)})
@@ -232,9 +185,3 @@ def test_a_contact_may_be_far_from_the_origin_of_its_link() -> None:
     now = found(replace(yoke, slides=(slot, guide)), machine, against(3, "D", 500), 0, [20, 60, 150, 200])
     wanted = [0.3 * 2 * (1 - 0.1 * cos(radians(k))) / 1.5 for k in (20, 60, 150, 200)]
     assert now.locking["0-3"] == pytest.approx(wanted)
-
-
-def test_a_list_of_positions_is_no_cycle() -> None:
-    assert found(shaper(), SHAPER, on(5, "D", 1500), positions=[0, 60, 200]).cycle is None
-    assert found(shaper(), SHAPER, on(5, "D", 1500), 0.1, 360).cycle is not None
-    assert found(shaper(-10), SHAPER, on(5, "D", 1500), 12345.6, 7).cycle is not None

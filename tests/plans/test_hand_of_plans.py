@@ -126,13 +126,6 @@ def test_each_position_of_a_sheet_is_out_by_the_scales_of_its_own_figures() -> N
     assert all(found[name, k] == pytest.approx(due[name][k], nan_ok=True) for name, k in found)
 
 
-def test_arms_and_polygons_count_as_the_coarsest_of_their_figures() -> None:
-    statics = Statics(LinkageStudy(read_scene(GALLERY / "shaper-loaded.toml")))
-    scales = {"scheme-4-5": 0.002, "scheme-2-3": 0.004, "forces-4-5": 10.0, "forces-2-3": 25.0, "lever": 0.02}
-    coarsest = {**scales, "scheme-4-5": 0.004, "forces-4-5": 25.0}
-    assert forces_by_hand(statics, 2, scales) == forces_by_hand(statics, 2, coarsest)
-
-
 def test_the_force_of_a_slide_is_out_in_newtons_at_any_size() -> None:
     """A machine four times as large, on figures to scales as much coarser, is out by as much more."""
     scales = {"scheme-2-3": 0.002, "forces-2-3": 2.0, "lever": 0.01}

@@ -57,12 +57,6 @@ def test_a_row_of_vectors_is_out_by_the_root_of_their_number() -> None:
     assert told["ΣmD", 0] == pytest.approx(0.1 * POINT * 0.2 * np.sqrt(16 / 3), rel=0.02)  # a cloud of 1000 ends
 
 
-def test_what_no_figure_shows_has_no_error(fan: RotorStudy) -> None:
-    findings = compare_rotor(fan).findings
-    assert by_hand(findings, {"across": 1.0}) == {}
-    assert by_hand(findings, {"couples": 1.0}).keys() == {("ΣmDh", 0), ("m_ID_I", 0)}
-
-
 def test_a_polygon_of_a_bank_is_out_by_its_members_and_its_mass_by_the_square_of_the_speed() -> None:
     """Four equal vectors of order 2 in line: along the sum the deviation is 0.2 sqrt(4/3) mm."""
     study = Study(read_scene(GALLERY / "four-cylinder-bank.toml"))

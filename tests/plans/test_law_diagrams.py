@@ -10,7 +10,6 @@ import pytest
 from plans.bench.trial import order
 from plans.cam.diagrams import law_diagrams, strips_of
 from plans.model.cam import DWELL, RETURN, RISE, SHAPE, TABLE, Cam, Law
-from plans.words.words import languages, said
 from tests.parts import some
 from tests.plans.digits import printed
 from tests.plans.law_cams import BLOCKS, EVERY, LIFT, LINES, RISING, RULER, STEADY, law_cam, usual
@@ -79,10 +78,6 @@ def test_past_a_hard_shock_the_velocity_begins_anew() -> None:
     assert found.slopes[0].values == pytest.approx(np.full(9, LIFT / RISING))
     assert found.slopes[1].values[0] == 0.0
     assert len(law_diagrams(usual(Law("sine"))).slopes) == 1
-
-
-def test_every_step_says_why_in_every_language() -> None:
-    assert all(said(mark.step.why, each) for mark in law_diagrams(usual(RULER)).board.marks for each in languages())
 
 
 @pytest.mark.parametrize("name", ["sine", "3-4-5", "4-5-6-7", "modified sine"])

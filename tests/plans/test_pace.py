@@ -19,11 +19,8 @@ from plans.model.motion import Floats, Pace, Rates
 from plans.scene.scene import parse_scene, read_scene
 from tests import parts
 from tests.gallery import GALLERY, TURNING
-from tests.plans.force_cases import finding
 from tests.plans.test_carrying import COUPLING_ROD
 from tests.rows import over
-
-ROUNDING = 1e-12  # of the largest: an acceleration that cancels is known to no more
 
 
 def study(path: Path, plans: tuple[str, ...] = studies.ALL) -> LinkageStudy:
@@ -58,49 +55,9 @@ def forces(path: Path, how: str) -> ForceComparison:
 
 @pytest.mark.part
 @over("path", TURNING if parts.whole else TURNING[::4])
-def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates(path: Path) -> None:
-    one = study(path)
-    pace, unit = uneven(one), one.paced(lambda phi: Rates(1.0, 0.0)).motion()
-    omega, epsilon = pace(one.turn.phi)
-    comparison = compare(one.paced(pace))
-    for motion in (comparison.construction, comparison.analysis):
-        for ours, slopes in [
-            *((motion.points[point], unit.points[point]) for point in unit.points),
-            *((motion.links[link], unit.links[link]) for link in unit.links),
-        ]:
-            wanted = omega * slopes[1], omega**2 * slopes[2] + epsilon * slopes[1]
-            sizes = np.abs(omega * slopes[1]), np.abs(omega**2 * slopes[2]) + np.abs(epsilon * slopes[1])
-            for row, value, size in zip(ours[1:], wanted, sizes, strict=True):
-                assert np.nanmax(np.abs(row - value)) <= ROUNDING * (np.nanmax(size) + omega.max() ** 2 * 1e-3)
-
-
-@pytest.mark.part
-@over("path", TURNING if parts.whole else TURNING[::4])
 def test_both_roads_agree_at_uneven_rates(path: Path) -> None:
     one = study(path)
     assert compare(one.paced(uneven(one))).agrees
-
-
-def test_the_energy_balance_has_the_omega_of_each_position() -> None:
-    comparison = forces(GALLERY / "slider-crank.toml", "uneven")
-    energy = finding(comparison, "M_bal energy").analysis
-    assert energy == pytest.approx(comparison.construction.balancing.moment, rel=1e-7, abs=1e-7)
-
-
-def test_the_piston_has_the_rates_of_the_hand_formula() -> None:
-    one = study(GALLERY / "slider-crank.toml")
-    comparison, phi = compare(one.paced(uneven(one))), one.turn.phi
-    r, rod, off = 0.045, 0.160, 0.010
-    root = np.sqrt(rod**2 - (r * np.cos(phi) - off) ** 2)
-    inner = (r * np.cos(phi) - off) * r * np.sin(phi)
-    first = r * np.cos(phi) + inner / root  # dy/dphi
-    turned = r**2 * np.cos(2 * phi) - off * r * np.cos(phi)
-    second = -r * np.sin(phi) + turned / root - inner**2 / root**3
-    omega, epsilon = uneven(one)(phi)
-    for motion in (comparison.construction, comparison.analysis):
-        assert motion.points["B"].v.imag == pytest.approx(omega * first, rel=1e-12, abs=1e-10)
-        wanted = omega**2 * second + epsilon * first
-        assert motion.points["B"].a.imag == pytest.approx(wanted, rel=1e-11, abs=1e-7)
 
 
 def test_plans_of_some_positions_have_their_rates(monkeypatch: pytest.MonkeyPatch) -> None:

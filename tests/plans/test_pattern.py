@@ -8,18 +8,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from geometry.board import Mark
 from geometry.meet import EPS
-from geometry.precision import errors
 from plans.linkage import study as studies
 from plans.linkage.margin import CLOSE, RUN, heading
-from plans.linkage.motion_plans import accelerations, velocities
-from plans.linkage.plan import Plan
-from plans.linkage.primary import CrankPositions, even, listed
-from plans.linkage.study import LinkageStudy
+from plans.linkage.primary import even, listed
 from plans.model.mechanism import Mechanism
 from tests.plans import linkages
-from tests.plans.studies import driven, study_of
+from tests.plans.studies import study_of
 
 MECHANISMS = {
     "four-bar": linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j}, coupler={"S": 0.2 + 0.09j}),
@@ -30,57 +25,12 @@ MECHANISMS = {
 }
 
 
-def drawn(study: LinkageStudy, turn: CrankPositions) -> list[Plan]:
-    """Draw the plans act by act, and on them all named points."""
-    plans = [study.sweep.positions(turn)]
-    plans.append(velocities(plans[0], study.groups))
-    plans.append(accelerations(plans[1], study.groups))
-    for point in sorted({point for link in study.mechanism.links.values() for point in link.points}):
-        for plan in plans:
-            plan.point(point)
-    return plans
-
-
-def words(mark: Mark) -> tuple[object, ...]:
-    step = mark.step
-    return mark.number, mark.name, step.op, [source.name for source in step.inputs], step.why, mark.role
-
-
-@pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
-def test_a_followed_plan_has_every_word_and_number_of_a_drawn_one(mechanism: Mechanism) -> None:
-    study = study_of(driven(mechanism, -3.0, 2.0), 10, 7)
-    motion, drafts = study.motion(), study.drafts()
-    for order, plan in enumerate(drawn(study, study.turn)):
-        followed = drafts.plan(order)
-        assert [words(mark) for mark in followed.board] == [words(mark) for mark in plan.board]
-        assert {letter: mark.name for letter, mark in followed.letters.items()} == {
-            letter: mark.name for letter, mark in plan.letters.items()
-        }
-        for one, other in zip(followed.board, plan.board, strict=True):
-            if not isinstance(other.value, tuple):
-                bound = 2 * np.broadcast_to(errors(other)[other].place, 7) + np.finfo(float).tiny
-                assert (np.abs(np.broadcast_to(one.point - other.point, 7)) <= bound).all(), one.name
-        for letter in motion.points:
-            np.testing.assert_array_equal(
-                motion.points[letter][order], np.broadcast_to(followed.point(letter).point, 7)
-            )
-
-
 @pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
 def test_many_positions_are_what_each_of_them_is(mechanism: Mechanism, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = study_of(mechanism, 0, 50).motion()
     monkeypatch.setattr(studies, "BLOCK", 16)
     for one, other in zip(whole.rows(), study_of(mechanism, 0, 50).motion().rows(), strict=True):
         assert other == pytest.approx(one, rel=0, abs=64 * EPS * float(np.abs(one).max()))
-
-
-def test_a_point_at_rest_takes_no_room_and_cannot_be_moved() -> None:
-    motion = study_of(MECHANISMS["four-bar"], 0, 12).motion()
-    fixed = motion.points["C"].r
-    assert list(fixed) == [0.35 + 0j] * 12
-    with pytest.raises(ValueError, match="read-only"):
-        fixed[0] = 1j
-    assert motion.own().points["C"].r.flags.writeable
 
 
 # Angles of positions close to each other

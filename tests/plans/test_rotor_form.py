@@ -69,18 +69,6 @@ def test_a_rotor_that_stands_is_refused_and_one_that_turns_backward_is_not() -> 
     assert parse_scene(f"[rotor]\nspeed = -100\n{MASSES}").has(("rotor", "speed"))
 
 
-@pytest.mark.parametrize("name", ["rpm", "n", "omega", "ω", "RPM"])
-def test_a_speed_by_another_name_is_known(name: str) -> None:
-    (fault,) = refused(f'"{name}" = 3000\n{MASSES}')
-    assert 'speed = "3000 rpm"' in fault.advice
-
-
-@pytest.mark.parametrize("name", ["phase", "phi", "φ"])
-def test_an_angle_by_another_name_is_known_and_not_missed_besides(name: str) -> None:
-    (fault,) = refused(f'masses = [{{ moment = 1, "{name}" = 20 }}]\n')
-    assert "angle = 20" in fault.advice
-
-
 def noted(rotor: str) -> list[tuple[str, str]]:
     notes = list(notes_of(parse_scene(f"[rotor]\n{rotor}")))
     assert all(re.search("[а-я]{3}", note.worded("ru")) for note in notes)

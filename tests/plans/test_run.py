@@ -66,17 +66,6 @@ def test_a_kloss_motor_without_load_runs_up_in_the_time_of_the_closed_form(slip:
     assert leg.end.t == pytest.approx(closed, rel=1e-10)
 
 
-@pytest.mark.parametrize("name", [EXPLICIT, IMPLICIT])
-def test_a_linear_motor_runs_up_as_its_exponential(name: str) -> None:
-    link, motor = steady(4.2), Motor(Linear(60.0, 20.0))
-    rate = 60.0 / (20.0 * 4.2)
-    goal = 20.0 * (1 - math.exp(-rate))
-    assert goal == pytest.approx(10.20916681, abs=5e-9)
-    leg = Solver(name, size_of(link, 20.0)).leg(Equation(link, motor, base=20.0), AT_REST, Ends(math.inf, goal))
-    assert leg.end.t == pytest.approx(1.0, abs=100 * TOLERANCES[name])
-    assert leg.end.turned == pytest.approx(20.0 - goal / rate, rel=100 * TOLERANCES[name])
-
-
 def test_textbook_run_up_of_the_slider_crank() -> None:
     link, motor = slider_crank(4.0), Motor(Linear(60.0, 20.0))
     leg = explicit(link, 20.0).leg(Equation(link, motor, base=20.0), AT_REST, Ends(math.inf, 10.44041021))
@@ -199,15 +188,6 @@ def test_a_motor_that_creeps_has_not_settled() -> None:
     assert found.failure is not None
     assert (found.failure.reason, found.failure.limit) == (UNSETTLED, pytest.approx(SETTLED * 20.0))
     assert found.failure.omega == pytest.approx(5.0 * 50 / 60, rel=1e-6)
-
-
-def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> None:
-    """By itself the motion would take hundreds of turns to it: a change loses three hundredths in a turn."""
-    found = run(slider_crank(300.0, force=2000.0), Motor(Linear(600.0, 20.0)), RunTask(12.0, 1)).steady
-    assert found is not None
-    assert abs(found.closing) <= 1e-10 * found.start
-    assert found.works.gained == pytest.approx(0.0, abs=1e-7)
-    assert found.mean == pytest.approx(20.0 * (1 - 57.29577951 / 600), rel=1e-4)
 
 
 def test_the_measures_of_a_steady_turn() -> None:

@@ -6,24 +6,21 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from plans.analytic.dynamics.flywheel import wheel
 from plans.analytic.dynamics.run import run as solved
 from plans.dynamics.cycle import rim_of
 from plans.dynamics.form import DynamicsForm, motor_of, run_task
 from plans.dynamics.loop import ANGLE, ROWS_MOST, STOP, Acting, Ends, by_acceleration, by_energy
 from plans.dynamics.reading import notes_of
-from plans.dynamics.run import mean_resistance, run, step_of
+from plans.dynamics.run import run, step_of
 from plans.dynamics.study import curve
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.dynamics import THICKEST, TURN, Rim, Wheel
 from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
-from plans.model.run import RUN_DOWN, RUN_UP, STALLED, STEADY, TOO_MANY_ROWS, TOO_WEAK, ReducedLink, RunTask
+from plans.model.run import RUN_UP, STALLED, STEADY, TOO_MANY_ROWS, TOO_WEAK, ReducedLink, RunTask
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
-from tests.parts import examples, some
+from tests.parts import some
 from tests.plans.dynamics_scenes import text
 from tests.plans.reduced_links import crank_inertia, slider_crank, steady
 
@@ -61,26 +58,6 @@ def test_textbook_run_down() -> None:
     assert by_energy(acting, start, 0.03, Ends(100.0, 1000)).rows[-1][:3] == pytest.approx((2.0, 12.0, 0.0), rel=1e-13)
 
 
-def test_works_are_taken_on_either_side_of_a_jump() -> None:
-    link = slider_crank(4.0, force=2000.0)
-    acting = Acting(link, None, loaded=True)
-    whole = sum(acting.works(acting.row(0.0, k * TURN / 720, 1.0), (k + 1) * TURN / 720).useful for k in range(720))
-    assert whole == pytest.approx(360.0, rel=1e-5)
-    assert mean_resistance(link) == pytest.approx(57.29577951, rel=1e-4)
-    fast = acting.row(0.0, 0.3, 1.0)
-    assert acting.works(fast, 0.4).useful == 0.0
-
-
-def test_in_a_steady_stage_the_account_closes_whatever_the_step() -> None:
-    found = run(slider_crank(4.0, force=2000.0), Motor(Linear(600.0, 20.0)), RunTask(12.0, 2, 50.0, step=0.01))
-    assert [stage.name for stage in found.stages] == [RUN_UP, STEADY, RUN_DOWN]
-    stage = found.stage(STEADY)
-    assert stage is not None
-    assert abs(stage.closing) <= 1e-12 * stage.energies[0]
-    assert stage.works.useful > 700
-    assert found.turned[stage.last] == pytest.approx(math.ceil(found.turned[stage.first] / TURN) * TURN + 2 * TURN)
-
-
 @pytest.mark.parametrize("motor", some([Motor(Linear(600.0, 20.0)), Motor(Constant(100.0)), MOTOR], 3))
 def test_the_table_is_of_the_first_order(motor: Motor) -> None:
     link, task = slider_crank(4.0), RunTask(12.0, turns=0)
@@ -89,14 +66,6 @@ def test_the_table_is_of_the_first_order(motor: Motor) -> None:
     errors = [abs(time - solved(link, motor, task).ends(RUN_UP)[1]) for time in times]
     assert errors == sorted(errors, reverse=True)
     assert math.log2(errors[-2] / errors[-1]) == pytest.approx(1.0, abs=0.1)
-
-
-def test_the_step_is_as_asked_or_a_strip_or_a_quarter_of_what_dies_away() -> None:
-    link = steady(2.0)
-    assert step_of(link, MOTOR, RunTask(12.0, step=0.3)) == 0.3
-    assert step_of(link, Motor(Constant(1.0)), RunTask(12.0)) == pytest.approx(TURN / 12 / 24)
-    assert step_of(link, MOTOR, RunTask(12.0)) == pytest.approx(TURN / 20 / 24)
-    assert step_of(link, Motor(Linear(60.0, 0.2)), RunTask(12.0)) == pytest.approx(0.25 * 2.0 * 0.2 / 60)
 
 
 def test_the_tables_failures_are_plain() -> None:
@@ -146,17 +115,6 @@ def test_a_slope_is_that_of_the_moment(law: Law) -> None:
         chord = (law.moment(speed + 1e-4) - law.moment(speed - 1e-4)) / 2e-4
         assert law.slope(speed) == pytest.approx(chord, rel=1e-6, abs=1e-9)
         assert -law.slope(speed) <= law.steepness * (1 + 1e-15)
-
-
-@pytest.mark.parametrize("law", LAWS)
-@examples(6)
-@given(moment=st.floats(0.0, 59.0))
-def test_the_speed_that_bears_a_moment_has_it_and_is_stable_and_the_greatest(law: Law, moment: float) -> None:
-    speed = law.speed(moment)
-    assert speed is not None
-    assert law.moment(speed) == pytest.approx(moment, rel=1e-12, abs=1e-10)
-    assert law.slope(speed - 1e-9) < 0
-    assert all(law.moment(speed + more) < moment + 1e-9 for more in (0.1, 1.0, 5.0))
 
 
 def test_a_table_is_straight_between_its_points_and_goes_on_beyond_them() -> None:
@@ -246,19 +204,6 @@ def test_a_textbook_flywheel_and_the_same_on_a_faster_shaft() -> None:
     assert slow.mass == pytest.approx(58.27160494, rel=1e-9)
     assert fast.inertia == pytest.approx(0.06020408163, rel=1e-9)
     assert fast.mass == pytest.approx(2.675736961, rel=1e-9)
-
-
-@pytest.mark.parametrize("shape", [0.5, 1.0, 1.5, 3.0])
-def test_the_ring_of_the_section_has_the_mass_and_the_inertia(shape: float) -> None:
-    """The ring's volume, and its inertia as the difference of two discs; both roads give it."""
-    rim = Rim(2.0, 1.2, 7200.0, shape)
-    found = sized(36.70337073, rim)
-    mass = rim.density * math.pi * (found.outer**2 - found.inner**2) / 4 * found.breadth
-    disc = rim.density * math.pi * found.breadth * (found.outer**4 - found.inner**4) / 32
-    assert mass == pytest.approx(found.mass, rel=1e-12)
-    assert disc == pytest.approx(36.70337073 / 4 * (1 + found.added), rel=1e-12)
-    assert found.breadth == pytest.approx(shape * found.thickness, rel=1e-14)
-    assert wheel(36.70337073, rim) == pytest.approx(found, rel=1e-14)
 
 
 def test_the_least_diameter_is_just_wide_enough() -> None:

@@ -11,10 +11,8 @@ import pytest
 from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import SceneError
-from plans.scene.notes import notes_of
 from plans.scene.scene import kinds_of, parse_scene
 from plans.scene.tables import holders_of
-from plans.techniques import TECHNIQUES, named
 from tests.plans.scenes import scene
 from tests.plans.wheel import WheelForm
 
@@ -42,30 +40,11 @@ from tests.plans.wheel import WheelForm
 """
 
 
-@pytest.mark.parametrize("name", TECHNIQUES)
-def test_a_row_names_the_very_tables_and_shared_keys_of_its_form(name: str) -> None:
-    row = TECHNIQUES[name]
-    own, shared = holders_of((form := named(row.form),)), dict(row.shares)
-    assert set(own) == {*row.tables, *shared}
-    for table, keys in shared.items():
-        ((_, kind),) = form.keys[table].field.tables
-        assert tuple(kind.keys) == keys
-
-
 def test_no_key_of_a_shared_table_is_stated_twice() -> None:
     for table in ("sheet", "drive"):
         holders = holders_of(kinds_of())[table]
         keys = [name for kind in holders for name in kind.keys[table].field.tables[0][1].keys]
         assert len(set(keys)) == len(keys)
-
-
-def test_a_scene_has_a_part_in_what_its_tables_sheets_and_keys_name() -> None:
-    assert parse_scene(LINKAGE).techniques == ("linkage",)
-    assert parse_scene("sheets = ['forces']\n" + LINKAGE).techniques == ("linkage", "forces")
-    assert parse_scene(LINKAGE + "[masses]\n2 = { mass = 1 }").techniques == ("linkage", "forces")
-    assert parse_scene(LINKAGE + "balancing = 'force'").techniques == ("linkage", "forces")
-    assert parse_scene(LINKAGE + "[sheet]\nreactions = 'P'").techniques == ("linkage", "forces")
-    assert parse_scene(LINKAGE + "[sheet]\nplans = [1]").techniques == ("linkage",)
 
 
 def test_what_a_scene_says_of_a_technique_is_asked_by_its_form() -> None:
@@ -78,16 +57,6 @@ def test_what_a_scene_says_of_a_technique_is_asked_by_its_form() -> None:
     assert plain.of(ForceForm) == ForceForm()
     with pytest.raises(SceneError, match=r"expected \[wheel\] in the file.* Fix: add \[wheel\] with radius = 1"):
         plain.of(WheelForm)
-
-
-def test_one_faulty_key_of_a_shared_table_is_told_once_and_the_rest_of_it_is_read() -> None:
-    with pytest.raises(SceneError) as refused:
-        parse_scene(LINKAGE + "[sheet]\nlanguage = 'fr'\nplans = [99]\nreactions = 'Q'\nplan = [1]")
-    assert [".".join(map(str, fault.path)) for fault in refused.value.faults] == [
-        "sheet.language",
-        "sheet.reactions",
-        "sheet.plan",
-    ]
 
 
 @pytest.mark.parametrize(
@@ -165,11 +134,6 @@ def test_editors_know_its_tables_and_what_they_need() -> None:
     assert form.split()[-1] == "wheel"
     assert needed == "['wheel'] True"
     assert wheel == "['radius'] True"
-
-
-def test_a_designation_of_a_sheet_that_is_not_asked_for_is_noted() -> None:
-    text = ROTOR + '[sheet.designations]\nrotor = "X.01"\ncam = "Y.02"\n'
-    assert [".".join(map(str, note.path)) for note in notes_of(parse_scene(text))] == ["sheet.designations.cam"]
 
 
 def test_a_scale_that_names_no_figure_says_how_it_is_written() -> None:

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 
-from plans.forces import quantities
-from plans.forces.statics import Statics, without
+from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
-from plans.model.kinetostatics import Kinetostatics
-from plans.model.motion import Gap
 from plans.scene.scene import parse_scene
 from tests import parts
 from tests.parts import first
@@ -105,20 +101,6 @@ def test_what_both_roads_give_up_is_counted_and_what_one_gives_up_alone_is_a_dis
         assert not apart.agrees
 
 
-def test_a_machine_whose_forces_one_road_gives_up_alone_disagrees(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = quantities.kinetostatics
-
-    def faint(*given: Any) -> Kinetostatics:
-        gap = Gap(0, 0.0, "forces", "dead centre", "", 0.0, "")
-        found = whole(*given)
-        return replace(without(found, np.arange(len(found.phi)) == 0), gaps=(gap,))
-
-    monkeypatch.setattr(quantities, "kinetostatics", faint)
-    comparison = compared(DEAD.replace("[60, 90]", "[60, 70]"))
-    assert [(lone.by, lone.gap.position, lone.gap.plan) for lone in comparison.alone] == [("analysis", 0, "forces")]
-    assert comparison.worst == np.inf and not comparison.agrees
-
-
 # Machines on which little acts
 
 SLOTTED = scene(
@@ -161,14 +143,3 @@ def test_what_is_but_rounding_is_no_force_beside_the_largest() -> None:
     force, moment = of(SLOTTED).forces.nothing
     assert force == pytest.approx(5e-8, rel=0.5)  # 1e-9 of some 50 N
     assert 0 < moment < force
-
-
-def test_beside_a_position_that_all_but_jams_the_forces_of_the_others_stay_what_they_are() -> None:
-    found = of(SLOTTED).forces
-    jam = np.where(np.arange(len(found.phi)) == 5, 1e6, 1.0)
-    reactions = {key: one._replace(force=one.force * jam) for key, one in found.reactions.items()}
-    jammed = replace(found, reactions=reactions)
-    force, moment = jammed.nothing_at(3)
-    assert (force, moment) == pytest.approx(found.nothing_at(3), rel=0.5)
-    assert jammed.nothing_at(5)[0] == pytest.approx(1e6 * found.nothing_at(5)[0], rel=0.5)
-    assert jammed.nothing[1] > 1e5 * moment

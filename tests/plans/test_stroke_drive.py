@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 import numpy as np
@@ -50,26 +49,6 @@ def by_slider() -> Study:
     assert v < 0
     drive = STROKE.format(steps=2, begin=way + 0.03, end=way - 0.03, v=-v, a=-a)
     return Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
-
-
-def test_a_slider_that_drives_moves_the_mechanism_as_the_crank_does() -> None:
-    crank, slider = by_crank()["linkage"].motion(2), by_slider()["linkage"].motion(2)
-    assert slider.links[3].omega[1] == pytest.approx(12, rel=1e-12)
-    assert slider.links[3].epsilon[1] == pytest.approx(30, rel=1e-11)
-    for point in "AB":
-        places = slider.points[point].r[1] + 0.25j, crank.points[point].r[0] + 0.2j  # each from its own datum
-        rates = zip(slider.points[point][1:], crank.points[point][1:], strict=True)
-        for own, other in (places, *((own[1], other[0]) for own, other in rates)):
-            assert own == pytest.approx(complex(other), rel=1e-11, abs=1e-12)
-
-
-def test_the_force_that_pushes_the_slider_has_the_power_of_the_moment_that_turns_the_crank() -> None:
-    moment = by_crank()["forces"].forces.balancing.moment[0]
-    pushed, motion = by_slider()["forces"].forces.balancing, by_slider()["linkage"].motion(1)
-    assert pushed.force is not None
-    power = float((np.conj(pushed.force[1]) * motion.points["B"].v[1]).real)
-    assert power == pytest.approx(12 * moment, rel=1e-11)
-    assert pushed.force[1].imag == 0  # along the guide
 
 
 def test_both_roads_agree_over_a_stroke_and_the_energy_balance_with_them() -> None:
@@ -144,24 +123,6 @@ def by_cylinder() -> Study:
     return Study(parse_scene(BOOM.format(drive=CYLINDER)))
 
 
-def test_a_cylinder_turns_the_crank_as_its_triangle_says() -> None:
-    # s s' = OE OF sin(phi) omega, and at a right angle s'^2 + s s'' = OE OF epsilon.
-    motion = by_cylinder()["linkage"].motion(2)
-    assert motion.points["F"].r[1] == pytest.approx(0.4j, abs=1e-15)
-    assert motion.links[1].omega[1] == pytest.approx(0.5 * 0.06 / 0.12, rel=1e-14)
-    assert motion.links[1].epsilon[1] == pytest.approx((0.06**2 + 0.5 * 0.2) / 0.12, rel=1e-13)
-
-
-def test_the_force_of_a_cylinder_has_the_moment_that_the_crank_would_need() -> None:
-    omega, epsilon = 0.25, (0.06**2 + 0.5 * 0.2) / 0.12
-    crank = Study(parse_scene(BOOM.format(drive=f"speed = {omega}\nacceleration = {epsilon}\npositions = [90]")))
-    moment = crank["forces"].forces.balancing.moment[0]
-    statics = by_cylinder()["forces"]
-    push = statics.given(statics.forces, statics.study.motion(2))
-    assert push[1] == pytest.approx(moment / 0.24, rel=1e-12)  # O is 0.3 * 0.4/0.5 m from the cylinder's line
-    assert abs(statics.forces.balancing.moment[1]) < 1e-9 * abs(moment)
-
-
 def test_both_roads_agree_on_a_cylinder_and_hold_its_law(monkeypatch: pytest.MonkeyPatch) -> None:
     for part in ("linkage", "forces"):
         assert by_cylinder().comparison(part).agrees
@@ -204,24 +165,6 @@ LAW = scene(
 )
 
 
-def test_a_law_over_the_stroke_gives_its_speeds_and_the_accelerations_that_follow() -> None:
-    drive = "link = 1\n" + LAW.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
-    study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
-    slider = study["linkage"].motion(2).points["B"]
-    assert slider.v.real.tolist() == pytest.approx([-0.1, -0.3, -0.3, -0.3, -0.1])
-    slope = 0.2 / 0.025  # a = v dv/ds; at a corner the line ahead of it counts
-    assert slider.a.real.tolist() == pytest.approx([-0.1 * slope, 0, 0, 0.3 * slope, 0.1 * slope], abs=1e-12)
-    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
-
-
-def test_a_law_of_a_cylinder_is_held_by_the_analysis_at_its_corners_too() -> None:
-    drive = LAW.format(between='between = "EF"\n', begin=0.45, second=0.475, third=0.525, end=0.55)
-    study = Study(parse_scene(BOOM.format(drive=drive)))
-    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
-    omega = study["linkage"].motion(1).links[1].omega
-    assert omega[2] == pytest.approx(0.5 * 0.3 / 0.12, rel=1e-13)
-
-
 LAWS = {
     "too few speeds": ("speeds = [1]", "drive.stroke.speeds"),
     "no speeds": ("speeds = []", "drive.stroke.speeds"),
@@ -244,21 +187,6 @@ def test_a_law_that_does_not_fit_its_stroke_is_refused_at_its_key(name: str) -> 
 
 
 RESTS = LAW.replace("[0.1, 0.3, 0.3, 0.1]", "[0, 0.3, 0.3, 0]").replace("positions = 4", "positions = 8")
-
-
-def test_a_law_from_rest_to_rest_begins_and_ends_with_one_acceleration() -> None:
-    """The trapezium of speed over time: v = sqrt(2 a s) from rest, and the other roads find the force at rest too."""
-    drive = "link = 1\n" + RESTS.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
-    study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
-    slider = study["linkage"].motion(2).points["B"]
-    a = 0.3**2 / (2 * 0.025)
-    half = math.sqrt(2 * a * 0.0125)
-    assert slider.v.real.tolist() == pytest.approx([0, -half, -0.3, -0.3, -0.3, -0.3, -0.3, -half, 0], abs=1e-13)
-    assert slider.a.real.tolist() == pytest.approx([-a, -a, 0, 0, 0, 0, a, a, a], abs=1e-12)
-    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
-    by = {one.name: one.construction for one in study.comparison("forces").of("forces")}
-    assert np.isnan(by["P_bal lever"][[0, -1]]).all()  # without velocities it has no arms
-    assert np.isfinite(by["P_bal"]).all() and np.isfinite(by["P_bal power"]).all()
 
 
 def test_a_cylinder_from_rest_to_rest_has_its_force_where_it_rests() -> None:

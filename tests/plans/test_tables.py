@@ -44,14 +44,6 @@ def refused(data: object) -> list[tuple[tuple[str | int, ...], str]]:
     return [(refusal.path, refusal.kind) for refusal in found.value.refusals]
 
 
-def test_what_is_given_is_read_and_the_rest_stands_as_declared() -> None:
-    found = read(Outer, {"inner": {"size": 2}, "sizes": [4, 6], "named": {"a": 8}, "form_or_size": {"size": 2}})
-    assert (found.inner.size, found.inner.name, found.sizes, found.named) == (2, "pin", (4, 6), {"A": 8})
-    assert found.form_or_size == found.inner == Inner(size=2) != Inner(size=4)
-    assert found.inner.given == {"size"}
-    assert read(Outer, {"inner": {"size": 2}, "form_or_size": 4}).form_or_size == 4
-
-
 def test_all_refusals_come_at_once_and_each_where_it_stands() -> None:
     data = {"inner": {"size": 3, "nmae": 1}, "sizes": [4, 5, 7], "named": {"a": "b"}, "form_or_size": {}, "other": 0}
     assert refused(data) == [
@@ -63,12 +55,6 @@ def test_all_refusals_come_at_once_and_each_where_it_stands() -> None:
         (("form_or_size", "size"), "missing"),
         (("other",), "unknown_key"),
     ]
-
-
-def test_keys_are_compared_only_where_each_is_taken() -> None:
-    assert refused({"inner": {"size": 2, "name": "pin"}}) == [(("inner", "name"), "repeated")]
-    assert refused({"inner": {"size": 3, "name": "pin"}}) == [(("inner", "size"), "not_whole")]
-    assert refused({"inner": {"size": 2}, "sizes": [2, 2, 2, 2]}) == [(("sizes",), "empty")]
 
 
 @pytest.mark.parametrize("data", [None, 1, "x", []])
