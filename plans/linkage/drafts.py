@@ -140,7 +140,7 @@ def gaps_of(
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
         met = edge is None or edge.kind == OUT_OF_REACH or near[k]
         unplaced = _unplaced(field[:, k], nowhere[:, k], marks, told, k, position, phi) if met else None
-        found.append(unplaced or _beyond(position, phi, edge))
+        found.append(unplaced or (_unshown(position, phi) if home is None else _beyond(position, phi, edge)))
     return found
 
 
@@ -159,6 +159,11 @@ def _unplaced(
 def _in_one(position: int, phi: float, where: str) -> Gap:
     advice = message("gap.one_line", point=where)
     return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, where, 0.0, advice)
+
+
+def _unshown(position: int, phi: float) -> Gap:
+    """Name a position in which the links meet on the sides that the sketch shows elsewhere, but where it fits none."""
+    return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
 
 
 def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:

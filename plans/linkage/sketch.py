@@ -68,8 +68,16 @@ def assembly(
             return Assembly(_crossed(mechanism, groups, sides, turn.part([best])), float(turn.phi[best]))
         if turn is first:
             _out_of_reach(mechanism, groups, choices, turn)
-    # No angle can be assembled: every position is a gap.
-    return Assembly(_crossed(mechanism, groups, [1.0] * len(groups), whole), None)
+    # No angle can be assembled: every position is a gap, whose advice tells of the sides that the sketch shows.
+    shown = whole if first is None else first
+    return Assembly(_crossed(mechanism, groups, _shown_sides(_choices(mechanism, groups, shown)), shown), None)
+
+
+def _shown_sides(choices: Sequence[Choice]) -> list[float]:
+    """Give the sides of the sketch where most groups can be joined to those before them; 1 of what cannot."""
+    joined = np.isfinite([choice.misfit for choice in choices])
+    best = int(np.argmax(joined.sum(axis=0)))
+    return [float(choice.side[best]) if met[best] else 1.0 for choice, met in zip(choices, joined, strict=True)]
 
 
 def _crossed(
