@@ -70,7 +70,6 @@ FORBIDDEN = {
     "drawings/checks/": ("drawings.kinds", "drawings.sheets", *DRAWN, "plans.analytic", *CONSTRUCTIONS),
     # Loads are put on either road's motion.
     "plans/forces/loading.py": EITHER,
-    "plans/forces/stroke.py": EITHER,
 }
 # What must stand on a sheet is told by the analysis alone.
 DUE, NO_DUE = re.compile(r"drawings/\w+/due\w*\.py"), ("drawings.kinds", "drawings.sheets", *CONSTRUCTIONS)

@@ -14,7 +14,7 @@ from drawings.lettering.vector_letters import FORCE, MOMENT, counterweight
 from drawings.page.scale import Drafting
 from plans.balance.weights import line_of
 from plans.forces.cut import indices
-from plans.forces.primary import BALANCING
+from plans.forces.drive import BALANCING
 from plans.model.balance.linkage import DISC, Counterweight, State
 from plans.model.mechanism import Mechanism
 from plans.model.motion import NOTHING

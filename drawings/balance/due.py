@@ -24,7 +24,7 @@ from plans.balance.quantities import BalanceComparison
 from plans.balance.study import BalanceStudy
 from plans.balance.weights import line_of
 from plans.forces.cut import indices
-from plans.forces.primary import BALANCING
+from plans.forces.drive import BALANCING
 from plans.model.balance.linkage import DISC, Balance, Choice, Counterweight, State
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism

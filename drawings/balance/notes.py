@@ -15,7 +15,7 @@ from drawings.page.scale import Drafting
 from drawings.rotor.report import ANGLE
 from plans.balance.weights import Stem, Tree, line_of
 from plans.forces.cut import indices
-from plans.forces.primary import BALANCING
+from plans.forces.drive import BALANCING
 from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.kinetostatics import Reaction

@@ -14,7 +14,7 @@ import numpy as np
 from drawings.checks.expected import NOTES, Expected, cells, measured, phrases
 from drawings.checks.readers import Frame, frames
 from drawings.dynamics.due_graphs import INERTIA, KNOWN, MOMENTS, SURPLUS, WORKS, Turn, graphs, tachogram
-from drawings.forces.due_loads import diagrams
+from drawings.forces.due_acting import diagrams
 from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf

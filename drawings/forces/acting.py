@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.forces.letters import KNOWN, PRESSING, UNKNOWN, letter_of
-from drawings.forces.lever_layout import largest
+from drawings.forces.arms import largest
+from drawings.forces.letters import KNOWN, PRESSING, UNKNOWN
 from drawings.kinds.outlines import Poses, offset_foot, places
 from drawings.kinds.polygon import ShownVector
-from drawings.kinds.working import DIGITS, MASSES, Working
 from drawings.linkage.skeleton import poses
-from drawings.page.scale import Drafting
 from geometry.board import at
-from plans.forces.cut import INERTIA, REACTION, WEIGHT, Couple, Cut, ForcePlan, Load, Support
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.cut import INERTIA, REACTION, WEIGHT, Cut, ForcePlan, Support
+from plans.forces.drive import BALANCING, DRIVING
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
 from plans.model.motion import NOTHING
 
@@ -259,45 +257,3 @@ def _driving(plan: ForcePlan, column: int) -> Iterator[ShownVector]:
         spot = plan.driven.name if plan.driven.name in plan.positions.letters else ""
         place = at(plan.driven.point, column)
         yield ShownVector(DRIVING, UNKNOWN, place, at(plan.drive.point, column), spot)
-
-
-def working(plan: ForcePlan, links: Sequence[int], position: int, name: str, drafting: Drafting) -> Working:
-    """Write beside a figure how weights, inertia forces and inertia couples of some links are found."""
-    lines = list(_lines(plan, links, position, drafting))
-    return Working(MASSES, name, lambda spot: lines, drafting)
-
-
-def _lines(plan: ForcePlan, links: Sequence[int], position: int, drafting: Drafting) -> Iterator[tuple[str, ...]]:
-    loads, couples = plan.acting(*links)
-    known = [one for one in loads if one.kind in (WEIGHT, INERTIA)]
-    largest = max((abs(at(one.force.point, position)) for one in known), default=0.0)
-    for one in known:
-        size = abs(at(one.force.point, position))
-        if size > NOTHING * largest:
-            yield _force(plan, one, size, drafting)
-    for twist in (one for one in couples if one.kind == INERTIA):
-        size = abs(at(twist.moment.point, position).real)
-        if size > 0:
-            yield _couple(plan, twist, size, drafting)
-
-
-def _force(plan: ForcePlan, one: Load, size: float, drafting: Drafting) -> tuple[str, ...]:
-    """Write a weight, or an inertia force."""
-    k, mass = one.link, plan.machine.bodies[one.link].mass
-    by = "g" if one.kind == WEIGHT else f"a_{{S{k}}}"
-    return _working_line(letter_of(one.name, drafting), (f"m_{{{k}}}", by), (mass, size / mass), (size, "N"), drafting)
-
-
-def _couple(plan: ForcePlan, one: Couple, size: float, drafting: Drafting) -> tuple[str, ...]:
-    """Write an inertia couple."""
-    k, inertia = one.link, plan.machine.bodies[one.link].inertia
-    letters = f"J_{{S{k}}}", f"ε_{{{k}}}"
-    return _working_line(letter_of(one.name, drafting), letters, (inertia, size / inertia), (size, "N*m"), drafting)
-
-
-def _working_line(
-    letter: str, factors: tuple[str, str], numbers: tuple[float, float], told: tuple[float, str], drafting: Drafting
-) -> tuple[str, ...]:
-    first, second = (drafting.number(one, DIGITS) for one in numbers)
-    size, unit = drafting.number(told[0], DIGITS), drafting.word(told[1])
-    return f"{letter} = {'·'.join(factors)}", f"{first}·{second}", f"{size} {unit}"

@@ -1,37 +1,205 @@
-"""Arms of forces by the letters that a sheet numbers them by: whose moment each gives (плечи сил)."""
+"""The arms of forces in equations of moments: those of a cut, and those of the lever (плечи сил)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
-from drawings.forces.lever_layout import leverages
-from drawings.forces.lever_plan import balance, hanging
-from drawings.page.scale import drafting_of
-from plans.forces.force_template import ForcePlans
-from plans.forces.statics import Statics
-from plans.linkage.study import LinkageStudy
-from plans.study import Study
+from drawings.forces.letters import BALANCE, PAIR, letter_of
+from drawings.kinds.outlines import is_centre
+from drawings.kinds.polygon import ShownVector
+from drawings.lettering.vector_letters import with_index
+from drawings.lettering.words import letter as by_language
+from drawings.page.scale import Drafting
+from drawings.paper.walk import tied
+from geometry.board import Mark, at
+from plans.forces.cut import Cut, Equation, ForcePlan
+from plans.model.motion import NOTHING
 
-BARE = str.maketrans("′", "'", "{}")
 
+class Leverage(NamedTuple):
+    """A force's arm about a point, m, in true units; the sense of its moment is +1 counter-clockwise, -1 clockwise.
 
-def of_arm(study: Study, position: int, letter: str) -> str:
-    """Name the moment that an arm gives on the record of a position, or the force that is found by it; "" if none is.
-
-    The arm h_2 of a scheme may give D(G_4), the arm h'_3 of the lever p(F_us).
+    The letter is "h_{2}", or "l_{BD}" where the perpendicular is the line between the two named points itself.
     """
-    if not letter.startswith("h") or not 0 <= position < len(study.of(LinkageStudy).turn):
+
+    name: str
+    about: str
+    letter: str
+    length: float
+    sense: int
+    pivot: complex
+    at: complex  # where the force acts
+    direction: complex  # its unit direction
+
+    @property
+    def foot(self) -> complex:
+        """The foot of the perpendicular on the line of action."""
+        return self.at + self.direction * ((self.pivot - self.at) * self.direction.conjugate()).real
+
+    @property
+    def dimensioned(self) -> bool:
+        """Whether the scheme draws it: what is a distance between named points has no arm of its own."""
+        return self.letter.startswith("h")
+
+
+def leverages(plan: ForcePlan, cut: Cut, column: int) -> tuple[Leverage, ...]:
+    """Give the arms of all forces in a cut's equations, the force that each gives last; one without moment has none.
+
+    Letters h are numbered through the cuts of the plan, so that a sheet has each of them once; forces on one line of
+    action have one arm.
+    """
+    arms: list[Leverage] = []
+    start = 0
+    for one in plan.cuts:
+        arms = list(_of(plan, one, column, start))
+        if one is cut:
+            break
+        start += len({arm.letter for arm in arms if arm.dimensioned})
+    return tuple(arms)
+
+
+def largest(plan: ForcePlan, column: int) -> float:
+    """Give the largest force of all cuts of a plan, N: what is but rounding beside it is none on any of them."""
+    forces = [load.force for cut in plan.cuts for load in cut.loads]
+    forces += [support.force for cut in plan.cuts for support in cut.supports]
+    return max((abs(at(force.point, column)) for force in forces), default=0.0)
+
+
+def _of(plan: ForcePlan, cut: Cut, column: int, start: int) -> Iterator[Leverage]:
+    known: list[Leverage] = []
+    least = NOTHING * largest(plan, column)
+    letters = {mark: name for name, mark in plan.positions.letters.items()}
+    for equation in cut.equations:
+        about = letters.get(equation.about, equation.about.name)
+        for name, spot, force in _terms(equation):
+            value = at(force.point, column)
+            if not abs(value) > least:
+                continue
+            pivot, place = at(equation.about.point, column), at(spot.point, column)
+            bare = Leverage(name, about, "", 0.0, 1, pivot, place, value / abs(value))
+            moment = ((place - pivot).conjugate() * bare.direction).imag
+            if abs(moment) <= NOTHING * abs(place - pivot):
+                continue
+            letter = _lead(plan, equation, spot, bare) or _number(bare, known, start)
+            known.append(bare._replace(letter=letter, length=abs(moment), sense=1 if moment > 0 else -1))
+    yield from known
+
+
+def _terms(equation: Equation) -> Iterator[tuple[str, Mark, Mark]]:
+    """Give the forces of an equation, the one that it finds last: name, point, vector."""
+    for load in equation.loads:
+        yield load.name, load.at, load.force
+    if equation.line is not None:
+        yield equation.found.name, equation.line.step.inputs[0], equation.found
+
+
+def _lead(plan: ForcePlan, equation: Equation, spot: Mark, bare: Leverage) -> str:
+    """Letter an arm that is the line between two named points, as the lead there is lettered; "" where it is not."""
+    arm = bare.at - bare.pivot
+    square = abs((arm * bare.direction.conjugate()).real) <= NOTHING * abs(arm)
+    names = {mark: name for name, mark in plan.positions.letters.items() if not is_centre(name)}
+    if not square or spot not in names:
         return ""
-    plans: ForcePlans = study.of(Statics).drafts([position]).plans
-    return next((name for arm, name in _arms(study, plans) if arm.translate(BARE) == letter), "")
+    ends = bare.about + names[spot]
+    lines = (equation.line.step.inputs if equation.line is not None else ())[1:]
+    return f"l_{{{next((line.name for line in lines if sorted(line.name) == sorted(ends)), ends)}}}"
 
 
-def _arms(study: Study, plans: ForcePlans) -> Iterator[tuple[str, str]]:
-    for cut in plans.plan.cuts:
-        for arm in leverages(plans.plan, cut, 0):
-            moment = f"{arm.about}({arm.name})"
-            yield arm.letter, moment if moment in plans.plan.board else arm.name
-    if plans.lever is not None:
-        for one in balance(hanging(plans.plan, plans.lever, 0), drafting_of(study.scene)):
-            moment = f"{plans.lever.pole.name}({one.force.partition('/')[0]})"
-            yield one.arm, moment if moment in plans.lever.board else one.force
+def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
+    """Letter an arm by a number: forces on one line of action have one."""
+    same = next((other.letter for other in known if _one_line(other, bare)), "")
+    return same or f"h_{{{start + len({other.letter for other in known if other.dimensioned}) + 1}}}"
+
+
+def _one_line(one: Leverage, other: Leverage) -> bool:
+    """Tell whether two forces have one line of action and one point of moments."""
+    near = NOTHING * abs(one.at - one.pivot)
+    return one.about == other.about and abs(one.foot - other.foot) <= near and one.dimensioned
+
+
+POLE = "p"
+ARM = "h′"  # how the letters of arms begin that the lever draws; a line may begin with the image h of a point
+
+
+class LeverTerm(NamedTuple):
+    """A term of the lever's equation of moments: a force N by its arm m/s; the sense is +1 counter-clockwise.
+
+    The arm is "h′_{2}" where it is a line of its own, or "bd" where it is one between two images.
+    """
+
+    force: str  # as the plan names it
+    letter: str  # as the sheet writes it: "G_{4}", "M^Φ_{4}/l_{BD}"
+    size: float
+    arm: str
+    length: float
+    sense: int
+    at: complex  # where it acts, m/s
+    direction: complex
+
+    @property
+    def dimensioned(self) -> bool:
+        """Whether the lever draws its arm."""
+        return self.arm.startswith(ARM)
+
+    @property
+    def written(self) -> tuple[str, str]:
+        """Its sign, and the product of its letters."""
+        return "+" if self.sense > 0 else "−", f"{self.letter}·{self.arm}"
+
+
+def terms(
+    forces: Sequence[ShownVector], images: Sequence[tuple[complex, str]], drafting: Drafting
+) -> tuple[LeverTerm, ...]:
+    """Give the terms in the order of hanging, the balancing force first; what has no moment about the pole is none."""
+    # What rounding leaves of the greatest force at the greatest speed is no moment, even where there are no others.
+    greatest = max((abs(one.value) for one in forces), default=0.0) * max((abs(one.at) for one in forces), default=0.0)
+    told, number = list[LeverTerm](), 0
+    for name, own in _together(forces).items():
+        moment = sum(one.moment for one in own)
+        first, size = own[0], abs(own[0].value)
+        if not abs(moment) > NOTHING * greatest:
+            continue
+        length, sense = abs(moment) / size, 1 if moment > 0 else -1
+        arm = _line(own, images, length)
+        if not arm:
+            number += first.kind != BALANCE
+            arm = by_language(drafting.language, f"{ARM}_{{{'bal' if first.kind == BALANCE else number}}}")
+        letter = _couple(name, drafting) if first.kind == PAIR else letter_of(name, drafting)
+        told.append(LeverTerm(name, letter, size, arm, length, sense, first.at, first.direction))
+    return tuple(told)
+
+
+def _together(forces: Sequence[ShownVector]) -> dict[str, list[ShownVector]]:
+    """Take both forces of a couple together."""
+    own: dict[str, list[ShownVector]] = {}
+    for one in forces:
+        own.setdefault(one.name, []).append(one)
+    return own
+
+
+def _couple(name: str, drafting: Drafting) -> str:
+    """Write a couple's force by its moment and the length of its link's line: M^Φ_4/l_BD."""
+    moment, _, line = name.partition("/")
+    return f"{letter_of(moment, drafting)}/l_{{{line}}}"
+
+
+def _line(own: Sequence[ShownVector], images: Sequence[tuple[complex, str]], length: float) -> str:
+    """Letter an arm that is a line between two images, or from the pole to one; "" where it is not."""
+    places = [one.at for one in own]
+    start = places[1] if len(places) > 1 else 0j
+    if own[0].kind != PAIR and not abs(abs(places[0] - start) - length) <= NOTHING * length:
+        return ""
+    return "".join(_image(place, images) for place in (start, places[0]))
+
+
+def _image(place: complex, images: Sequence[tuple[complex, str]]) -> str:
+    """Name the image nearest to a place; of those that fall on one place the last."""
+    if not place:
+        return POLE
+    return with_index(min(reversed(images), key=lambda one: tied(abs(one[0] - place) / abs(place)))[1])
+
+
+def statements(told: Sequence[LeverTerm]) -> Iterator[tuple[str, float]]:
+    """Give each arm once, by its letter and its length m/s."""
+    yield from {one.arm: one.length for one in told}.items()

@@ -12,9 +12,8 @@ import numpy as np
 
 from drawings.checks.expected import NOTES, Expected, by_hand, cells, course, phrases
 from drawings.checks.hold import stated_keys
-from drawings.forces.due_acting import Acting, ExpectedArm, named, unbraced
+from drawings.forces.due_acting import Acting, ExpectedArm, diagrams, named, unbraced
 from drawings.forces.due_lever import lever
-from drawings.forces.due_loads import diagrams
 from drawings.lettering.words import word
 from drawings.paper.limits import SEEN
 from drawings.paper.statement import Key, Kind
@@ -22,8 +21,8 @@ from drawings.paper.strokes import Leaf, Text
 from plans.analytic.kinetostatics import kinetostatics
 from plans.forces.bill import ActingForce, Bearing, ForceBill
 from plans.forces.cut import Cut, Equation, indices
-from plans.forces.friction_quantities import forces_by_hand
-from plans.forces.primary import balancing_quantity
+from plans.forces.drive import balancing_quantity
+from plans.forces.marks import forces_by_hand
 from plans.forces.quantities import ForceComparison
 from plans.forces.statics import Statics
 from plans.linkage import ram

@@ -19,7 +19,7 @@ from drawings.paper.limits import SEEN
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
 from plans.forces.bill import ActingForce, LoadedPosition
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.drive import BALANCING, DRIVING
 from plans.model.machine import GEAR
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import NOTHING

@@ -27,9 +27,8 @@ from drawings.paper.walk import stating
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import arrowhead
-from plans.forces.loading import size_of, working_of
-from plans.forces.stroke import Stroke as Way
-from plans.forces.stroke import asks
+from plans.forces.loading import Stroke as Way
+from plans.forces.loading import asks, size_of, working_of
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.model.motion import Motion
 

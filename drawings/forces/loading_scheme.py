@@ -12,10 +12,9 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
 
-from drawings.forces.fan import UNSIZED, coupled, fan, friction_circles, lengths, springs
+from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import KNOWN, PRESSING, letter_of
-from drawings.forces.lever_layout import Leverage, leverages
-from drawings.forces.scheme import Scheme, scheme
+from drawings.forces.scheme import UNSIZED, Scheme, coupled, drawn_circles, drawn_springs, fan, lengths, scheme
 from drawings.kinds.polygon import ShownVector
 from drawings.kinds.scheme import Joints, link_numbers, ties
 from drawings.layout.ink import Ink
@@ -185,7 +184,7 @@ class Layout:
     @cached_property
     def attached(self) -> list[Group]:
         """Springs and friction circles."""
-        return [*springs(self.shown, self.place, self.hand), *friction_circles(self.shown, self.place, self.hand)]
+        return [*drawn_springs(self.shown, self.place, self.hand), *drawn_circles(self.shown, self.place, self.hand)]
 
     @cached_property
     def coupling(self) -> tuple[Group, ...]:

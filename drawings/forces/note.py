@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from drawings.forces import report
+from drawings.forces.arms import Leverage, leverages
 from drawings.forces.letters import letter_of
-from drawings.forces.lever_layout import PLAN as LEVER
-from drawings.forces.lever_layout import Leverage, leverages
+from drawings.forces.lever import PLAN as LEVER
 from drawings.linkage.equations import in_position
 from drawings.paper.walk import groups
 from drawings.report.formula import DIRECTION, FULL, Chapters, Formula, display, inline, total

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
+from drawings.forces.arms import largest
 from drawings.forces.letters import CLOSING, WHOLE, letter_of
-from drawings.forces.lever_layout import largest
 from drawings.kinds.polygon import Chain, LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from drawings.kinds.vector_plan import LEAST, directions
 from drawings.layout.labels import Labels

@@ -17,11 +17,10 @@ from drawings.report.formula import Chapters, Formula
 from drawings.report.report import gap_line, gap_lines
 from drawings.report.table import chapter, header, row
 from plans.forces.cut import indices
-from plans.forces.primary import BalancingQuantity, balancing_quantity
+from plans.forces.drive import BalancingQuantity, balancing_quantity
+from plans.forces.loading import asks
 from plans.forces.quantities import ForceComparison
-from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
-from plans.forces.stroke import asks
 from plans.model.kinetostatics import Friction, Kinetostatics
 from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.model.motion import FORCES, NOTHING, Floats
@@ -213,7 +212,7 @@ def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
 
 
 def _reversals(statics: Statics, language: str) -> Iterator[str]:
-    for load, rests in reversals(statics):
+    for load, rests in statics.reversals:
         parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
         yield word(language, "verdict.reverses", **parts, angles=", ".join(_angles(rests, language)))
 

@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from drawings.forces import acting as force_working
-from drawings.forces import lever_plan, load_diagram, loading_scheme, polygon
+from drawings.forces import lever, load_diagram, loading_scheme, polygon
+from drawings.forces.equations import Equations, LeverEquation, forces_of_masses
 from drawings.forces.letters import LAID, force_letter, letter_of
-from drawings.forces.lever_equation import Equations, LeverEquation
 from drawings.forces.load_diagram import courses
 from drawings.forces.notes import notes
 from drawings.forces.report import drafting_of_forces
@@ -26,19 +25,21 @@ from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.value_table import row_by_hand
 from drawings.lettering.words import word
 from drawings.linkage import vector_plan
-from drawings.linkage.positions import force_positions
+from drawings.linkage.positions import force_positions, of_linkage
 from drawings.linkage.vector_plan import diagram
 from drawings.page.scale import Drafting
 from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Leaf
+from drawings.sheets.documents import letter as lettered
 from drawings.sheets.documents import unknown
 from drawings.sheets.leaves import lay_out
 from drawings.sheets.stated_scales import Caption, Draft, Exhibit, captions, exhibit, see_ordinates
 from geometry.board import at
 from plans.forces.cut import Cut, ForcePlan, indices
-from plans.forces.friction_quantities import forces_by_hand
-from plans.forces.primary import BALANCING, balancing_quantity
+from plans.forces.drive import BALANCING, balancing_quantity
+from plans.forces.marks import forces_by_hand
 from plans.forces.quantities import ForceComparison
+from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage import ram
 from plans.linkage.study import LinkageStudy
@@ -46,7 +47,17 @@ from plans.model.dyad import formula
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats
 from plans.quantity import Quantity
+from plans.scene.scene import Scene
 from plans.study import Study
+
+
+def of_forces(scene: Scene) -> None:
+    """See that the names of loads can be lettered, and what of the linkage is."""
+    loads = scene.of(ForceForm).loads
+    kinds = ("forces", "moments", "springs") if loads else ()
+    named = ((("loads", kind, k), load.name) for kind in kinds for k, load in enumerate(getattr(loads, kind)))
+    lettered(scene, (((*path, "name"), name) for path, name in named if name))
+    of_linkage(scene)
 
 
 def label(finding: Quantity, language: str, reactions: str) -> str:
@@ -157,9 +168,9 @@ class _ForceSheet:
         plans = self.statics.drafts().plans
         if plans.lever is None or not self.study.rates.at(self.position)[0]:
             return
-        shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
-        told = lever_plan.balance(shown, self.drafting)
-        yield exhibit(lever_plan, shown, self.drafting, together=LEVER if told else "")
+        shown = lever.hanging(plans.plan, plans.lever, self.position)
+        told = lever.balance(shown, self.drafting)
+        yield exhibit(lever, shown, self.drafting, together=LEVER if told else "")
         if told:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None
@@ -171,11 +182,11 @@ class _ForceSheet:
         plan, drafting = self.plan, self.drafting
         for cut in plan.cuts:
             name = f"scheme-{cut.label}"
-            yield force_working.working(plan, cut.links, self.position, name, drafting)
+            yield forces_of_masses(plan, cut.links, self.position, name, drafting)
             yield vector_plan.link_working(plan.mechanism, cut.links, name, drafting)
             yield from self._polygon_workings(cut)
         if self.statics.drafts().plans.lever is not None:
-            yield force_working.working(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
+            yield forces_of_masses(plan, list(plan.mechanism.links), self.position, LEVER, drafting)
             yield vector_plan.plan_working(diagram(plan.velocities, self.position), LEVER, drafting)
 
     def _polygon_workings(self, cut: Cut) -> Iterator[Working]:

@@ -40,10 +40,10 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         scales={"positions": "length"},
     ),
     "forces": Sheet(
-        admit="drawings.forces.admission:of_forces",
+        admit="drawings.forces.sheet:of_forces",
         leaves="drawings.forces.sheet:leaves",
         due="drawings.forces.due:due",
-        letters="drawings.forces.arms:of_arm",
+        letters="drawings.forces.lever:of_arm",
         scales={
             "scheme-": "scheme",
             "forces-": "force",
@@ -59,7 +59,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         scales={"flywheel_sketch": "wheel", "load_diagram-": "way"},
     ),
     "balancing": Sheet(
-        admit="drawings.forces.admission:of_forces",
+        admit="drawings.forces.sheet:of_forces",
         leaves="drawings.balance.sheet:leaves",
         due="drawings.balance.due:due",
         scales={"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"},

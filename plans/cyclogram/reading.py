@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from decimal import Decimal
 
+from plans.forces.loading import output_at
 from plans.forces.reading import fields as h
 from plans.forces.reading.fields import Metres
 from plans.forces.reading.form import ForceForm
-from plans.forces.stroke import output_at
 from plans.linkage.reading.survey import Survey
 from plans.model.cyclogram import Along, CyclogramTask
 from plans.model.machine import IDLE

@@ -12,7 +12,7 @@ from geometry.board import Board
 from plans.cam.reading.cams import cams_of
 from plans.cyclogram.reading import task_of
 from plans.cyclogram.stations import Stations
-from plans.forces.stroke import output_at
+from plans.forces.loading import output_at
 from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy, obstruction
 from plans.linkage.travel import ExtremePositions, extremes

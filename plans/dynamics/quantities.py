@@ -39,8 +39,7 @@ from plans.analytic.dynamics.speeds import (
     without_flywheel_of_points,
 )
 from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
-from plans.forces.loading import loading
-from plans.forces.stroke import Stroke
+from plans.forces.loading import Stroke, loading
 from plans.linkage.quantities import ANALYSIS, MotionComparison
 from plans.model.dynamics import Cycle, Flywheel, Methods, Speeds
 from plans.model.kinetostatics import Loading

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from plans.analytic.points import acceleration, placed
 from plans.forces.cut import indices
+from plans.forces.drive import BALANCING, DRIVING
 from plans.forces.dyads import GROUP_FORCES, Split
-from plans.forces.primary import BALANCING, DRIVING
 from plans.model.dyad import Group, Pair, pair
 from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
 from plans.model.machine import GEAR, Machine

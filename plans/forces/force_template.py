@@ -14,9 +14,9 @@ from geometry.meet import UNBORNE
 from geometry.steps import behind
 from geometry.tracing import Tracing
 from plans.forces.cut import ForcePlan, Support
+from plans.forces.drive import primary
 from plans.forces.dyads import GROUP_FORCES
 from plans.forces.lever import Lever, lever
-from plans.forces.primary import primary
 from plans.linkage import leads
 from plans.linkage.motion_plans import PlanTemplate, resting
 from plans.linkage.plan import Plan

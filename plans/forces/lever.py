@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.board import Board, Mark
 from plans.forces.cut import REACTION, Couple, Load
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.drive import BALANCING, DRIVING
 from plans.linkage import leads
 from plans.model.mechanism import FRAME
 from plans.words.words import because

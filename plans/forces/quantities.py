@@ -15,12 +15,12 @@ from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
 from plans.forces.cut import INERTIA, Support, indices
+from plans.forces.drive import BALANCING as BALANCED
+from plans.forces.drive import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.force_template import ForcePlans
-from plans.forces.primary import BALANCING as BALANCED
-from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
+from plans.forces.loading import Stroke
 from plans.forces.statics import Statics
-from plans.forces.stroke import Stroke
 from plans.linkage.quantities import ANALYSIS, MotionComparison, MotionNumbers, cap, largest_of, with_analysis
 from plans.linkage.ram import cylinder
 from plans.model.kinetostatics import Friction, Kinetostatics, Loading, Reaction

@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from plans.forces.cylinder import driven, joined, push, without
+from plans.forces.drive import balancing_quantity, joined, push, with_cylinder, without
 from plans.forces.force_template import ForceDrawing, ForcePattern, ForcePlans
-from plans.forces.loading import loading
-from plans.forces.primary import balancing_quantity
+from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, Stroke, counted, loading, strokes
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.forces.stroke import ROUNDING, NoStroke, OtherStroke, Stroke, strokes
 from plans.linkage.assembly_limits import Drawing, at_angles
 from plans.linkage.drafts import Drafts, near_edge
 from plans.linkage.motion_plans import PlanTemplate
@@ -24,7 +22,7 @@ from plans.linkage.study import BLOCK, LinkageStudy, obstruction
 from plans.linkage.travel import ExtremePositions, extremes
 from plans.model.dyad import Pair, pairs
 from plans.model.kinetostatics import Kinetostatics, Loading, without_forces
-from plans.model.machine import Force, Machine, NoWorkingStroke, Track
+from plans.model.machine import IDLE, WORKING, Force, Machine, Moment, NoWorkingStroke, Track
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import (
     CHANGE_POINT,
@@ -202,13 +200,22 @@ class Statics:
         """Find the extreme positions of an output by construction, with all its rests."""
         return self.study.extreme_positions if output == self.study.output else extremes(self.study.sweep, output)
 
+    @property
+    def reversals(self) -> Iterator[tuple[Force | Moment, tuple[float, ...]]]:
+        """The loads of one stroke alone whose output reverses within a stroke, and the crank angles of its rests."""
+        for load in self.machine.loads:
+            shown = counted(self.study.mechanism, load, self.study.output) if load.during in (WORKING, IDLE) else None
+            found = self.reached(shown) if shown else None
+            if found is not None and len(found.rests) > 2:
+                yield load, found.rests
+
     def loading(self, motion: Motion) -> Loading:
         """Give the loads at the positions of a motion."""
         return self.loading_over(motion, self.strokes)
 
     def loading_over(self, motion: Motion, strokes: Mapping[Track, Stroke]) -> Loading:
         """Give the loads at the positions of a motion of either road, with the strokes that it finds."""
-        return driven(self.study.mechanism, self.machine, motion, loading(self.machine, motion, strokes))
+        return with_cylinder(self.study.mechanism, self.machine, motion, loading(self.machine, motion, strokes))
 
     def given(self, forces: Kinetostatics, motion: Motion, strokes: Mapping[Track, Stroke] | None = None) -> Floats:
         """Give what is told of the drive over the positions: the moment of a crank, the force of a slide or a cylinder.

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.forces.due_loads import Branch, branches
+from drawings.forces.due_acting import Branch, branches
 from drawings.form.blank_file import blank_file
 from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowance, Allowances

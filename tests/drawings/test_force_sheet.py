@@ -9,7 +9,7 @@ import pytest
 
 from drawings.forces import sheet
 from drawings.forces.letters import BALANCE, PAIR
-from drawings.forces.lever_plan import hanging
+from drawings.forces.lever import hanging
 from drawings.linkage import kinematics
 from drawings.linkage.positions import force_positions
 from drawings.paper.strokes import Leaf, SheetError

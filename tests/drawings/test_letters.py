@@ -7,7 +7,7 @@ import string
 import numpy as np
 import pytest
 
-from drawings.forces.lever_plan import hanging
+from drawings.forces.lever import hanging
 from drawings.linkage.vector_plan import diagram
 from plans.forces.quantities import compare_forces
 from plans.linkage.parts import Expected

@@ -7,7 +7,7 @@ import pytest
 from drawings.forces import load_diagram
 from drawings.forces.load_diagram import course_of, courses
 from drawings.paper.walk import texts
-from plans.forces.stroke import Stroke
+from plans.forces.loading import Stroke
 from plans.model.machine import ALWAYS, IDLE, OUTPUT, WORKING, Diagram, Force, Machine, Moment, Transmission
 from plans.model.mechanism import Way
 from tests.drawings.exhibits import exhibited

@@ -7,8 +7,8 @@ from functools import cache
 
 import pytest
 
-from drawings.forces.fan import LONG, SHORT, lengths
 from drawings.forces.loading_scheme import leverages, scheme
+from drawings.forces.scheme import LONG, SHORT, lengths
 from geometry.board import at
 from plans.forces.cut import PART, Cut, ForcePlan
 from plans.forces.statics import Statics

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from plans.analytic.dynamics.flywheel import Exact, exact
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.kinematics import Analysis
-from plans.forces.loading import loading
-from plans.forces.stroke import Stroke, strokes
+from plans.forces.loading import Stroke, loading, strokes
 from plans.model.machine import ALWAYS, IDLE, WORKING, Body, Diagram, Force, Machine, Moment, Spring, Transmission
 from plans.model.mechanism import Mechanism, Output
 from plans.model.motion import Extremes, Motion

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from geometry.errors import DraftError
-from plans.forces import cylinder
+from plans.forces import drive as cylinder
 from plans.linkage import ram
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.primary import CrankPositions

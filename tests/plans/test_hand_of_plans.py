@@ -13,7 +13,7 @@ from geometry import hand_error
 from geometry.board import between
 from geometry.steps import Reading, Span
 from plans.by_hand import SLIP
-from plans.forces.friction_quantities import forces_by_hand
+from plans.forces.marks import forces_by_hand
 from plans.forces.statics import Statics
 from plans.linkage.by_hand import MotionByHand
 from plans.linkage.quantities import compare

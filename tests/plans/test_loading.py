@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.forces.loading import loading
+from plans.forces.loading import Stroke, loading, strokes
 from plans.forces.reading.inventory import machine_of
-from plans.forces.stroke import Stroke, strokes
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import extremes
 from plans.model.kinetostatics import Loading

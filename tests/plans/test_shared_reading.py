@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
+from plans.forces.loading import Stroke
 from plans.forces.reading.inventory import machine_of
 from plans.forces.statics import Statics
-from plans.forces.stroke import Stroke
 from plans.linkage.reading.guides import direction, triangle
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from plans.forces import cylinder
+from plans.forces import drive as cylinder
 from plans.linkage.ram import Triangle
 from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
 from plans.scene.faults import SceneError, dotted

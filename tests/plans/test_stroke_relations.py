@@ -15,7 +15,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.forces.primary import balancing_quantity
+from plans.forces.drive import balancing_quantity
 from plans.linkage import ram
 from plans.linkage.primary import PRIMARIES
 from plans.model.mechanism import FRAME

@@ -14,7 +14,7 @@ from drawings.bank.compensators import COMPENSATOR
 from drawings.bank.due import Bank, Body
 from drawings.cyclogram.due_rows import BARS, machine_rows
 from drawings.diagrams.due import KEYS, ExpectedRow, expected_rows, named
-from drawings.forces.due_loads import branches
+from drawings.forces.due_acting import branches
 from drawings.forces.load_diagram import NAME as LOAD
 from drawings.grading import verdict
 from drawings.grading.curves.figure_records import (

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from drawings.forces.arms import leverages
 from drawings.forces.letters import letter_of
-from drawings.forces.lever_layout import PLAN as LEVER
-from drawings.forces.lever_layout import leverages
-from drawings.forces.lever_plan import balance, hanging
+from drawings.forces.lever import PLAN as LEVER
+from drawings.forces.lever import balance, hanging
 from drawings.grading import verdict
 from drawings.grading.asked import Found, Letters, Place, Record, Slip
 from drawings.grading.scheme_arrows import arrows_on
@@ -18,9 +18,9 @@ from drawings.symbols.force_arrow import plain_name
 from geometry.board import Board, Mark
 from geometry.steps import Span
 from plans.forces.cut import Cut
+from plans.forces.drive import BALANCING
 from plans.forces.force_template import ForcePlans
-from plans.forces.friction_quantities import FIGURES
-from plans.forces.primary import BALANCING
+from plans.forces.marks import FIGURES
 from plans.linkage.by_hand import MotionByHand
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POSITIONS

@@ -1,12 +1,15 @@
-"""The lever's equation of moments in letters and in numbers, its arms in millimetres as drawn (уравнение рычага)."""
+"""What a force sheet writes beside its figures: equations of cuts and of the lever, how forces of masses are found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from drawings.forces.arms import POLE, Leverage, LeverTerm, leverages, statements
 from drawings.forces.letters import letter_of
-from drawings.forces.lever_layout import POLE, UNIT, Leverage, LeverTerm, leverages, statements
+from drawings.forces.lever import UNIT
+from drawings.kinds.working import DIGITS as WORKING_DIGITS
+from drawings.kinds.working import MASSES, Working
 from drawings.layout.equation import (
     DIRECTION,
     FULL,
@@ -26,8 +29,9 @@ from drawings.page.scale import Drafting
 from drawings.paper.statement import Kind, Statement
 from drawings.paper.strokes import Group
 from geometry.board import Mark, at
-from plans.forces.cut import CLOSING, REACTION, Couple, Cut, Equation, ForcePlan
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.cut import CLOSING, INERTIA, REACTION, WEIGHT, Couple, Cut, Equation, ForcePlan
+from plans.forces.drive import BALANCING, DRIVING
+from plans.model.motion import NOTHING
 
 DIGITS = 5
 
@@ -217,3 +221,35 @@ class LeverEquation(NamedTuple):
             letter = letter_of(BALANCING, drafting)
             parts.append(_statement(letter, letter, self.moment, "N*m", drafting))
         yield listed(*parts)
+
+
+def forces_of_masses(plan: ForcePlan, links: Sequence[int], position: int, name: str, drafting: Drafting) -> Working:
+    """Write beside a figure how weights, inertia forces and inertia couples of some links are found."""
+    lines = list(_lines(plan, links, position, drafting))
+    return Working(MASSES, name, lambda spot: lines, drafting)
+
+
+def _lines(plan: ForcePlan, links: Sequence[int], position: int, drafting: Drafting) -> Iterator[tuple[str, ...]]:
+    loads, couples = plan.acting(*links)
+    forces = [load for load in loads if load.kind in (WEIGHT, INERTIA)]
+    largest = max((abs(at(load.force.point, position)) for load in forces), default=0.0)
+    for load in forces:
+        k, size = load.link, abs(at(load.force.point, position))
+        if size > NOTHING * largest:
+            by = "g" if load.kind == WEIGHT else f"a_{{S{k}}}"
+            yield _line(load.name, (f"m_{{{k}}}", by), plan.machine.bodies[k].mass, (size, "N"), drafting)
+    for couple in couples:
+        k, size = couple.link, abs(at(couple.moment.point, position).real)
+        if couple.kind == INERTIA and size > 0:
+            factors = f"J_{{S{k}}}", f"ε_{{{k}}}"
+            yield _line(couple.name, factors, plan.machine.bodies[k].inertia, (size, "N*m"), drafting)
+
+
+def _line(
+    name: str, factors: tuple[str, str], mass: float, found: tuple[float, str], drafting: Drafting
+) -> tuple[str, ...]:
+    """Write a force or a couple as the product of a mass, or a moment of inertia, and an acceleration."""
+    size, unit = found
+    first, second, whole = (drafting.number(number, WORKING_DIGITS) for number in (mass, size / mass, size))
+    left = f"{letter_of(name, drafting)} = {'·'.join(factors)}"
+    return left, f"{first}·{second}", f"{whole} {drafting.word(unit)}"

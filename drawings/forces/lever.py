@@ -1,0 +1,310 @@
+"""The figure of Zhukovsky's lever: the turned velocity plan with the forces at the images (рычаг Жуковского)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from drawings.forces.arms import LeverTerm, leverages, terms
+from drawings.forces.letters import BALANCE, LOAD, PAIR, letter_of
+from drawings.forces.polygon import ZERO
+from drawings.kinds.polygon import ShownVector
+from drawings.kinds.vector_plan import LEAST, letter_images
+from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import Segment, merging
+from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
+from drawings.linkage.vector_plan import diagram
+from drawings.page.page import Field
+from drawings.page.scale import Drafting, drafting_of
+from drawings.paper.hand import Hand
+from drawings.paper.statement import Kind, Statement
+from drawings.paper.strokes import Circle, Group, Line, LineStyle, Stroke
+from drawings.paper.walk import stating, tied, tied_spot
+from drawings.symbols.dimension import LEAST as LEAST_ARM
+from drawings.symbols.dimension import Arm, to_scale
+from drawings.symbols.figure import Subject, around, heading, heading_width, point
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale, plain_name
+from drawings.symbols.symbols import HINGE, POINT, STAND, fixed_hinge
+from geometry.board import Mark, at
+from plans.forces.cut import ForcePlan
+from plans.forces.force_template import ForcePlans
+from plans.forces.lever import Lever
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
+from plans.study import Study
+
+PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
+LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
+AFTER = 2.0  # mm between two forces that follow one another on one line of action
+BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
+FURTHER = 0.2  # what each of them costs
+# What speaks against a place of a force: that it runs along another, out of the figure, is away from its image.
+ON_FORCE, OUTSIDE, AWAY = 4, 3, 2
+STANDS = 12  # directions tried for the stand of the pole
+BOTH, PARALLEL = 2, 0.1  # of forces on one line through an image one comes and one goes; parallel to 3 degrees
+SAME = 0.5  # mm: places nearer than this are one
+
+
+class Taken(NamedTuple):
+    """Lines on paper that a force should not run along: the rods of the lever, and the forces drawn before."""
+
+    rods: list[Segment]
+    forces: list[Segment]
+    box: Field  # of the figure
+
+
+def placed_forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
+    """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
+    greatest = max((abs(one.value) for one in pushes), default=1.0)
+    arrows = []
+    for one in sorted(pushes, key=lambda one: -tied(abs(one.value) / greatest)):
+        length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.value) / greatest) * drafting.hand.symbol
+        arrow = _beside(letter_of(one.name, drafting), one.value, place.on(one.at), length, taken)
+        taken.forces.append((arrow.start, arrow.tip))
+        arrows.append(arrow)
+    return arrows
+
+
+def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
+    """Draw a force from its image or to it; where both run along others, further on along its line of action."""
+    along, step = force / abs(force), length + AFTER
+    tries = [not_to_scale(letter, force, image, length), not_to_scale(letter, force, image, length, ending=True)]
+    tries += [not_to_scale(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
+
+    def cost(arrow: ForceArrow) -> int:
+        ends = arrow.start, arrow.tip
+        over = ON_FORCE * sum(merging(ends, other) for other in taken.forces)
+        over += OUTSIDE * (not _within(arrow.free, taken.box))
+        return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
+
+    return min(tries, key=cost)
+
+
+def _within(spot: complex, box: Field) -> bool:
+    spot = tied_spot(spot)
+    return box.left <= spot.real <= box.right and box.bottom <= spot.imag <= box.top
+
+
+def _reach(pushes: Sequence[ShownVector]) -> float:
+    """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
+    lines = [(tied_spot(one.at), one.direction**2) for one in pushes]
+    most = max((sum(at == image and abs(way - own) < PARALLEL for image, way in lines) for at, own in lines), default=0)
+    return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
+
+
+def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
+    """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
+    subject, lines = Subject(PLAN, SYMBOL, column), [*taken.rods, *taken.forces]
+    kept = []
+    for one in sorted((one for one in terms if one.dimensioned), key=lambda one: tied(place.length(one.length))):
+        arm = to_scale(one.arm, place.on(0j), place.on(one.at), one.direction, place.scale, subject)
+        if arm.length < LEAST_ARM:
+            continue
+        arm = _aside(arm, lines, taken.box)
+        lines.append(arm.ends)
+        kept.append(arm)
+    return kept
+
+
+def _aside(arm: Arm, lines: Sequence[Segment], box: Field) -> Arm:
+    """Give the nearest place of an arm where its line runs along no other."""
+
+    def cost(trial: Arm) -> float:
+        over = ON_FORCE * sum(merging(trial.ends, other) for other in lines)
+        outside = OUTSIDE * sum(not _within(end, box) for end in trial.ends)
+        return over + outside + FURTHER * abs(trial.aside) / BESIDE
+
+    steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
+    return min((arm._replace(aside=step) for step in steps), key=cost)
+
+
+def _downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:
+    """Turn the stand of the pole to where no line runs; downward if it can be."""
+    depth = STAND[0] * hand.symbol
+    turns = sorted((math.remainder(math.tau * k / STANDS, math.tau) for k in range(STANDS)), key=abs)
+
+    def clear(turn: float) -> float:
+        return min((_distance(pole - 1j * depth * cmath.rect(1.0, turn), line) for line in lines), default=math.inf)
+
+    free = [turn for turn in turns if clear(turn) > (STAND[1] + STAND[2]) * hand.symbol]
+    return -1j * cmath.rect(1.0, free[0] if free else max(turns, key=clear))
+
+
+def _distance(spot: complex, line: Segment) -> float:
+    start, along = line[0], line[1] - line[0]
+    share = ((spot - start) * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(spot - start - along * min(max(share, 0.0), 1.0))
+
+
+QUARTER = -1j  # the plan is turned clockwise
+MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the letters
+LETTERS, EACH = 12.0, 1.6  # a lever is drawn at least so many letters large, and so many for each force that it bears
+
+
+class Hanging(NamedTuple):
+    """What the lever shows at one position: images, the lines between them, and the forces, all turned."""
+
+    column: int
+    pole: str
+    images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
+    rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
+    forces: tuple[ShownVector, ...]
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(place for _, _, place in self.images)]
+
+
+def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
+    """Read the lever from its record, and from that of the velocity plan which lines join its images."""
+    base = diagram(plan.velocities, column)
+    rods = {(arrow.start, arrow.end): (_turned(arrow.ends), arrow.absolute) for arrow in base.arrows}
+    images = {mark.name: (_letters_of(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
+    joined = list(rods.values())
+    for mark in (*(one.at for one in lever.loads), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
+        place = at(mark.point, column)
+        name = _new(mark.name, place, images)
+        if name is not None and mark.name != lever.pole.name:
+            images[name] = name, place
+            joined.append(((0j, place), True))
+    spots = tuple((name, letters, place) for name, (letters, place) in images.items())
+    return Hanging(column, lever.pole.name, spots, tuple(joined), tuple(_hung_forces(lever, column)))
+
+
+def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
+    """Name an image that is not drawn yet: with a prime where another has its letter; None where it is drawn."""
+    while name in images and images[name][1] != place:
+        name += "'"
+    return None if name in images else name
+
+
+def _letters_of(plan: ForcePlan, image: Mark) -> str:
+    """Give all letters of an image, its own first."""
+    own = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
+    return " ".join(dict.fromkeys((image.name, *own)))
+
+
+def _turned(ends: tuple[complex, complex]) -> Segment:
+    return QUARTER * ends[0], QUARTER * ends[1]
+
+
+def _hung_forces(lever: Lever, column: int) -> Iterator[ShownVector]:
+    """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
+    driven, force = at(lever.driven.point, column), at(lever.force.point, column)
+    every = [ShownVector(lever.force.name, BALANCE, driven, force)]
+    for one in lever.loads:
+        place, force = at(one.at.point, column), at(one.force.point, column)
+        every.append(ShownVector(one.name, LOAD, place, force))
+    for pair in lever.pairs:
+        force = at(pair.force.point, column)
+        ends = (pair.end, force), (pair.start, -force)
+        every += [ShownVector(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
+    greatest = max(abs(one.value) for one in every)
+    furthest = max(abs(one.at) for one in every)
+    yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * furthest)
+
+
+def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
+    """Give the terms of the lever's equation of moments."""
+    return terms(shown.forces, [(true, letters.split(" ")[0]) for _, letters, true in shown.images], drafting)
+
+
+def measure(shown: Hanging, drafting: Drafting) -> Picture:
+    """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
+    hand = drafting.hand
+    margins = around(MARGINS, hand, *(_reach(shown.forces) * hand.symbol,) * 3)
+    least = hand.letter * max(LETTERS, EACH * len(shown.forces))
+    title = heading_width(_title(shown, drafting), hand)
+    return picture(PLAN, [*shown.points, *_feet(shown, drafting)], (SYMBOL, UNIT), margins, title, least)
+
+
+def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:
+    """Give the feet of the arms that are dimensioned, in true units."""
+    for one in balance(shown, drafting):
+        if one.dimensioned:
+            across = 1j * one.direction / abs(one.direction)
+            yield across * (one.at * across.conjugate()).real
+
+
+def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
+    """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
+    place, hand = room.place(*spot), drafting.hand
+    subject = Subject(PLAN, SYMBOL, shown.column)
+    rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
+    rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
+    taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
+    arrows = placed_forces(shown.forces, place, taken, drafting)
+    kept = placed_arms(balance(shown, drafting), place, taken, shown.column)
+    circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
+    stand = fixed_hinge(
+        place.on(0j), hand, HINGE * hand.symbol, _downward([*taken.rods, *taken.forces], place.on(0j), hand)
+    )
+    dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
+    lines = (
+        heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),
+        *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
+        Group((*rods, *stand)), *_drawn(arrows, subject, hand), *dots,
+        point(subject, shown.pole, 0j, place, circle, "pole"),
+    )  # fmt: skip
+    return LetteredFigure(f"{PLAN}-{shown.column}", lines, partial(_letters, shown, place, (*arrows, *kept), hand))
+
+
+def _letters(
+    shown: Hanging, place: Place, marks: Iterable[ForceArrow | Arm], hand: Hand, labels: Labels
+) -> Iterator[Stroke]:
+    """Letter the pole and its images, then the forces and their arms."""
+    images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
+    spots = ((place.on(true), letters.split(" ")) for true, letters in images)
+    yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
+    yield from (one.letter_beside(labels, hand) for one in marks)
+
+
+def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:
+    """Draw the forces, each as what it states; the second of a couple is the first turned round."""
+    seen = set[str]()
+    for one in arrows:
+        name = plain_name(one.letter)
+        said = f"−{name}" if name in seen else name
+        seen.add(name)
+        yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), one.draw(hand))
+
+
+def _style(thin: bool, hand: Hand) -> LineStyle:
+    return hand.other if thin else hand.relative
+
+
+def _dot(at: complex, hand: Hand) -> Circle:
+    return Circle(at, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
+
+
+def _title(shown: Hanging, drafting: Drafting) -> str:
+    return f"{drafting.word('lever')}, {drafting.word('position', position=shown.column)}"
+
+
+BARE = str.maketrans("′", "'", "{}")
+
+
+def of_arm(study: Study, position: int, letter: str) -> str:
+    """Name the moment that an arm gives on the record of a position, or the force that is found by it; "" if none is.
+
+    The arm h_2 of a scheme may give D(G_4), the arm h'_3 of the lever p(F_us).
+    """
+    if not letter.startswith("h") or not 0 <= position < len(study.of(LinkageStudy).turn):
+        return ""
+    plans: ForcePlans = study.of(Statics).drafts([position]).plans
+    return next((name for arm, name in _lettered_arms(study, plans) if arm.translate(BARE) == letter), "")
+
+
+def _lettered_arms(study: Study, plans: ForcePlans) -> Iterator[tuple[str, str]]:
+    for cut in plans.plan.cuts:
+        for arm in leverages(plans.plan, cut, 0):
+            moment = f"{arm.about}({arm.name})"
+            yield arm.letter, moment if moment in plans.plan.board else arm.name
+    if plans.lever is not None:
+        for one in balance(hanging(plans.plan, plans.lever, 0), drafting_of(study.scene)):
+            moment = f"{plans.lever.pole.name}({one.force.partition('/')[0]})"
+            yield one.arm, moment if moment in plans.lever.board else one.force

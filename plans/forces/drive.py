@@ -1,0 +1,246 @@
+"""What the drive must give: the primary link under its forces, and the force of a cylinder (начальное звено; 6.4.5).
+
+A cylinder acts between itself and its rod along the line of their hinges; the crank then needs no moment of its own:
+its power is that of all other forces (усилие гидроцилиндра).
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.board import Mark
+from plans.forces import polygon as statics
+from plans.forces.cut import CLOSING, PART, Cut, Equation, ForcePlan, Load, Side, indices
+from plans.linkage import leads
+from plans.linkage.ram import apart
+from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction
+from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
+from plans.model.mechanism import FRAME, Drive, Mechanism, Ram, Slide
+from plans.model.motion import Complexes, Floats, Motion
+from plans.words.words import because
+
+DRIVING, BALANCING = "P_bal", "M_bal"
+NOTHING = because("no_moment")
+
+
+class BalancingQuantity(NamedTuple):
+    """What the drive is told to give: its letters, its unit, and how much of it a balancing moment of 1 N*m is."""
+
+    name: str
+    unit: str
+    share: float = 1.0
+
+
+def balancing_quantity(drive: Drive) -> BalancingQuantity:
+    """Give what is told of a drive: the moment on the shaft of a crank, the force of a slide or of a cylinder."""
+    by_force = drive.pushed or drive.ram is not None
+    return BalancingQuantity(DRIVING, "N", 1.0 / drive.unit) if by_force else BalancingQuantity(BALANCING, "N*m")
+
+
+def primary(plan: ForcePlan) -> Cut:
+    """Balance the primary link, and close its polygon in the frame: a crank by moments, a slide along its guide."""
+    slide = plan.mechanism.drive.guide
+    return _turned(plan) if slide is None else _pushed(plan, slide)
+
+
+def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
+    """Close the polygon of a slide along its guide and square to it; no moment is needed for what pushes it."""
+    drive, board = plan.mechanism.drive, plan.board
+    (loads, couples), along = plan.acting(drive.link), leads.direction(plan.positions, slide, FRAME)
+    laid = statics.chain(plan, str(drive.link), *statics.known_sides(loads))
+    lead = statics.direction_on(plan, along)
+    lines = (
+        board.parallel(f"∥{lead.name}", laid.start, lead, because("pushed_along")),
+        board.square(f"⊥{lead.name}", laid.end, lead, because("guide_presses")),
+    )
+    name = f"R_{indices(FRAME, drive.link)}"
+    closed = statics.close(plan, laid, (DRIVING, name), lines)
+    plan.driven = _foot(plan, slide, along)
+    plan.drive = board.join(DRIVING, closed.corner, laid.start, because("closing"))
+    plan.shaft = _wheel(plan, along, plan.driven)
+    plan.balancing = board.moment(BALANCING, plan.shaft, plan.driven, plan.drive, because("wheel_moment"))
+    force = board.join(name, laid.end, closed.corner, because("closing"))
+    pushing = Load(DRIVING, drive.link, plan.driven, plan.drive, PART)
+    support = statics.support(plan, (FRAME, drive.link), slide, force, (), [*loads, pushing], couples)
+    return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
+
+
+def _foot(plan: ForcePlan, slide: Slide, along: Mark) -> Mark:
+    """Give where a slide is pushed: its named point, or the foot of that on the guide's line."""
+    point, board = plan.positions.point(slide.point), plan.positions.board
+    left = leads.offset(plan.positions, slide, slide.slider, slide.point).left
+    if not left:
+        return point
+    back = board.turn(f"h{slide.slider}'", along, -1j * left, because("offset"))
+    return board.lay_off(f"{slide.point}''", point, back, because("pushed_along"))
+
+
+def _wheel(plan: ForcePlan, along: Mark, end: Mark) -> Mark:
+    """Mark the centre of the wheel that would roll on the slide, of the drive's unit as its radius."""
+    board, unit = plan.positions.board, plan.mechanism.drive.unit
+    arm = board.turn(f"r{plan.mechanism.drive.link}", along, 1j * unit, because("wheel_radius"))
+    return board.lay_off(f"W{plan.mechanism.drive.link}", end, arm, because("wheel_centre"))
+
+
+def _turned(plan: ForcePlan) -> Cut:
+    """Balance the crank by moments about its shaft, then close its polygon in the frame (figure 6.17)."""
+    drive, board = plan.mechanism.drive, plan.board
+    shaft, (loads, couples) = plan.positions.point(drive.pivot), plan.acting(drive.link)
+    plan.shaft = shaft
+    terms, line = statics.moments(plan, shaft, loads, couples), _line(plan)
+    why, driving = because("moments", point=shaft.name, link=drive.link), list[tuple[str, Mark, str]]()
+    if line is None:
+        plan.balancing = board.close(BALANCING, *terms, why=why) if terms else board.given(BALANCING, 0.0, NOTHING)
+    else:
+        plan.driven = line.step.inputs[0]
+        plan.drive = (
+            board.balance(DRIVING, shaft, line, *terms, why=why) if terms else board.given(DRIVING, 0j, NOTHING)
+        )
+        plan.balancing = board.moment(BALANCING, shaft, plan.driven, plan.drive, because("driving_moment"))
+        driving = [(DRIVING, plan.drive, PART)]
+    armed = tuple(load for load in loads if load.at is not shaft)
+    equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
+    laid = statics.chain(plan, str(drive.link), *driving, *statics.known_sides(loads))
+    name = f"R_{indices(FRAME, drive.link)}"
+    force = board.join(name, laid.end, laid.start, because("closing"))
+    support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)
+    sides = (*laid.sides, Side(name, laid.end, laid.start, CLOSING))
+    return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
+
+
+def _line(plan: ForcePlan) -> Mark | None:
+    """Draw the line along which the crank is driven; None where a moment drives it."""
+    base, drive, how = plan.positions, plan.mechanism.drive, plan.machine.transmission
+    if how.kind == FORCE:
+        arm = base.arm(drive.link)
+        return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, because("driving_square"))
+    if how.kind == GEAR:
+        pitch = base.board.given("W", cmath.rect(how.radius, how.at), because("pitch_point"))
+        along = plan.board.given("line of action", action(how, drive.omega), because("pressure_angle"))
+        return base.board.parallel("line of action", pitch, along, because("line_of_action"))
+    return None
+
+
+def action(gear: Transmission, omega: float) -> complex:
+    """Give the direction in which the pinion's tooth presses: with the rotation, turned towards the wheel's centre.
+
+    The pitch tangent in the sense of rotation, turned by the pressure angle (book figure 6.17, M5.7).
+    """
+    sense = -1.0 if omega < 0 else 1.0
+    return sense * 1j * cmath.exp(1j * (gear.at + sense * gear.pressure))
+
+
+def joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
+    """Put the forces over parts of the positions together."""
+    if len(parts) == 1:
+        return parts[0]
+    reactions = {}
+    for key, first in parts[0].reactions.items():
+        told = [part.reactions[key] for part in parts]
+        rows = (_together([getattr(one, name) for one in told]) for name in ("r", "force", "moment", "along"))
+        reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
+    balancing = Balancing(*(_together(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
+    return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
+
+
+def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics:
+    """Leave no force at some positions."""
+
+    def kept(row: Any) -> Any:
+        return None if row is None else np.where(gone, np.nan, row)
+
+    reactions = {
+        key: one._replace(force=kept(one.force), moment=kept(one.moment)) for key, one in forces.reactions.items()
+    }
+    told = forces.balancing
+    balancing = Balancing(kept(told.moment), kept(told.force), told.r)
+    return replace(forces, reactions=reactions, balancing=balancing)
+
+
+def _together(rows: Sequence[Any]) -> Any:
+    return None if rows[0] is None else np.concatenate(rows)
+
+
+def with_cylinder(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Loading:
+    """Add to loads the force of the cylinder that drives a mechanism over a motion of order 2, where one does."""
+    if mechanism.drive.ram is None:
+        return loads
+    along, _ = _growth(mechanism, motion)
+    force = np.asarray(push(mechanism, machine, motion, loads) * along)
+    ends = zip(_ends(mechanism), (force, 0.0 - force), (DRIVING, DRIVING.replace("_", "′_")), strict=True)
+    told = (Applied(name, *end, one, useful=False) for end, one, name in ends if end[0] != FRAME)
+    return loads._replace(forces=(*loads.forces, *told))
+
+
+def push(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Floats:
+    """Give the force N with which a cylinder pushes its ends apart, (N,), under other loads; below zero it pulls."""
+    _, growth = _growth(mechanism, motion)
+    with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
+        return np.asarray(-_power(mechanism, machine, motion, loads) / growth)
+
+
+def _growth(mechanism: Mechanism, motion: Motion) -> tuple[Complexes, Floats]:
+    """Give the unit direction from the cylinder's foot to its point, and how fast they part, m/s."""
+    span, *rates = (apart(mechanism, motion, order) for order in range(3))
+    along = span / np.abs(span)
+    return along, (np.conj(along) * _way(mechanism, motion, (rates[0], rates[1]))).real
+
+
+def _way(mechanism: Mechanism, motion: Motion, rates: tuple[Any, Any]) -> Any:
+    """Give the rates by which powers are told: of first order, and where all rests those of second, as those begin."""
+    ends = motion.points[mechanism.drive.end]
+    return np.where(ends.v == 0, rates[1], rates[0])
+
+
+def _ends(mechanism: Mechanism) -> Iterator[tuple[int, str, complex]]:
+    """Give the links that a cylinder pushes apart, each with its point: rod or its link, cylinder or its link."""
+    ram, links = mechanism.drive.ram, mechanism.links
+    assert ram is not None  # one drives
+    base, moved = ram.links or (FRAME, mechanism.drive.link)
+    cylinder, rod = next(_drawn(mechanism, ram), (base, moved))
+    yield rod, ram.point, links[rod].points[ram.point]
+    yield cylinder, ram.foot, links[cylinder].points[ram.foot]
+
+
+def _drawn(mechanism: Mechanism, ram: Ram) -> Iterator[tuple[int, int]]:
+    """Give cylinder and rod where the scene has them as links: of two that slide in each other the ends of both."""
+    for slide in mechanism.slides:
+        for base, moved in ((slide.slider, slide.owner), (slide.owner, slide.slider)):
+            if ram.foot in mechanism.links[base].points and ram.point in mechanism.links[moved].points:
+                yield base, moved
+
+
+def _power(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Floats:
+    """Give the power W, where all rests its rate W/s, of loads, weights, inertia forces and moments, (N,)."""
+    total = np.zeros(len(motion.phi))
+    for load in loads.forces:
+        if load.link != FRAME:
+            rates = _rates(mechanism, motion, load.link, load.at)
+            total += (np.conj(load.force) * _way(mechanism, motion, rates)).real
+    for twist in loads.moments:
+        turned = motion.links[twist.link]
+        total += twist.moment * _way(mechanism, motion, (turned.omega, turned.epsilon))
+    return total + sum((_borne(mechanism, machine, motion, body) for body in machine.bodies.values()), 0.0 * total)
+
+
+def _borne(mechanism: Mechanism, machine: Machine, motion: Motion, body: Body) -> Floats:
+    """Give the power W of the weight and the inertia of a link."""
+    v, a = _rates(mechanism, motion, body.link, body.centre)
+    turned = motion.links[body.link]
+    force = body.mass * (machine.gravity - a)
+    way, turning = (_way(mechanism, motion, pair) for pair in ((v, a), (turned.omega, turned.epsilon)))
+    return np.asarray((np.conj(force) * way).real - body.inertia * turned.epsilon * turning)
+
+
+def _rates(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> tuple[Complexes, Complexes]:
+    """Give the velocity and the acceleration of a point of a link by its place in the link's own frame."""
+    name, first = next(iter(mechanism.links[link].points.items()))
+    turned, point = motion.links[link], motion.points[name]
+    arm = (own - first) * np.exp(1j * turned.angle)
+    return point.v + 1j * turned.omega * arm, point.a + (1j * turned.epsilon - turned.omega**2) * arm
