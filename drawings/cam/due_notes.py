@@ -16,7 +16,7 @@ from drawings.page.scale import Drafting, drafting_of
 from drawings.paper.statement import Kind
 from drawings.paper.strokes import Leaf
 from plans.analytic.cam.contour import contour
-from plans.cam.course import Stations, stations
+from plans.cam.course import WorkshopTurns, stations
 from plans.cam.quantities import EQUAL, NEAR
 from plans.cam.study import CamStudy
 from plans.cam.tables import smoothing
@@ -187,7 +187,7 @@ class MadeProfile(NamedTuple):
     """The profile by the analysis as a cam is made: the points at the stations that a workshop is told, m, (N,)."""
 
     found: CamFound
-    stations: Stations
+    stations: WorkshopTurns
     spots: Points
 
     @property

@@ -19,7 +19,7 @@ from plans.analytic.cam.pressure import stretches
 from plans.cam.quantities import Compared
 from plans.cam.study import CamDrawing
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import CamFound, Contour, Sizes, Travel
+from plans.model.cam_motion import CamFound, Contour, FollowerTravel, Sizes
 from plans.model.motion import Complexes, Floats
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
@@ -37,7 +37,7 @@ def law_named(cam: Cam, key: str) -> str:
     return f"law-{cam.name}-{key}"
 
 
-class LawRow(NamedTuple):
+class LawCourse(NamedTuple):
     """A row of the law's diagrams: its values at the edges after and before a jump, and its curve at any turns."""
 
     key: str
@@ -110,23 +110,23 @@ class CamValues:
         return tuple(names)
 
     @cached_property
-    def after(self) -> Travel:
+    def after(self) -> FollowerTravel:
         """S, S', S'' at the edges, after what jumps there."""
         return travel(self.cam, self.edges)
 
     @cached_property
-    def before(self) -> Travel:
+    def before(self) -> FollowerTravel:
         """S, S', S'' at the edges, before what jumps there."""
         return travel(self.cam, self.edges, before=True)
 
     @cached_property
-    def rows(self) -> Mapping[str, LawRow]:
+    def rows(self) -> Mapping[str, LawCourse]:
         """The diagrams of the law by their names: S'' exactly, S' and S as their chords find them."""
         (slope, s), gains = self.compared.chords, self.compared.gains
         begin, bends = slope - gains, (self.after.bend[:-1], self.before.bend[1:])
-        first = LawRow(ACCELERATION, *self._sides(*bends, HARD, SOFT), lambda at: travel(self.cam, at).bend)
-        second = LawRow(VELOCITY, *self._sides(begin, slope, HARD), self._cubics((begin, slope), bends))
-        third = LawRow(TRAVEL, s, s, self._cubics((s[:-1], s[1:]), (begin, slope)))
+        first = LawCourse(ACCELERATION, *self._sides(*bends, HARD, SOFT), lambda at: travel(self.cam, at).bend)
+        second = LawCourse(VELOCITY, *self._sides(begin, slope, HARD), self._cubics((begin, slope), bends))
+        third = LawCourse(TRAVEL, s, s, self._cubics((s[:-1], s[1:]), (begin, slope)))
         return {row.key: self._ended(row) for row in (first, second, third)}
 
     def means(self, key: str) -> Floats:
@@ -144,7 +144,7 @@ class CamValues:
             after[-1] = 0.0
         return after, before
 
-    def _ended(self, row: LawRow) -> LawRow:
+    def _ended(self, row: LawCourse) -> LawCourse:
         """Let a curve come from what is before the turn, and go on to what is after it."""
 
         def curve(turned: Floats) -> Floats:

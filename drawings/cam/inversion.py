@@ -27,7 +27,7 @@ PHASE = 1.2  # sizes of a letter beyond the arcs of the phases
 BODY_GUIDE = 8.0  # mm under a cam that translates, for its guide
 
 
-class Rings(NamedTuple):
+class ProfileRings(NamedTuple):
     """Radii on paper about O, mm, each beyond the one before."""
 
     view: ProfileView
@@ -95,7 +95,7 @@ class Sense(NamedTuple):
         return labels.beside(spot, self.letter, hand.letter, BESIDE, away)
 
 
-def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
+def senses(view: ProfileView, rings: ProfileRings) -> tuple[Sense, ...]:
     """Give the arrows, the cam's own and the frame's, beside the cam where no axis is turned to."""
     if view.cam.translates:
         return ()
@@ -107,7 +107,7 @@ def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
     return Sense("ω", turning), Sense("−ω", TurnArrow(zero, second, view.quiet + aside + sweep / 2, -sweep))
 
 
-def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex]]:
+def straight(view: ProfileView, rings: ProfileRings) -> Iterator[tuple[complex, complex]]:
     """Give the ends of the arrow of a cam that translates, within its body."""
     if view.cam.translates:
         left, right = (rings.place.on(corner) for corner in view.body)
@@ -131,7 +131,7 @@ APART = 1.8  # sizes of a number from one marked point to the next
 FEW = 2.2  # radii of the roller from one drawn roller to the next
 
 
-def construction(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
+def construction(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
     """Draw all thin lines: circles, turned axes, notches, faces, rollers; nothing of them within the shaft."""
     place, hand = rings.place, rings.hand
     lines = [*_circles(view, place, hand), *_turned(view, rings), *_notches(view, place, hand)]
@@ -167,7 +167,7 @@ def _ends(view: ProfileView) -> tuple[float, float]:
     return float(view.curve.pitch.real.min()), float(view.curve.pitch.real.max())
 
 
-def _turned(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
+def _turned(view: ProfileView, rings: ProfileRings) -> Iterator[Stroke]:
     """Draw the turned frame of each position: the axis of the follower, or the arm from the turned pivot."""
     place, hand = rings.place, rings.hand
     for k, turned in view.positions:

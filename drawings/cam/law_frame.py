@@ -17,7 +17,7 @@ from drawings.kinds.smooth import cubics
 from drawings.lettering.phrase import Slot
 from drawings.page.scale import Drafting, Scale
 from geometry.strips import middles
-from plans.cam.diagrams import LawDiagrams, Strips
+from plans.cam.diagrams import LawDiagrams, TurnStrips
 from plans.model.cam import TABLE, Cam
 from plans.model.motion import Floats
 
@@ -216,6 +216,6 @@ class LawPlate(RowPlate[LawRow]):
             yield ";  ".join(told)
 
 
-def _places(strips: Strips, edges: Iterable[int]) -> str:
+def _places(strips: TurnStrips, edges: Iterable[int]) -> str:
     """Name edges; the end of a turn is its beginning."""
     return ", ".join(dict.fromkeys(strips.names[k] for k in edges))

@@ -26,7 +26,7 @@ from drawings.paper.walk import stating
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import TurnArrow, pole
-from plans.cam.course import Course, Stations, stations
+from plans.cam.course import Course, WorkshopTurns, stations
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, GROOVE, MM, Cam, Phase
 from plans.model.cam_motion import CamFound, Contour, Points
@@ -49,7 +49,7 @@ class ToldProfile(NamedTuple):
     """The profile as a workshop is told it: its points at the stations, m, (N,)."""
 
     found: CamFound
-    stations: Stations
+    stations: WorkshopTurns
     spots: Points
 
     @property

@@ -10,19 +10,24 @@ from drawings.lettering.phrase import Phrase, Slot, joined
 from drawings.page.scale import Drafting
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, MM, RATIO, ROLLER, TABLE, Cam, Phase, dimensions, interval_of
-from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
+from plans.model.cam_motion import CamFlaw, CamFound, Extreme, Shock, Sizes
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
 
 
-class Told(NamedTuple):
+class TableUnit(NamedTuple):
     """The unit that a table tells a quantity in, "" of what has none, and how many of it are one of SI."""
 
     unit: str
     size: float
 
 
-TOLD = {"m": Told("mm", 1000.0), "rad": Told("°", math.degrees(1)), RATIO: Told("", 1.0), "1/rad": Told("", 1.0)}
+TOLD = {
+    "m": TableUnit("mm", 1000.0),
+    "rad": TableUnit("°", math.degrees(1)),
+    RATIO: TableUnit("", 1.0),
+    "1/rad": TableUnit("", 1.0),
+}
 TOLD |= {"m/rad": TOLD["m"], "m/rad2": TOLD["m"]}
 
 
@@ -36,9 +41,9 @@ def units(cam: Cam) -> dict[str, str]:
     return dict(zip((TRAVEL, VELOCITY, ACCELERATION), dimensions(cam), strict=True))
 
 
-def ways_told(cam: Cam) -> tuple[Told, ...]:
+def ways_told(cam: Cam) -> tuple[TableUnit, ...]:
     """Give how a table tells S, S' and S''."""
-    return tuple(TOLD.get(unit, Told(unit, 1.0)) for unit in dimensions(cam))
+    return tuple(TOLD.get(unit, TableUnit(unit, 1.0)) for unit in dimensions(cam))
 
 
 DIGITS = 5
@@ -57,7 +62,7 @@ def phase_indices(cam: Cam) -> tuple[str, ...]:
 def phase_letter(cam: Cam, number: int, drafting: Drafting) -> Phrase:
     """Letter a phase with its angle in degrees, or with its travel in millimetres where the cam translates."""
     index, angle = phase_indices(cam)[number], cam.phases[number].angle
-    letter, size, unit = ("x", 1000 * angle, "") if cam.translates else ("φ", math.degrees(angle), "°")
+    letter, size, unit = ("x", MM * angle, "") if cam.translates else ("φ", math.degrees(angle), "°")
     told = drafting.letter(f"{letter}_{{{index}}} = "), drafting.slot(Slot(f"φ_{number}", size, DIGITS)), unit
     return joined("", told)
 
@@ -257,7 +262,7 @@ class CamNotes(NamedTuple):
             preload = self._of("preload", found.preload, "N*m" if self.cam.rocks else "N")
             yield self.drafting.phrase("cam preload", preload=preload)
 
-    def flaw(self, number: int, flaw: Flaw) -> str:
+    def flaw(self, number: int, flaw: CamFlaw) -> str:
         """Say one flaw."""
         name, value = f"flaw {number}", flaw.worst.value
         ends: dict[str, object] = {
@@ -280,7 +285,7 @@ class CamNotes(NamedTuple):
         key = "cam flaw crossing and loss" if lost > 0 else "cam flaw crossing and no loss"
         return self.drafting.phrase(key, worst=self.way(name, lost), **ends)
 
-    def _unit(self, flaw: Flaw) -> float:
+    def _unit(self, flaw: CamFlaw) -> float:
         return 1.0 if flaw.kind in ("lift-off", "outrun") else MM
 
     def way(self, name: str, value: float) -> Phrase:

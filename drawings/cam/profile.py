@@ -9,7 +9,7 @@ from functools import partial
 from typing import NamedTuple
 
 from drawings.cam import inversion, profile_view, size_marks
-from drawings.cam.inversion import BODY_GUIDE, CLEAR, GUIDE, POINT, Rings, around, beyond, face, highest
+from drawings.cam.inversion import BODY_GUIDE, CLEAR, GUIDE, POINT, ProfileRings, around, beyond, face, highest
 from drawings.cam.profile_view import NAME, QUANTITY, SYMBOL, UNIT, ProfileView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import LetteredFigure, Margins, Picture, Place, Spot, picture
@@ -206,7 +206,7 @@ def measure(view: ProfileView, drafting: Drafting) -> Picture:
 def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
     """Draw the profile in its spot: the construction thin, the follower at the start, the curves over all."""
     place, hand = room.place(*spot), drafting.hand
-    rings = Rings(view, place, hand)
+    rings = ProfileRings(view, place, hand)
     lines = (
         heading(spot.box, drafting.word("cam profile"), drafting.scale(spot.scale), hand),
         *_shaft(view, place, hand),
@@ -225,7 +225,7 @@ def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> Le
     return LetteredFigure(NAME, lines, partial(_letters, view, rings, drafting))
 
 
-def _letters(view: ProfileView, rings: Rings, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+def _letters(view: ProfileView, rings: ProfileRings, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
     """Letter phases, senses, sizes and points, number every position."""
     place, hand = rings.place, drafting.hand
     yield from _points(view, rings, labels)
@@ -241,7 +241,7 @@ def _letters(view: ProfileView, rings: Rings, drafting: Drafting, labels: Labels
     yield from profile_view.lettered(view, place, drafting, labels)
 
 
-def _points(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke]:
+def _points(view: ProfileView, rings: ProfileRings, labels: Labels) -> Iterator[Stroke]:
     """Letter O, a rocker's pivot, the inversion."""
     place, hand = rings.place, rings.hand
     gap = BESIDE + (0.0 if view.cam.translates else HINGE * hand.symbol)
@@ -254,7 +254,7 @@ def _points(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke]
         yield labels.along(start, end, "v", hand.letter, BESIDE, math.pi / 2)
 
 
-def _numbers(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke]:
+def _numbers(view: ProfileView, rings: ProfileRings, labels: Labels) -> Iterator[Stroke]:
     """Number the positions at the ends of their axes, and at the points of the curve."""
     place, size = rings.place, rings.hand.number
     for k, turned in view.positions:
@@ -266,7 +266,7 @@ def _numbers(view: ProfileView, rings: Rings, labels: Labels) -> Iterator[Stroke
         yield labels.beside(spot, str(k), size, BESIDE, math.atan2(normal.imag, normal.real))
 
 
-def _end_of(view: ProfileView, rings: Rings, k: int, turned: float) -> tuple[complex, float]:
+def _end_of(view: ProfileView, rings: ProfileRings, k: int, turned: float) -> tuple[complex, float]:
     """Give the end of a turned axis with the direction outward."""
     place, zero = rings.place, rings.place.on(0j)
     if view.cam.translates:
@@ -277,7 +277,7 @@ def _end_of(view: ProfileView, rings: Rings, k: int, turned: float) -> tuple[com
     return zero + off, math.atan2(off.imag, off.real)
 
 
-def _around(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[Stroke]:
+def _around(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> Iterator[Stroke]:
     """Draw the phases and the inversion."""
     hand = drafting.hand
     for arc in (*size_marks.phase_arcs(view, rings, drafting), *size_marks.rocking(view, rings.place, drafting)):

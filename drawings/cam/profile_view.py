@@ -19,10 +19,10 @@ from drawings.paper.walk import tied
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
 from plans.cam.course import Course
-from plans.cam.path import Bound, ProfilePath, path
+from plans.cam.path import PathCut, ProfilePath, path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
-from plans.model.cam_motion import CamFound, Contour, Flaw, Points, Sizes
+from plans.model.cam_motion import CamFlaw, CamFound, Contour, Points, Sizes
 from plans.model.motion import Complexes, Floats
 
 MANY = 1441  # turns at which the contour is known: every quarter of a degree
@@ -255,7 +255,7 @@ def _contour(view: ProfileView, curve: ShownCurve, place: Place, hand: Hand) -> 
     """Draw what of a curve with flaws lies between its loops."""
     flaws = [flaw for flaw in view.found.flaws if SHOWN.get(flaw.kind) == curve.name]
     turns = {0.0, view.cam.turn, *(end for flaw in flaws for end in (flaw.start, flaw.end))}
-    bounds = [Bound(turned, _spot(view, curve, turned)) for turned in sorted(turns)]
+    bounds = [PathCut(turned, _spot(view, curve, turned)) for turned in sorted(turns)]
     for low, high in pairwise(bounds):
         kinds = [flaw.kind for flaw in flaws if _holds(flaw, (low.turned + high.turned) / 2)]
         pieces = curve.path.between(low, high, view.cam.turn)
@@ -291,7 +291,7 @@ def _points(view: ProfileView, name: str) -> Complexes:
     return view.curve.profile if name == WORKING or outer is None else outer
 
 
-def _holds(flaw: Flaw, turned: float) -> bool:
+def _holds(flaw: CamFlaw, turned: float) -> bool:
     """Tell whether a flaw's stretch holds a turn; one may run over the beginning of the turn."""
     if flaw.start <= flaw.end:
         return flaw.start <= turned <= flaw.end

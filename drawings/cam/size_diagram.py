@@ -27,7 +27,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, around, heading, point
 from drawings.symbols.symbols import HINGE, TICK, hinge, pole
-from plans.cam.centre.place import Tangent
+from plans.cam.centre.place import SizeTangent
 from plans.model.cam import MM
 
 MARGINS = Margins(3.4, 4.6, 2.0)  # paper around it for letters, in their sizes
@@ -258,7 +258,7 @@ def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
     return spaced([place.on(end) for end in view.ends.tolist()], APART * hand.number, moved)
 
 
-def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
+def _touched(view: SizeView, place: Place) -> Iterator[SizeTangent]:
     """Give the tangents that touch the diagram elsewhere than at A; of a rocker all."""
     for tangent in () if view.faced else view.sizing.tangents:
         if view.cam.rocks or place.length(abs(complex(tangent.point.point))) >= LEAST:

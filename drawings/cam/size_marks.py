@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from drawings.cam.inversion import Rings, beyond, highest
+from drawings.cam.inversion import ProfileRings, beyond, highest
 from drawings.cam.notes import phase_letter
 from drawings.cam.profile_view import NAME, QUANTITY, ProfileView
 from drawings.cam.profile_view import NAME as PROFILE
@@ -27,7 +27,7 @@ from drawings.symbols.dimension import Dimension, arrows
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TurnArrow, arrowhead
 from plans.cam.centre.bounds import PressureBound
-from plans.cam.centre.place import Tangent
+from plans.cam.centre.place import SizeTangent
 from plans.model.cam import DWELL, MM, Phase
 from plans.model.cam_motion import Extreme, Sizes
 
@@ -52,21 +52,21 @@ class AngleArc(NamedTuple):
         return telling(PROFILE, labels.beside(spot, self.letter, hand.number, BESIDE, away))
 
 
-def phase_arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[AngleArc, ...]:
+def phase_arcs(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> tuple[AngleArc, ...]:
     """Give the arcs of the phases: they run against the cam's motion, as the frame is turned."""
     if view.cam.translates:
         return ()
     return tuple(_arcs(view, rings, drafting))
 
 
-def _arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[AngleArc]:
+def _arcs(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> Iterator[AngleArc]:
     for number, phase in enumerate(view.cam.phases):
         start = cmath.phase(rings.crossing(phase.start, rings.phases))
         text, sweep = phase_letter(view.cam, number, drafting), -view.cam.sense * min(phase.angle, TURN)
         yield AngleArc(f"φ_{number}", text, TurnArrow(rings.place.on(0j), rings.phases, start, sweep))
 
 
-def bounds(view: ProfileView, rings: Rings, hand: Hand) -> Iterator[Stroke]:
+def bounds(view: ProfileView, rings: ProfileRings, hand: Hand) -> Iterator[Stroke]:
     """Draw the axes at which phases begin as far as the arcs between them."""
     zero = rings.place.on(0j)
     for phase in view.cam.phases:
@@ -75,7 +75,7 @@ def bounds(view: ProfileView, rings: Rings, hand: Hand) -> Iterator[Stroke]:
         yield Line(start, end, hand.drafted)
 
 
-def travels(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Dimension, ...]:
+def travels(view: ProfileView, rings: ProfileRings, drafting: Drafting) -> tuple[Dimension, ...]:
     """Give the dimensions of the phases of a cam that translates, above its follower's guide."""
     if not view.cam.translates:
         return ()
@@ -88,7 +88,7 @@ def travels(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Dimens
     )
 
 
-def _over(view: ProfileView, rings: Rings, phase: Phase) -> tuple[complex, complex]:
+def _over(view: ProfileView, rings: ProfileRings, phase: Phase) -> tuple[complex, complex]:
     """Give the ends of the axes at which a phase of a cam that translates begins and ends, mm."""
     level = highest(view, rings.place, rings.hand)
     start, end = (rings.place.on(view.back(0j, turned)).real for turned in (phase.start, phase.end))
@@ -147,7 +147,9 @@ def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stro
     return tuple(lines), tuple(letters)
 
 
-def _angle(view: SizeView, tangent: Tangent, past: complex, hand: Hand, taken: Sequence[complex]) -> LimitAngle | None:
+def _angle(
+    view: SizeView, tangent: SizeTangent, past: complex, hand: Hand, taken: Sequence[complex]
+) -> LimitAngle | None:
     """Give the angle of a tangent, its arc where no other one is; none of a tangent at 45 degrees."""
     way, line, arm = leaning(tangent, view), complex(tangent.direction.point), ARM * hand.letter
     if way is None:
@@ -157,7 +159,7 @@ def _angle(view: SizeView, tangent: Tangent, past: complex, hand: Hand, taken: S
     return max(ways, key=lambda angle: min((CROWD, *(abs(angle.middle - spot) for spot in taken))))
 
 
-def _told(tangent: Tangent, drafting: Drafting) -> str:
+def _told(tangent: SizeTangent, drafting: Drafting) -> str:
     """Write a limit of the pressure angle."""
     assert isinstance(tangent.bound, PressureBound)
     sign, minus = (-1, "−") if lower(tangent) else (1, "")

@@ -16,7 +16,7 @@ from drawings.page.scale import Drafting
 from geometry.board import Line as Ruler
 from geometry.board import Mark
 from plans.cam.centre.bounds import PressureBound, SlopeDiagram, sampled, stretches
-from plans.cam.centre.place import Sizing, Tangent
+from plans.cam.centre.place import SizeTangent, Sizing
 from plans.cam.numbers import Result
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Points
@@ -132,7 +132,7 @@ class SizeView:
         levels = ((start.real, end.real, low.real, high.real), (start.imag, end.imag, low.imag, high.imag))
         return any(begin == end and begin in sides for begin, end, *sides in levels)
 
-    def ruler(self, tangent: Tangent) -> tuple[complex, complex]:
+    def ruler(self, tangent: SizeTangent) -> tuple[complex, complex]:
         """Give the ends of a tangent: past the point that it touches, and down to the region's end."""
         touched, line = _spot(tangent.point), tangent.line.value
         assert isinstance(line, Ruler)
@@ -175,7 +175,7 @@ def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Itera
         yield end
 
 
-def leaning(tangent: Tangent, view: SizeView) -> complex | None:
+def leaning(tangent: SizeTangent, view: SizeView) -> complex | None:
     """Give the direction from which the angle of a tangent is counted; None of one at 45 degrees."""
     if not isinstance(tangent.bound, PressureBound):
         return None
@@ -183,7 +183,7 @@ def leaning(tangent: Tangent, view: SizeView) -> complex | None:
     return 1j * complex(diagram.leaning(tangent.touch.instant.s)[0])
 
 
-def lower(tangent: Tangent) -> bool:
+def lower(tangent: SizeTangent) -> bool:
     """Tell whether a tangent is at the limit below 0 of a rise, which is held to both of its limits then."""
     bound = tangent.bound
     return isinstance(bound, PressureBound) and bound.kind == RISE and bound.side < 0

@@ -12,59 +12,59 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.strips import SLIVER
-from plans.cam.tables import Pieces, Push, Shares, bends, shares, table
+from plans.cam.tables import AccelerationPiece, LawShares, Pieces, bends, shares, table
 from plans.model.cam import CUBICS, MM, SHAPE, TABLE, Cam, Law, Phase
-from plans.model.cam_motion import Shock, Travel
+from plans.model.cam_motion import FollowerTravel, Shock
 from plans.model.motion import Floats
 
 EIGHTH: Final = 1 / 8  # of the phase: a ramp of the trapezoids and of the modified sine
 PI = math.pi
 
 
-def _constant(law: Law) -> Shares:
+def _constant(law: Law) -> LawShares:
     """Give constant accelerations: areas alike, so that the speed ends where it began, at none."""
     first, rest = law.first, 1 - law.first
-    return shares([Push(first, (1 / first,)), Push(rest, (-1 / rest,))])
+    return shares([AccelerationPiece(first, (1 / first,)), AccelerationPiece(rest, (-1 / rest,))])
 
 
-def _wave(size: float, rate: float, phase: float = 0.0, length: float = 1.0) -> Push:
-    return Push(length, (), size, rate, phase)
+def _wave(size: float, rate: float, phase: float = 0.0, length: float = 1.0) -> AccelerationPiece:
+    return AccelerationPiece(length, (), size, rate, phase)
 
 
-def _polynomial(first: tuple[float, ...], second: tuple[float, ...]) -> Shares:
+def _polynomial(first: tuple[float, ...], second: tuple[float, ...]) -> LawShares:
     """Give a law whose acceleration is one polynomial: from the start, and from the middle, where its powers are odd.
 
     Powers of the whole phase would lose two digits at its end.
     """
-    return shares([Push(0.5, first), Push(0.5, second)])
+    return shares([AccelerationPiece(0.5, first), AccelerationPiece(0.5, second)])
 
 
-def _trapezoid() -> Shares:
-    ramp, flat = Push(EIGHTH, (0.0, 1 / EIGHTH)), 2 * EIGHTH
-    down, up = Push(2 * EIGHTH, (1.0, -1 / EIGHTH)), Push(EIGHTH, (-1.0, 1 / EIGHTH))
-    return shares([ramp, Push(flat, (1.0,)), down, Push(flat, (-1.0,)), up])
+def _trapezoid() -> LawShares:
+    ramp, flat = AccelerationPiece(EIGHTH, (0.0, 1 / EIGHTH)), 2 * EIGHTH
+    down, up = AccelerationPiece(2 * EIGHTH, (1.0, -1 / EIGHTH)), AccelerationPiece(EIGHTH, (-1.0, 1 / EIGHTH))
+    return shares([ramp, AccelerationPiece(flat, (1.0,)), down, AccelerationPiece(flat, (-1.0,)), up])
 
 
-def _modified_trapezoid() -> Shares:
+def _modified_trapezoid() -> LawShares:
     flat = 2 * EIGHTH
     middle = _wave(1.0, 4 * PI, PI / 2, 2 * EIGHTH)  # a half wave from the greatest to the least
     ramps = _wave(1.0, 4 * PI, 0.0, EIGHTH), _wave(-1.0, 4 * PI, PI / 2, EIGHTH)
-    return shares([ramps[0], Push(flat, (1.0,)), middle, Push(flat, (-1.0,)), ramps[1]])
+    return shares([ramps[0], AccelerationPiece(flat, (1.0,)), middle, AccelerationPiece(flat, (-1.0,)), ramps[1]])
 
 
-def _modified_sine() -> Shares:
+def _modified_sine() -> LawShares:
     slow = _wave(1.0, 4 * PI / 3, PI / 2, 6 * EIGHTH)  # from the greatest to the least
     return shares([_wave(1.0, 4 * PI, 0.0, EIGHTH), slow, _wave(-1.0, 4 * PI, PI / 2, EIGHTH)])
 
 
-def _shape(law: Law) -> Shares:
+def _shape(law: Law) -> LawShares:
     """Give a law by the shape of its acceleration, of which the areas cancel and the lift is above 0."""
     parts = ((end - k, a, b - a) for (k, a), (end, b) in pairwise(law.points) if end > k)
-    return shares([Push(length, (a, rise / length)) for length, a, rise in parts])
+    return shares([AccelerationPiece(length, (a, rise / length)) for length, a, rise in parts])
 
 
-_LAWS: Final[Mapping[str, Callable[[Law], Shares]]] = {
-    "constant velocity": lambda _: shares([Push(1.0)], slope=1.0),
+_LAWS: Final[Mapping[str, Callable[[Law], LawShares]]] = {
+    "constant velocity": lambda _: shares([AccelerationPiece(1.0)], slope=1.0),
     "constant acceleration": _constant,
     "cosine": lambda _: shares([_wave(1.0, PI, PI / 2)]),
     "sine": lambda _: shares([_wave(1.0, 2 * PI)]),
@@ -81,7 +81,7 @@ _LAWS: Final[Mapping[str, Callable[[Law], Shares]]] = {
 
 
 @lru_cache(maxsize=64)
-def law_of(law: Law) -> Shares:
+def law_of(law: Law) -> LawShares:
     """Give a law in shares of phase and lift.
 
     >>> import numpy as np
@@ -94,7 +94,7 @@ def law_of(law: Law) -> Shares:
 ROUNDED = 1e-12  # of the largest value of its order: less is the rounding of a law's coefficients, and no shock
 
 
-class Stretch(NamedTuple):
+class LawStretch(NamedTuple):
     """A phase over one piece of its law: its start, rad, the numbers of phase and piece, the share where it starts."""
 
     start: float
@@ -110,7 +110,7 @@ class Course:
     cam: Cam
 
     @cached_property
-    def stretches(self) -> tuple[Stretch, ...]:
+    def stretches(self) -> tuple[LawStretch, ...]:
         """The pieces of all phases, in their order."""
         return tuple(stretch for number, phase in enumerate(self.cam.phases) for stretch in _stretches(number, phase))
 
@@ -120,7 +120,7 @@ class Course:
         rows = np.array(self.stretches)
         return rows[:, 0], rows[:, 1:].T
 
-    def at(self, turned: Floats, before: bool = False) -> Travel:
+    def at(self, turned: Floats, before: bool = False) -> FollowerTravel:
         """Give S, S', S'' at turns of the cam from 0 to a whole one, (N,); at a joint after it, or before it.
 
         Before the beginning of a turn is the end of the last one; a cam that translates has none before.
@@ -135,7 +135,7 @@ class Course:
         for number, phase in enumerate(self.cam.phases):
             here = numbers == number
             found[:, here] = _follow(phase, pieces[here].astype(int), gone[here], shares[here])
-        return Travel(*found)
+        return FollowerTravel(*found)
 
     @cached_property
     def joints(self) -> tuple[float, ...]:
@@ -184,12 +184,12 @@ class Course:
         return joints, after, before
 
 
-def _stretches(number: int, phase: Phase) -> Iterator[Stretch]:
+def _stretches(number: int, phase: Phase) -> Iterator[LawStretch]:
     if phase.law is None:
-        yield Stretch(phase.start, number)
+        yield LawStretch(phase.start, number)
         return
     for piece, share in enumerate(law_of(phase.law).starts):
-        yield Stretch(phase.start + phase.angle * share, number, piece, share)
+        yield LawStretch(phase.start + phase.angle * share, number, piece, share)
 
 
 def _follow(phase: Phase, pieces: Pieces, turned: Floats, shares: Floats) -> Floats:
@@ -224,7 +224,7 @@ QUOTIENT = 1e-12  # of a step: what a division leaves of one that is as long as 
 DECIMALS = 9  # of a station's name, degrees or mm: far above rounding, far below any step
 
 
-class Stations(NamedTuple):
+class WorkshopTurns(NamedTuple):
     """The turns of a cam that a workshop is told, rad: every 5 degrees, or by a round length of travel m."""
 
     cam: Cam
@@ -242,9 +242,9 @@ class Stations(NamedTuple):
         yield from ((k, self.names[k]) for k in range(every, len(self.names), every))
 
 
-def stations(cam: Cam) -> Stations:
+def stations(cam: Cam) -> WorkshopTurns:
     """Give the turns of a cam that a workshop is told."""
-    return Stations(cam, settled(_stations(cam), Course(cam)))
+    return WorkshopTurns(cam, settled(_stations(cam), Course(cam)))
 
 
 def _stations(cam: Cam) -> Floats:

@@ -19,7 +19,7 @@ from geometry.calculus import Integral, integral
 from geometry.strips import SLIVER, Departure, departure, middles, strips
 from plans.cam.course import Course, positions, settled
 from plans.model.cam import SHAPE, TABLE, Cam
-from plans.model.cam_motion import Travel
+from plans.model.cam_motion import FollowerTravel
 from plans.model.motion import Floats
 from plans.words.calculus import REASONS
 
@@ -30,19 +30,19 @@ MIDDLE, THREE, TRUE = "middle", "three", "true"
 
 
 @dataclass(frozen=True)
-class Strips:
+class TurnStrips:
     """The strips of a cam's turn: those of the numbered positions, with an edge on every corner of S'' (участки)."""
 
     course: Course
     edges: Floats  # (n + 1,) rad
 
     @cached_property
-    def after(self) -> Travel:
+    def after(self) -> FollowerTravel:
         """S, S', S'' at the edges, after what jumps there."""
         return self.course.at(self.edges)
 
     @cached_property
-    def before(self) -> Travel:
+    def before(self) -> FollowerTravel:
         """S, S', S'' at the edges, before what jumps there."""
         return self.course.at(self.edges, before=True)
 
@@ -67,21 +67,21 @@ class Strips:
         return tuple(_names(self.edges, self.course.cam))
 
 
-def strips_of(cam: Cam) -> Strips:
+def strips_of(cam: Cam) -> TurnStrips:
     """Divide the turn: each phase that moves the follower in equal strips, a dwell is one."""
     course = Course(cam)
     edges = [np.zeros(1)]
     for phase in (phase for phase in cam.phases if phase.angle > 0):
         inside = [corner for corner in course.corners if phase.start < corner < phase.end]
         edges.append(strips(phase.start, phase.end, cam.divisions if phase.law else 1, inside)[1:])
-    return Strips(course, settled(np.concatenate(edges), course))
+    return TurnStrips(course, settled(np.concatenate(edges), course))
 
 
 @dataclass(frozen=True)
 class LawDiagrams:
     """S' and S as they are constructed: S' in runs between hard shocks, mean ordinates and all (диаграммы закона)."""
 
-    strips: Strips
+    strips: TurnStrips
     board: Board
     means: Floats  # of S'', (n,)
     runs: tuple[slice, ...]  # of strips, between hard shocks
@@ -135,7 +135,7 @@ def law_diagrams(cam: Cam, means: str = MIDDLE) -> LawDiagrams:
     return LawDiagrams(divided, board, ordinates, runs, slopes, travel)
 
 
-def _bends_by(strips: Strips, means: str) -> Floats:
+def _bends_by(strips: TurnStrips, means: str) -> Floats:
     """Give the mean ordinates of S'' over the strips, (n,), as they are read."""
     if means == TRUE:
         return _true_bends(strips)
@@ -143,7 +143,7 @@ def _bends_by(strips: Strips, means: str) -> Floats:
     return middle if means == MIDDLE else (strips.after.bend[:-1] + 4 * middle + strips.before.bend[1:]) / 6
 
 
-def _slopes_by(strips: Strips, slopes: tuple[Integral, ...], means: str) -> Floats:
+def _slopes_by(strips: TurnStrips, slopes: tuple[Integral, ...], means: str) -> Floats:
     """Give those of S': of its chords; by three of the smooth curve, which S'' tells to bend; or the true ones."""
     width = np.diff(strips.edges)
     if means == TRUE:
@@ -152,7 +152,7 @@ def _slopes_by(strips: Strips, slopes: tuple[Integral, ...], means: str) -> Floa
     return chords if means == MIDDLE else chords + width * (strips.after.bend[:-1] - strips.before.bend[1:]) / 12
 
 
-def _slopes(board: Board, strips: Strips, means: Floats, runs: tuple[slice, ...]) -> Iterator[Integral]:
+def _slopes(board: Board, strips: TurnStrips, means: Floats, runs: tuple[slice, ...]) -> Iterator[Integral]:
     for number, run in enumerate(runs, 1):
         name = SLOPE if len(runs) == 1 else f"{SLOPE}_{number}"
         edges = strips.edges[run.start : run.stop + 1]
@@ -160,7 +160,7 @@ def _slopes(board: Board, strips: Strips, means: Floats, runs: tuple[slice, ...]
         yield integral(board, name, edges, means[run], start=start, why=REASONS)
 
 
-def _straight(strips: Strips) -> npt.NDArray[np.bool_]:
+def _straight(strips: TurnStrips) -> npt.NDArray[np.bool_]:
     """Tell the strips in which S'' goes straight from point to point, (n,)."""
     at = middles(strips.edges)
     own_phases = [
@@ -170,7 +170,7 @@ def _straight(strips: Strips) -> npt.NDArray[np.bool_]:
     return np.asarray(np.any(inside, axis=0))
 
 
-def _true_bends(strips: Strips) -> Floats:
+def _true_bends(strips: TurnStrips) -> Floats:
     """Give the mean of S'' over each strip, in which it has no impulse: what S' gains by its width."""
     return np.asarray((strips.before.slope[1:] - strips.after.slope[:-1]) / np.diff(strips.edges))
 

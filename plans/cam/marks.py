@@ -41,7 +41,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     return Explanation(title, steps, {**UNITS, **found.units}, found.notes)
 
 
-class Found(NamedTuple):
+class Explained(NamedTuple):
     """The marks that explain a name, with what is told after their steps."""
 
     marks: tuple[Mark, ...]
@@ -65,7 +65,7 @@ def _none(cams: CamStudy, drawing: CamDrawing) -> NoMark:
     return NoMark(named, listed, examples)
 
 
-def _explained(drawing: CamDrawing, position: int, name: str) -> Found | None:
+def _explained(drawing: CamDrawing, position: int, name: str) -> Explained | None:
     """Find what explains a name: a quantity of the law, an angle, a radius, a pole, or a mark of that name."""
     if name in WAYS:
         return _way(drawing, position, name)
@@ -76,7 +76,7 @@ def _explained(drawing: CamDrawing, position: int, name: str) -> Found | None:
         marks, key=lambda mark: mark.role == GIVEN, default=None
     )  # what one board is given another may construct
     if mark is not None:
-        return Found((mark,))
+        return Explained((mark,))
     return _radius(drawing.sizing) if name == "R_0" else None
 
 
@@ -85,27 +85,27 @@ def _called(name: str) -> tuple[str, ...]:
     return tuple(f"{curve}:P" for curve in POLES.get(name, ())) or (name,)
 
 
-def _way(drawing: CamDrawing, position: int, name: str) -> Found:
+def _way(drawing: CamDrawing, position: int, name: str) -> Explained:
     """Give S, S' or S'' in a position, upwards where it is above 0."""
     order, at = [*WAYS].index(name), drawing.turned[position : position + 1]
     mark = Board(LAW).given(name, 1j * float(drawing.course.at(at)[order][0]), because(WAYS[name]))
-    return Found((mark,), units={LAW: dimensions(drawing.cam)[order]})
+    return Explained((mark,), units={LAW: dimensions(drawing.cam)[order]})
 
 
-def _pressure(drawing: CamDrawing, position: int) -> Found:
+def _pressure(drawing: CamDrawing, position: int) -> Explained:
     """Give the normal of the profile in a position, with the angle that it makes with the follower's way."""
     board = drawing.profile(drawing.turned[position : position + 1]).drawing.board
     angle = math.degrees(float(drawing.found.contour.pressure[position]))
     lines = tuple(mark for mark in board if mark.name == ("n" if drawing.cam.flat else "OD"))
-    return Found(lines, (message("explain.pressure", angle=f"{angle:.10g}"),))
+    return Explained(lines, (message("explain.pressure", angle=f"{angle:.10g}"),))
 
 
-def _radius(sizing: Sizing) -> Found | None:
+def _radius(sizing: Sizing) -> Explained | None:
     """Give the least radius as it is found: from the centre to where the tip starts."""
     if sizing.start is None or sizing.centre is None:
         return None
     mark = Board(SIZES).join("R_0", sizing.centre, sizing.start, because("cam_base"))
-    return Found((mark,), (message("explain.least_radius", size=f"{sizing.sizes.base:.10g}"),))
+    return Explained((mark,), (message("explain.least_radius", size=f"{sizing.sizes.base:.10g}"),))
 
 
 def _asked(cams: CamStudy, name: str) -> tuple[CamDrawing, str]:

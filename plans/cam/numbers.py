@@ -17,7 +17,7 @@ from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import laid_end
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.model.cam import MM, RATIO, RETURN, RISE, ROLLER, Cam, dimensions
-from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
+from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, Contour, Extreme, Pressing, Shock, Sizes
 from plans.model.motion import Floats
 from plans.quantity import Numbers, pairs, plain
 
@@ -92,14 +92,14 @@ def _extreme(extreme: Extreme | None) -> dict[str, float] | None:
     return None if extreme is None else {"value": extreme.value, "phi": extreme.turned}
 
 
-def _flaw(flaw: Flaw) -> dict[str, Any]:
+def _flaw(flaw: CamFlaw) -> dict[str, Any]:
     return {"kind": flaw.kind, "from": flaw.start, "to": flaw.end, "worst": _extreme(flaw.worst)}
 
 
 Moves: TypeAlias = Mapping[Mark, Slopes]
 
 
-class Reading(NamedTuple):
+class ReadSize(NamedTuple):
     """What is read off the diagram of the sizes: its letters, the marks that it lies between, how far those move it."""
 
     name: str
@@ -123,7 +123,7 @@ def cam_by_hand(
     return {(reading.name, 0): float(reading.error(found)[0]) for reading in read}
 
 
-def readings(drawing: CamDrawing) -> Iterator[Reading]:
+def readings(drawing: CamDrawing) -> Iterator[ReadSize]:
     """Give what is read off the diagram: the place of O, and under a roller or a point the angles at its tangents."""
     sizing = drawing.sizing
     start, centre = sizing.start, sizing.centre
@@ -134,17 +134,17 @@ def readings(drawing: CamDrawing) -> Iterator[Reading]:
         yield from _angles(drawing, sizing, start, centre)
 
 
-def _translating(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+def _translating(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[ReadSize]:
     cam, ends = sizing.cam, (start, centre)
     if cam.given.base is None:
         yield _distance("R_0", start, centre)
     if not cam.flat:
         if cam.given.offset is None:
-            yield Reading("e", ends, lambda moved: MM * number_error(moved[centre] - moved[start]))
-        yield Reading("S_0", ends, lambda moved: MM * number_error(-1j * (moved[centre] - moved[start])))
+            yield ReadSize("e", ends, lambda moved: MM * number_error(moved[centre] - moved[start]))
+        yield ReadSize("S_0", ends, lambda moved: MM * number_error(-1j * (moved[centre] - moved[start])))
 
 
-def _rocking(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+def _rocking(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[ReadSize]:
     cam, pivot = sizing.cam, sizing.origin
     assert pivot is not None  # of every rocker
     if cam.given.base is None:
@@ -155,13 +155,13 @@ def _rocking(sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
     yield _turned("ψ_0", ((pivot, centre), *((pivot, end) for end in first)))
 
 
-def _level(sizing: Sizing, centre: Mark) -> Reading:
+def _level(sizing: Sizing, centre: Mark) -> ReadSize:
     """Read the distance of the face from O, along the face's normal."""
     leaning = complex(SlopeDiagram(sizing.cam).leaning(np.zeros(1))[0])
-    return Reading("R_0", (centre,), lambda moved: MM * number_error(moved[centre] / (1j * leaning)))
+    return ReadSize("R_0", (centre,), lambda moved: MM * number_error(moved[centre] / (1j * leaning)))
 
 
-def _angles(drawing: CamDrawing, sizing: Sizing, start: Mark, centre: Mark) -> Iterator[Reading]:
+def _angles(drawing: CamDrawing, sizing: Sizing, start: Mark, centre: Mark) -> Iterator[ReadSize]:
     """Read the largest pressure angles at D: between DO and the way of K, which on an arc leans with the arm."""
     for kind, most in drawing.found.pressure.items():
         touches = (
@@ -184,12 +184,12 @@ def _end(drawing: CamDrawing, sizing: Sizing, start: Mark, turned: float) -> Mar
     return laid_end(board, diagram, track, (at.s[0], at.slope[0]))[1]
 
 
-def _distance(name: str, start: Mark, end: Mark) -> Reading:
+def _distance(name: str, start: Mark, end: Mark) -> ReadSize:
     vector = np.asarray(between(start, end))
-    return Reading(name, (start, end), lambda moved: MM * size_error(vector, moved[end] - moved[start]))
+    return ReadSize(name, (start, end), lambda moved: MM * size_error(vector, moved[end] - moved[start]))
 
 
-def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> Reading:
+def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> ReadSize:
     """Read the angle of a ray, or from the second ray to the first, degrees."""
 
     def turn(moved: Moves, ray: tuple[Mark, Mark]) -> Slopes:
@@ -200,7 +200,7 @@ def _turned(name: str, rays: tuple[tuple[Mark, Mark], ...]) -> Reading:
         first, *others = (turn(moved, ray) for ray in rays)
         return np.asarray(np.degrees(number_error(first - sum(others))))
 
-    return Reading(name, tuple(mark for ray in rays for mark in ray), error)
+    return ReadSize(name, tuple(mark for ray in rays for mark in ray), error)
 
 
 class Result(NamedTuple):

@@ -18,7 +18,7 @@ import numpy as np
 
 from geometry.curve import CubicPiece, Piece, RoundPiece, straight
 from plans.cam.course import Course
-from plans.cam.profile.profile import Outline, Spot
+from plans.cam.profile.profile import CamOutline, OutlineSpot
 from plans.model.cam import DWELL, Cam
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats
@@ -31,7 +31,7 @@ TINY = 1e-300  # keeps a cubic of one point from being divided by its speed
 CLOSED = 1e-9  # of R0: what the outline's ends may miss each other by through rounding, and is no jump
 
 
-class Bound(NamedTuple):
+class PathCut(NamedTuple):
     """Where a path is cut: the turn, rad, and the point of the outline there, m."""
 
     turned: float
@@ -47,7 +47,7 @@ class ProfilePath:
     deviation: float  # m
     closed: bool
 
-    def between(self, low: Bound, high: Bound, turn: float) -> tuple[Piece, ...]:
+    def between(self, low: PathCut, high: PathCut, turn: float) -> tuple[Piece, ...]:
         """Give its pieces between two turns of the whole `turn`, rad."""
         ends = (*self.starts[1:], turn)
         cut = (_cut(*part, low, high) for part in zip(self.pieces, self.starts, ends, strict=True))
@@ -79,7 +79,7 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
     Of a path that need not be `exact` no piece is halved: it has its pieces to the turn, and tells how far it is off.
     """
     course = Course(cam)
-    outline = Outline(course, sizes, away)
+    outline = CamOutline(course, sizes, away)
     parts: list[_Part] = []
     spans = [(start, end, _rests(cam, (start + end) / 2)) for start, end in pairwise(course.joints)]
     parts += (_dwelt(outline, start, end) for start, end, rests in spans if rests)
@@ -88,7 +88,7 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
     return ProfilePath(found, turned, max(off), not cam.translates)
 
 
-def _cut(piece: Piece, start: float, end: float, low: Bound, high: Bound) -> Piece | None:
+def _cut(piece: Piece, start: float, end: float, low: PathCut, high: PathCut) -> Piece | None:
     """Cut a piece to what lies between two turns; None: nothing of it does."""
     if start == end:
         return piece if low.turned < start <= high.turned else None
@@ -96,7 +96,7 @@ def _cut(piece: Piece, start: float, end: float, low: Bound, high: Bound) -> Pie
     return piece.part(first, last) if first < last else None
 
 
-def _share(piece: Piece, start: float, end: float, bound: Bound) -> float:
+def _share(piece: Piece, start: float, end: float, bound: PathCut) -> float:
     """Give the share of a piece at a turn, 0 or 1 of one beyond it."""
     if not start < bound.turned < end:
         return float(bound.turned >= end)
@@ -111,7 +111,7 @@ def _rests(cam: Cam, turned: float) -> bool:
     return cam.lift == 0 or any(phase.kind == DWELL and phase.start < turned < phase.end for phase in cam.phases)
 
 
-def _between(outline: Outline, spans: list[tuple[float, float]], pieces: int, exact: bool) -> Iterator[_Part]:
+def _between(outline: CamOutline, spans: list[tuple[float, float]], pieces: int, exact: bool) -> Iterator[_Part]:
     """Give the cubics over spans between joints of the course."""
     if not spans:
         return
@@ -130,7 +130,7 @@ def _between(outline: Outline, spans: list[tuple[float, float]], pieces: int, ex
     yield from zip(low.tolist(), found, off.tolist(), strict=True)
 
 
-def _dwelt(outline: Outline, start: float, end: float) -> _Part:
+def _dwelt(outline: CamOutline, start: float, end: float) -> _Part:
     """Give the arc about O along which the follower rests; of a cam that translates the straight line."""
     spot = complex(outline.at(np.array([start])).at[0])
     if outline.cam.translates:
@@ -138,7 +138,7 @@ def _dwelt(outline: Outline, start: float, end: float) -> _Part:
     return start, RoundPiece(spot, 0j, -outline.cam.sense * (end - start)), 0.0
 
 
-def _joined(outline: Outline, parts: list[_Part]) -> Iterator[_Part]:
+def _joined(outline: CamOutline, parts: list[_Part]) -> Iterator[_Part]:
     """Give the pieces with those that lead over from each to the next one where the outline jumps."""
     following = [*parts[1:], *([] if outline.cam.translates else parts[:1])]
     for place, part in enumerate(parts):
@@ -149,7 +149,7 @@ def _joined(outline: Outline, parts: list[_Part]) -> Iterator[_Part]:
             yield from _jump(outline, turned, part[1].end, after[1].start)
 
 
-def _jump(outline: Outline, turned: float, start: complex, end: complex) -> Iterator[_Part]:
+def _jump(outline: CamOutline, turned: float, start: complex, end: complex) -> Iterator[_Part]:
     if abs(end - start) <= CLOSED * max(abs(start), abs(end)):
         return
     if outline.cam.flat:
@@ -159,7 +159,7 @@ def _jump(outline: Outline, turned: float, start: complex, end: complex) -> Iter
     yield turned, RoundPiece(start, tip, float(np.angle((end - tip) / (start - tip)))), 0.0
 
 
-def _fitted(outline: Outline, low: Floats, high: Floats) -> tuple[_Cubics, Floats]:
+def _fitted(outline: CamOutline, low: Floats, high: Floats) -> tuple[_Cubics, Floats]:
     """Give the cubics between turns, and how far each is from the outline, m."""
     first, last = outline.at(low), outline.at(high, before=True)
     shares = np.arange(1, SAMPLES + 1) / (SAMPLES + 1)
@@ -177,8 +177,8 @@ def _fitted(outline: Outline, low: Floats, high: Floats) -> tuple[_Cubics, Float
 class _Handles(NamedTuple):
     """The ends of cubics, whose handles go along the tangents there; lengths (N,) m."""
 
-    first: Spot
-    last: Spot
+    first: OutlineSpot
+    last: OutlineSpot
 
     def even(self, angles: Floats) -> tuple[Floats, Floats]:
         """Give the handles of cubics that run through their ends as fast as the outline."""

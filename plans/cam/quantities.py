@@ -18,7 +18,7 @@ from plans.cam.numbers import results
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.cam.verdicts import TERM, Slack, Verdicts
 from plans.model.cam import SHAPE, TABLE, Cam, dimensions
-from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Flaw, Points, Pressing
+from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFlaw, CamFound, Extreme, Points, Pressing
 from plans.model.motion import Floats, Gap
 from plans.quantity import Comparison, Quantity
 
@@ -77,7 +77,7 @@ def _sides(found: CamFound, turned: float, value: Value) -> list[float]:
     return [float(value(curve)[0]) for curve in curves]
 
 
-def _flaw(found: CamFound, flaw: Flaw, ours: Flaw) -> Flaw:
+def _flaw(found: CamFound, flaw: CamFlaw, ours: CamFlaw) -> CamFlaw:
     """Give a flaw with its worst place so: of one by its radius anywhere, of others only hard by."""
     turned, near = ours.worst.turned, NEAR * found.cam.turn
     beside = abs(turned - flaw.worst.turned) <= near

@@ -22,7 +22,7 @@ CORNER = 1e-9  # of the largest value of a derivative: what is less is the round
 Pieces = npt.NDArray[np.int_]  # numbers of pieces, (N,)
 
 
-class Push(NamedTuple):
+class AccelerationPiece(NamedTuple):
     """Acceleration over a share `length` of the phase: a polynomial in the share gone, size*sin(rate*share + phase)."""
 
     length: float
@@ -32,7 +32,7 @@ class Push(NamedTuple):
     phase: float = 0.0
 
 
-class Piece(NamedTuple):
+class LawPiece(NamedTuple):
     """A piece of a law: where it begins, and S as a polynomial in the share gone with a harmonic beside it."""
 
     start: float
@@ -43,14 +43,14 @@ class Piece(NamedTuple):
 
     def at(self, gone: float, order: int) -> float:
         """Give S or a derivative of it after a share of the phase from the start of the piece."""
-        return float(Shares((self,)).of(np.zeros(1, dtype=int), np.array([gone]), order)[0])
+        return float(LawShares((self,)).of(np.zeros(1, dtype=int), np.array([gone]), order)[0])
 
 
 @dataclass(frozen=True)
-class Shares:
+class LawShares:
     """A law in shares of phase and lift, from 0 to 1 over the whole phase."""
 
-    pieces: tuple[Piece, ...]
+    pieces: tuple[LawPiece, ...]
 
     @cached_property
     def starts(self) -> tuple[float, ...]:
@@ -60,7 +60,7 @@ class Shares:
     def at(self, share: Floats, order: int, before: bool = False) -> Floats:
         """Give s, s' or s'' (order 0 to 2, (N,)); where pieces join that of the later one, or of the one before.
 
-        >>> law = shares([Push(0.5, (1.0,)), Push(0.5, (-1.0,))])
+        >>> law = shares([AccelerationPiece(0.5, (1.0,)), AccelerationPiece(0.5, (-1.0,))])
         >>> law.at(np.array([0.25, 0.5]), 0).tolist(), law.at(np.array([0.5]), 2, before=True).tolist()
         ([0.125, 0.5], [4.0])
         """
@@ -101,39 +101,40 @@ def _horner(powers: Floats, x: Floats) -> Floats:
     return total
 
 
-def shares(pushes: Iterable[Push], slope: float = 0.0) -> Shares:
+def shares(pushes: Iterable[AccelerationPiece], slope: float = 0.0) -> LawShares:
     """Integrate pieces of acceleration twice from rest, or from a slope, and scale them to a lift of 1.
 
-    >>> shares([Push(1.0)], slope=2.0).at(np.array([0.5]), 1).tolist()
+    >>> shares([AccelerationPiece(1.0)], slope=2.0).at(np.array([0.5]), 1).tolist()
     [1.0]
     """
-    pieces: list[Piece] = []
+    pieces: list[LawPiece] = []
     start, level = 0.0, 0.0
     for push in pushes:
         piece = _integrated(push, start, slope, level)
         pieces.append(piece)
         level, slope = piece.at(push.length, 0), piece.at(push.length, 1)
         start += push.length
-    return Shares(tuple(_scaled(pieces, 1 / level)))
+    return LawShares(tuple(_scaled(pieces, 1 / level)))
 
 
-def _integrated(push: Push, start: float, slope: float, level: float) -> Piece:
+def _integrated(push: AccelerationPiece, start: float, slope: float, level: float) -> LawPiece:
     """Integrate one piece twice, so that it begins with a slope and a level."""
     size = -push.size / push.rate**2
-    integrated = Piece(start, (0.0,), size, push.rate, push.phase)
+    integrated = LawPiece(start, (0.0,), size, push.rate, push.phase)
     constants = (slope - integrated.at(0.0, 1), level - integrated.at(0.0, 0))
     powers = np.polynomial.polynomial.polyint(push.powers or (0.0,), 2, list(constants))
     return integrated._replace(powers=tuple(powers.tolist()))
 
 
-def _scaled(pieces: Sequence[Piece], by: float) -> Iterable[Piece]:
+def _scaled(pieces: Sequence[LawPiece], by: float) -> Iterable[LawPiece]:
     return (piece._replace(powers=tuple(by * c for c in piece.powers), size=by * piece.size) for piece in pieces)
 
 
-def bends(law: Shares) -> Iterator[float]:
+def bends(law: LawShares) -> Iterator[float]:
     """Give where pieces of a law join with a jump of s' or s'', or a corner of s''.
 
-    >>> list(bends(shares([Push(0.25, (1.0,)), Push(0.25, (1.0,)), Push(0.5, (-1.0,))])))
+    >>> quarter = AccelerationPiece(0.25, (1.0,))
+    >>> list(bends(shares([quarter, quarter, AccelerationPiece(0.5, (-1.0,))])))
     [0.5]
     """
     joins = np.array(law.starts[1:])
@@ -161,7 +162,7 @@ class Ruler(NamedTuple):
         return float(off[worst]), float(self.share[worst])
 
 
-def table(law: Law) -> Shares:
+def table(law: Law) -> LawShares:
     """Give the law of a table in pieces.
 
     >>> table(Law("table", points=((0, 0), (0.5, 0.4), (1, 1)), through="lines")).at(np.array([0.75]), 1).tolist()
@@ -195,7 +196,7 @@ def ruler(law: Law) -> Ruler:
     return Ruler(k, best, np.linalg.solve(equations.bends, equations.kinks @ best))
 
 
-class Equations(NamedTuple):
+class RulerEquations(NamedTuple):
     """The equations of three moments: `bends` by the moments are the `kinks` by the ordinates, (N, N) each.
 
     `given` are the kinks of what springs under all points but the first and the last give: their forces are kinks too.
@@ -206,28 +207,28 @@ class Equations(NamedTuple):
     given: Floats
 
 
-def _equations(h: Floats) -> Equations:
+def _equations(h: Floats) -> RulerEquations:
     """Set the equations up for points at some distances, shares of the phase."""
     kinks = np.diag(-np.append(1 / h, 0.0) - np.append(0.0, 1 / h)) + np.diag(1 / h, 1) + np.diag(1 / h, -1)
     bends = np.diag(np.append(h, 0.0) + np.append(0.0, h)) / 3 + np.diag(h, 1) / 6 + np.diag(h, -1) / 6
-    return Equations(bends, kinks, kinks[:, 1:-1] @ kinks[1:-1])
+    return RulerEquations(bends, kinks, kinks[:, 1:-1] @ kinks[1:-1])
 
 
-def _sprung(equations: Equations, y: Floats, softness: float) -> Floats:
+def _sprung(equations: RulerEquations, y: Floats, softness: float) -> Floats:
     """Give the ordinates of a ruler on springs of some softness, (N,)."""
     moments = np.linalg.solve(equations.bends + softness * equations.given, equations.kinks @ y)
     forces = equations.kinks @ moments
     return np.asarray(y - softness * np.array([0.0, *forces[1:-1], 0.0]))
 
 
-def _cubics(bent: Ruler) -> Shares:
+def _cubics(bent: Ruler) -> LawShares:
     h, (first, last) = np.diff(bent.share), (bent.moments[:-1], bent.moments[1:])
     slopes = np.diff(bent.s) / h - h * (2 * first + last) / 6
     rows = np.column_stack([bent.s[:-1], slopes, first / 2, (last - first) / (6 * h)])
-    return Shares(
-        tuple(Piece(start, tuple(row)) for start, row in zip(bent.share.tolist(), rows.tolist(), strict=False))
+    return LawShares(
+        tuple(LawPiece(start, tuple(row)) for start, row in zip(bent.share.tolist(), rows.tolist(), strict=False))
     )
 
 
-def _lines(law: Law) -> Shares:
-    return Shares(tuple(Piece(k, (s, (b - s) / (a - k))) for (k, s), (a, b) in pairwise(law.points)))
+def _lines(law: Law) -> LawShares:
+    return LawShares(tuple(LawPiece(k, (s, (b - s) / (a - k))) for (k, s), (a, b) in pairwise(law.points)))

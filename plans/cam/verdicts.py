@@ -14,7 +14,7 @@ from plans.cam.centre.place import Sizing
 from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course, law_of
 from plans.cam.study import LAWS, PROFILE, CamDrawing
-from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, Law, Load, dimensions, interval_of
+from plans.model.cam import NO_SIZES, RETURN, RISE, TABLE, FollowerLoad, Law, dimensions, interval_of
 from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes
 from plans.model.motion import Floats
 from plans.quantity import Quantity
@@ -175,12 +175,12 @@ class Verdicts:
         unit, resisted = "N*m" if self.ours.cam.rocks else "N", self._resistance(self.slack, load)
         yield _pair(PROFILE, "preload", unit, ours.preload, theirs.preload, resisted + TERM * ours.preload)
 
-    def _force(self, extreme: Extreme, load: Load) -> tuple[float, float]:
+    def _force(self, extreme: Extreme, load: FollowerLoad) -> tuple[float, float]:
         """Give how far rounding can move the force, N, and force times sliding speed, W, at the place of an extreme."""
         sides = [self._there(slack, load) for slack in self.near(extreme)]
         return max(side[0] for side in sides), max(side[1] for side in sides)
 
-    def _there(self, slack: Slack, load: Load) -> tuple[float, float]:
+    def _there(self, slack: Slack, load: FollowerLoad) -> tuple[float, float]:
         """Give it on one side: the force is what is overcome along the way over its arm."""
         cam, contour = self.ours.cam, slack.contour
         way = self._overcome(slack, load)
@@ -200,13 +200,13 @@ class Verdicts:
         slid, speed = float(contour.sliding[0]), cam.speed or 0.0
         return off, speed * (off * slid + force * slack.lever)
 
-    def _overcome(self, slack: Slack, load: Load) -> float:
+    def _overcome(self, slack: Slack, load: FollowerLoad) -> float:
         """Give the size of what the cam overcomes along the follower's way, whatever its terms' signs."""
         travel, speed = slack.contour.travel, self.ours.cam.speed or 0.0
         terms = (load.mass * speed**2 * travel.bend[0], load.stiffness * travel.s[0], load.preload, load.force)
         return float(sum(map(abs, terms)))
 
-    def _resistance(self, slack: Slack, load: Load) -> float:
+    def _resistance(self, slack: Slack, load: FollowerLoad) -> float:
         """Give how far rounding can move it: by S'' and S, and by the sum of its terms."""
         speed = self.ours.cam.speed or 0.0
         moved = load.mass * speed**2 * slack.travel(2) + load.stiffness * slack.travel(0)

@@ -113,7 +113,7 @@ SLOPE, BEND = "S'", "S''"  # names of the peaks of a law
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 
 
-class Travel(NamedTuple):
+class FollowerTravel(NamedTuple):
     """S and its derivatives by the cam's turn, (N,) each: m, m/rad, m/rad2; of a follower that rocks rad, 1, 1/rad."""
 
     s: Floats
@@ -154,7 +154,7 @@ class Contour:
     """
 
     turned: Floats  # rad
-    travel: Travel
+    travel: FollowerTravel
     tip: Points  # m
     lever: Points
     pitch: Points  # m: of a pointed or a flat follower the profile itself
@@ -172,7 +172,7 @@ class Extreme(NamedTuple):
     turned: float
 
 
-class Flaw(NamedTuple):
+class CamFlaw(NamedTuple):
     """What is wrong with a cam from one turn to another: its kind, the worst value there and where that is.
 
     Kinds: "undercut" (the roller is larger than the pitch curve's radius; a cusp or a corner where it ends at the turn
@@ -219,7 +219,7 @@ class CamFound:
     sharpest: Extreme | None = None  # least convex radius of the pitch curve (of the profile under a flat face), m
     hollow: Extreme | None = None  # smallest concave one by size, m, below 0; None: convex throughout
     face: tuple[float, float] = (0.0, 0.0)  # m: how far contact goes to both sides of a flat follower's axis or pin
-    flaws: tuple[Flaw, ...] = ()
+    flaws: tuple[CamFlaw, ...] = ()
     rule: str = "given"  # that the roller was taken by: "given", "curvature", "hollow", "wear"
     pressing: Pressing | None = None  # None: no load or no speed
     # R0, m, that would keep the pressure angle to its limits with the offset as it is, under a flat face the radius of

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from drawings.cam.notes import CamNotes
 from drawings.page.scale import drafting_of
-from plans.model.cam_motion import Extreme, Flaw
+from plans.model.cam_motion import CamFlaw, Extreme
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.conftest import Run
@@ -20,9 +20,9 @@ def notes_of(study: Study) -> CamNotes:
 
 def test_crossings_and_corners_are_told_for_what_they_are() -> None:
     notes = notes_of(Study(parse_scene(one())))
-    told = [notes.flaw(0, Flaw("crossing", 1.0, 1.1, Extreme(lost, 1.0))) for lost in (1e-3, 0.0, float("nan"))]
+    told = [notes.flaw(0, CamFlaw("crossing", 1.0, 1.1, Extreme(lost, 1.0))) for lost in (1e-3, 0.0, float("nan"))]
     assert [text.rpartition("cut away")[2][:11] for text in told] == [", and up to", ", but none ", ", and on wh"]
-    corner = notes.flaw(0, Flaw("undercut", 0.0, 0.0, Extreme(0.0, 0.0)))
+    corner = notes.flaw(0, CamFlaw("undercut", 0.0, 0.0, Extreme(0.0, 0.0)))
     assert corner.startswith("Corner at φ = 0° (hard shock)")
 
 

@@ -11,14 +11,14 @@ import pytest
 from plans.analytic.cam.findings import cam_found as analysed
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
-from plans.model.cam import FORCE, RETURN, RISE, Limits, Load
+from plans.model.cam import FORCE, RETURN, RISE, FollowerLoad, Limits
 from plans.model.cam_motion import CamFound, Extreme, Sizes
 from tests.parts import some
 from tests.plans.textbook_cams import FLAT_BASE, LIFT, START, cam, offset_sizes, phases, pivot, rocker
 
 FACE = complex(0.1, -0.2)  # far enough aside for the pivot to stand clear of the cam
 STEADY = (RISE, 120, LIFT, "constant velocity"), ("dwell", 30, 0.0, ""), (RETURN, 90, -LIFT, "cosine")
-LOAD = Load(2.0, 100.0, 50.0, 2000.0)
+LOAD = FollowerLoad(2.0, 100.0, 50.0, 2000.0)
 ALL = {
     "groove": (cam(end="roller"), offset_sizes()),
     "clockwise": (cam(end="roller", sense=-1), offset_sizes(-0.012, START)),
@@ -33,7 +33,7 @@ ALL = {
     "loaded": (cam(end="roller", roller=0.01, closure=FORCE, speed=60.0, load=LOAD), offset_sizes()),
     "rocker": (rocker("roller"), pivot(rocker())),
     "rocker loaded": (
-        rocker("roller", roller=0.01, closure=FORCE, speed=20.0, load=Load(0.02, 3.0, 1.0, 2.0)),
+        rocker("roller", roller=0.01, closure=FORCE, speed=20.0, load=FollowerLoad(0.02, 3.0, 1.0, 2.0)),
         pivot(rocker()),
     ),
     "rocker against": (rocker("roller", -1, -1), pivot(rocker("roller", -1, -1), complex(0.12, -0.07))),
@@ -44,7 +44,7 @@ ALL = {
     "flat rocker": (rocker("flat", face=0.005, closure=FORCE), pivot(rocker("flat"), FACE)),
     "flat rocker hollow": (rocker("flat", face=0.005, closure=FORCE), pivot(rocker("flat"), complex(0.12, -0.2))),
     "flat rocker loaded": (
-        rocker("flat", -1, face=0.004, closure=FORCE, speed=20.0, load=Load(0.01, 2.0, 1.0, 3.0)),
+        rocker("flat", -1, face=0.004, closure=FORCE, speed=20.0, load=FollowerLoad(0.01, 2.0, 1.0, 3.0)),
         pivot(rocker("flat", -1), FACE),
     ),
 }

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from plans.cam.course import Course
-from plans.cam.profile.contact import Extremes
+from plans.cam.profile.contact import ProfileExtremes
 from plans.cam.profile.profile import profile, roller_of
 from plans.cam.profile.touch import Stretches
 from plans.model.cam_motion import Sizes
@@ -51,7 +51,7 @@ def test_textbook_flat_face():
     own, sizes = cam(end="flat"), Sizes(FLAT_BASE)
     found = at(own, sizes, 50).contour
     assert printed(found.profile[0], found.radius[0]) == (0.06119346145 + 0.0164553818j, 0.07894014394)
-    extremes = Extremes(Stretches(Course(own), sizes))
+    extremes = ProfileExtremes(Stretches(Course(own), sizes))
     low, high = extremes.face
     assert printed(high, -low) == (0.02864788976, 0.0358098622)
     assert extremes.sharpest is not None
@@ -82,7 +82,7 @@ def test_textbook_radius_of_curvature():
     """M2.13, figure 5.54: the least radii with their places."""
     course, sizes = Course(cam()), offset_sizes()
     stretches = Stretches(course, sizes)
-    extremes = Extremes(stretches)
+    extremes = ProfileExtremes(stretches)
     least = extremes.sharpest
     assert least is not None
     assert printed(least.value, math.degrees(least.turned) - 150) == (0.02960986148, 18.93694533)
@@ -94,7 +94,7 @@ def test_textbook_radius_of_curvature():
 def test_textbook_roller():
     """M2.14: both rules, the working profile, its least radius, and a roller that undercuts."""
     own, sizes = cam(end="roller"), offset_sizes()
-    extremes = Extremes(Stretches(Course(own), sizes))
+    extremes = ProfileExtremes(Stretches(Course(own), sizes))
     assert extremes.sharpest is not None
     taken = roller_of(None, extremes.sharpest.value, sizes.base)
     assert taken.rule == "wear"

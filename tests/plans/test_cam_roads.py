@@ -16,8 +16,8 @@ from plans.cam.course import Course, positions
 from plans.cam.profile.contact import Contact, pressure, pressure_slope
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import curvature, curvature_slope, profile, slip, slip_slope
-from plans.cam.profile.touch import Tip, Touch, Value
-from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, Law, Load, Phase
+from plans.cam.profile.touch import FaceTouch, Tip, Value
+from plans.model.cam import DWELL, LAWS, RETURN, RISE, Cam, FollowerLoad, Law, Phase
 from plans.model.cam_motion import BEND, SLOPE, CamFound, Sizes
 from tests.parts import some
 from tests.plans.law_cams import BLOCKS, LIFT, LINES, RISING, STEADY, law_cam, usual
@@ -86,7 +86,7 @@ def bends_alike(own, one, other, long) -> bool:
 
 STEP = 1e-5  # rad: differences are then good to about nine digits of the third derivative
 ROLLER = 0.01
-LOADED = Contact(Load(2.0, 100.0, 50.0, 2000.0), 20.0, ROLLER)
+LOADED = Contact(FollowerLoad(2.0, 100.0, 50.0, 2000.0), 20.0, ROLLER)
 CAMS = {
     "guide": (cam(), offset_sizes()),
     "rocker": (rocker(), pivot(rocker())),
@@ -105,9 +105,9 @@ ROUND: dict[str, tuple[Value, Value]] = {
     "slip": (lambda tip: slip(tip, tip.lever, ROLLER), lambda tip: slip_slope(tip, ROLLER)),
 }
 FLAT: dict[str, tuple[Value, Value]] = {
-    "place": (lambda tip: Touch(tip).place, lambda tip: Touch(tip).place_slope),
-    "radius": (lambda tip: Touch(tip).radius, lambda tip: Touch(tip).radius_slope),
-    "slip": (lambda tip: Touch(tip).slip, lambda tip: Touch(tip).slip_slope),
+    "place": (lambda tip: FaceTouch(tip).place, lambda tip: FaceTouch(tip).place_slope),
+    "radius": (lambda tip: FaceTouch(tip).radius, lambda tip: FaceTouch(tip).radius_slope),
+    "slip": (lambda tip: FaceTouch(tip).slip, lambda tip: FaceTouch(tip).slip_slope),
 }
 
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plans.cam.reading.phase_form import Shape, cancelled
+from plans.cam.reading.phase_form import AccelerationShape, cancelled
 from plans.model.cam import RETURN, RISE, Cam, Law
 from plans.scene.faults import Fault, SceneError
 from plans.scene.notes import notes_of
@@ -119,7 +119,7 @@ def test_a_shape_is_taken_as_it_is_if_it_cancels() -> None:
 def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pieces: list[tuple[int, int]]) -> None:
     widths = [Fraction(width) for width, _ in pieces]
     points = tuple((sum(widths[:k]) / sum(widths[:-1]), Fraction(y)) for k, (_, y) in enumerate(pieces))
-    shape = Shape(points)
+    shape = AccelerationShape(points)
     net = sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in pairwise(points))
     assert shape.above - shape.below == net
     if shape.factor:
@@ -129,7 +129,7 @@ def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pie
 
 def test_a_shape_lifts_by_what_two_integrations_give() -> None:
     """Of 1 - 2k that is k - k2, then k2/2 - k3/3."""
-    assert Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).lift == Fraction(1, 6)
+    assert AccelerationShape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).lift == Fraction(1, 6)
 
 
 ALL_AT_ONCE = """

@@ -10,15 +10,15 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.cam.laws import travel
-from plans.model.cam import GROOVE, Cam, Load
-from plans.model.cam_motion import Contour, Points, Sizes, Travel
+from plans.model.cam import GROOVE, Cam, FollowerLoad
+from plans.model.cam_motion import Contour, FollowerTravel, Points, Sizes
 from plans.model.motion import Floats
 
 
 class Forces(NamedTuple):
     """A loaded follower on a cam that goes at its speed, without friction."""
 
-    load: Load
+    load: FollowerLoad
     speed: float
     roller: float  # m
 
@@ -65,7 +65,7 @@ class Curve:
     before: bool = False
 
     @cached_property
-    def travel(self) -> Travel:
+    def travel(self) -> FollowerTravel:
         """S, S', S''."""
         return travel(self.cam, self.turned, self.before)
 

@@ -38,14 +38,14 @@ def seams(law: Law | None) -> tuple[float, ...]:
     return tuple(eighth / 8 for eighth in EIGHTHS.get(law.name, ()))
 
 
-class Place(NamedTuple):
+class SidedTurn(NamedTuple):
     """A turn of the cam, rad, and the side on which a value is taken there."""
 
     turned: float
     before: bool = False
 
 
-class Series(NamedTuple):
+class CosineSeries(NamedTuple):
     """A value on one piece of the turn, from `start` to `end` rad, by Chebyshev's polynomials."""
 
     start: float
@@ -53,7 +53,7 @@ class Series(NamedTuple):
     terms: Floats
     nothing: float  # what is rounding of it
 
-    def slope(self) -> Series:
+    def slope(self) -> CosineSeries:
         """Give its derivative, in some scale; a rounding of a term grows as many times as there are terms."""
         return self._replace(
             terms=np.asarray(chebyshev.chebder(self.terms), dtype=float), nothing=self.nothing * len(self.terms)
@@ -88,7 +88,7 @@ def _looks(terms: int) -> tuple[Floats, Floats]:
 
 
 @dataclass(frozen=True)
-class Turn:
+class WholeTurn:
     """A whole turn of a cam by its smooth pieces."""
 
     cam: Cam
@@ -110,9 +110,9 @@ class Turn:
         """Give the profile at turns of the cam."""
         return Curve(self.cam, self.sizes, turned, before)
 
-    def series(self, value: Value) -> tuple[Series, ...]:
+    def series(self, value: Value) -> tuple[CosineSeries, ...]:
         """Give a value as a series on every piece."""
-        found: dict[int, Series] = {}
+        found: dict[int, CosineSeries] = {}
         left = np.arange(self.pieces.shape[1])
         for count in TERMS:
             rows = self._terms(value, left, count)
@@ -124,9 +124,9 @@ class Turn:
                 break
         return tuple(found[k] for k in sorted(found))
 
-    def _of(self, piece: int, row: Floats) -> Series:
+    def _of(self, piece: int, row: Floats) -> CosineSeries:
         start, end = self.pieces[:, piece].tolist()
-        return Series(start, end, row, SMALL * float(np.abs(row).sum()))
+        return CosineSeries(start, end, row, SMALL * float(np.abs(row).sum()))
 
     def _terms(self, value: Value, pieces: np.ndarray, count: int) -> Floats:
         """Give the terms of the series on some pieces, from its values at Chebyshev's nodes."""
@@ -142,14 +142,14 @@ class Turn:
         """Give all turns at which a value changes its sign within a piece, rising."""
         return sorted(root for series in self.series(value) for root in series.roots())
 
-    def places(self, value: Value) -> tuple[Place, ...]:
+    def places(self, value: Value) -> tuple[SidedTurn, ...]:
         """Give where a value can be greatest or least: ends of pieces, and roots of its derivative."""
-        starts = [Place(turned) for turned in self.pieces[0].tolist()]
-        ends = [Place(turned, before=True) for turned in self.pieces[1].tolist()]
-        inner = [Place(root) for series in self.series(value) for root in series.slope().roots()]
+        starts = [SidedTurn(turned) for turned in self.pieces[0].tolist()]
+        ends = [SidedTurn(turned, before=True) for turned in self.pieces[1].tolist()]
+        inner = [SidedTurn(root) for series in self.series(value) for root in series.slope().roots()]
         return (*starts, *inner, *ends)
 
-    def read(self, value: Value, places: Sequence[Place]) -> Floats:
+    def read(self, value: Value, places: Sequence[SidedTurn]) -> Floats:
         """Give a value at places."""
         turned, before = (
             np.array([place.turned for place in places]),
@@ -159,7 +159,7 @@ class Turn:
         found[before] = value(self.at(turned[before], before=True))
         return found
 
-    def most(self, value: Value, places: Sequence[Place] | None = None) -> Extreme | None:
+    def most(self, value: Value, places: Sequence[SidedTurn] | None = None) -> Extreme | None:
         """Give the greatest of a value, and where it is."""
         places = self.places(value) if places is None else places
         found = self.read(value, places) if places else np.full(1, np.nan)
@@ -173,16 +173,16 @@ ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice,
 
 
 @dataclass(frozen=True)
-class Extremes:
+class CurveExtremes:
     """The extremes of one profile."""
 
     cam: Cam
     sizes: Sizes
 
     @cached_property
-    def turn(self) -> Turn:
+    def turn(self) -> WholeTurn:
         """The whole turn."""
-        return Turn(self.cam, self.sizes)
+        return WholeTurn(self.cam, self.sizes)
 
     @cached_property
     def outrun(self) -> Extreme | None:
@@ -204,10 +204,12 @@ class Extremes:
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, rad, signed."""
         kinds = () if self.outrun else dict.fromkeys(phase.kind for phase in self.cam.moving())
-        return {kind: _largest(Turn(self.cam, self.sizes, (kind,)), lambda curve: curve.pressure) for kind in kinds}
+        return {
+            kind: _largest(WholeTurn(self.cam, self.sizes, (kind,)), lambda curve: curve.pressure) for kind in kinds
+        }
 
     @cached_property
-    def bends(self) -> tuple[Place, ...]:
+    def bends(self) -> tuple[SidedTurn, ...]:
         """Where the curve can be sharpest."""
         if self.cam.flat:
             return self.turn.places(lambda curve: curve.radius)
@@ -248,7 +250,7 @@ class Extremes:
         if cam.rocks or cam.translates or not intervals:
             return None
         heights = [
-            Turn(cam, self.sizes, (kind,)).most(partial(_height, offset, limit))
+            WholeTurn(cam, self.sizes, (kind,)).most(partial(_height, offset, limit))
             for kind, interval in intervals.items()
             for limit in interval
         ]
@@ -277,7 +279,7 @@ class Extremes:
         )
 
 
-def _largest(turn: Turn, value: Value) -> Extreme:
+def _largest(turn: WholeTurn, value: Value) -> Extreme:
     """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
     places = turn.places(value)
     pairs = [*zip(turn.read(value, places).tolist(), (place.turned for place in places), strict=True)]

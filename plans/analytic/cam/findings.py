@@ -11,12 +11,12 @@ from typing import Final
 import numpy as np
 
 from plans.analytic.cam.contour import Curve, Forces, contour, forces_of
-from plans.analytic.cam.extremes import Extremes, Place, Turn, Value
+from plans.analytic.cam.extremes import CurveExtremes, SidedTurn, Value, WholeTurn
 from plans.analytic.cam.laws import shocks
 from plans.analytic.cam.loops import Loops
 from plans.analytic.cam.sizes import sizes as sizes_of
 from plans.model.cam import FORCE, GROOVE, NO_SIZES, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import ANALYSIS, CamError, CamFound, Extreme, Flaw, Sizes
+from plans.model.cam_motion import ANALYSIS, CamError, CamFlaw, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
 NEAR: Final = 1e-9  # of a limit: sizes found by it touch it but for rounding, and so may a roller a radius
@@ -27,7 +27,7 @@ LEAST: Final = ("undercut", "concave", "sharp", "lift-off")
 class Flaws:
     """What is wrong with one profile."""
 
-    extremes: Extremes
+    extremes: CurveExtremes
     roller: float  # m
     forces: Forces | None
 
@@ -37,15 +37,15 @@ class Flaws:
         return self.extremes.cam
 
     @property
-    def turn(self) -> Turn:
+    def turn(self) -> WholeTurn:
         """The whole turn."""
         return self.extremes.turn
 
-    def all(self) -> tuple[Flaw, ...]:
+    def all(self) -> tuple[CamFlaw, ...]:
         """Give all flaws, by their kinds, and those of a kind as the cam turns."""
         fast = self.extremes.outrun
         if fast:
-            return (Flaw("outrun", fast.turned, fast.turned, fast),)
+            return (CamFlaw("outrun", fast.turned, fast.turned, fast),)
         found = (
             *self._rolling("undercut", 1.0),
             *(self._rolling("hollow", -1.0) if self.cam.closure == GROOVE else ()),
@@ -57,7 +57,7 @@ class Flaws:
         )
         return tuple(sorted(found, key=lambda flaw: (flaw.kind, flaw.start)))
 
-    def _rolling(self, kind: str, side: float) -> Iterator[Flaw]:
+    def _rolling(self, kind: str, side: float) -> Iterator[CamFlaw]:
         if self.roller == 0:
             return
 
@@ -72,8 +72,8 @@ class Flaws:
         yield from spans
         worst = self.extremes.sharpest if side > 0 else self.extremes.hollow
         if worst and not spans and abs(abs(worst.value) - self.roller) <= NEAR * self.roller:
-            yield Flaw(kind, worst.turned, worst.turned, worst)
-        yield from (Flaw(kind, turned, turned, Extreme(0.0, turned)) for turned in self.corners(side))
+            yield CamFlaw(kind, worst.turned, worst.turned, worst)
+        yield from (CamFlaw(kind, turned, turned, Extreme(0.0, turned)) for turned in self.corners(side))
 
     def corners(self, side: float) -> Iterator[float]:
         """Give where a hard shock makes a corner of the curve: the normal swings by the jump of the pressure angle."""
@@ -88,7 +88,7 @@ class Flaws:
     def _outside(self, turned: float) -> bool:
         return self.cam.translates and turned in (0.0, self.cam.turn)
 
-    def _flat(self) -> Iterator[Flaw]:
+    def _flat(self) -> Iterator[CamFlaw]:
         def hollow(curve: Curve) -> Floats:
             if not curve.cam.rocks:
                 return -curve.radius
@@ -97,23 +97,23 @@ class Flaws:
         spans = list(self._beyond("concave", hollow, lambda curve: curve.radius, self.extremes.bends))
         yield from spans
         falls = [shock.turned for shock in shocks(self.cam) if shock.order == 1 and shock.jump < 0]
-        yield from (Flaw("concave", turned, turned, Extreme(0.0, turned)) for turned in falls)
+        yield from (CamFlaw("concave", turned, turned, Extreme(0.0, turned)) for turned in falls)
         least, asked = self.extremes.sharpest, self.cam.limits.curvature
         if least and not spans and asked > 0 and least.value < asked * (1 - NEAR):
-            yield Flaw("sharp", least.turned, least.turned, least)
+            yield CamFlaw("sharp", least.turned, least.turned, least)
 
-    def _pressed(self) -> Iterator[Flaw]:
+    def _pressed(self) -> Iterator[CamFlaw]:
         for kind in (RISE, RETURN):
             interval = interval_of(self.cam, kind)
             if interval is not None:
-                turn = Turn(self.cam, self.extremes.sizes, (kind,))
+                turn = WholeTurn(self.cam, self.extremes.sizes, (kind,))
                 places = turn.places(lambda curve: curve.pressure)
                 for side, limit in ((1.0, interval.high), (-1.0, -interval.low)):
                     value = partial(_excess, side, limit)
                     for flaw in self._beyond("pressure", value, lambda curve: np.abs(curve.pressure), places, turn):
                         yield flaw._replace(worst=flaw.worst._replace(value=side * flaw.worst.value))
 
-    def _short(self) -> Iterator[Flaw]:
+    def _short(self) -> Iterator[CamFlaw]:
         reach = self.cam.follower.reach
         if self.cam.flat and reach is not None:
             places = self.turn.places(lambda curve: curve.place)
@@ -121,26 +121,26 @@ class Flaws:
                 value = partial(_off_face, side, reach)
                 yield from self._beyond("short face", value, lambda curve: np.abs(curve.place), places)
 
-    def _lifted(self) -> Iterator[Flaw]:
+    def _lifted(self) -> Iterator[CamFlaw]:
         forces = self.forces
         if forces is not None and self.cam.closure == FORCE:
             places = self.turn.places(forces.normal)
             yield from self._beyond("lift-off", lambda curve: -forces.along(curve), forces.normal, places)
 
     def _beyond(
-        self, kind: str, value: Value, told: Value, tops: Sequence[Place], turn: Turn | None = None
-    ) -> Iterator[Flaw]:
+        self, kind: str, value: Value, told: Value, tops: Sequence[SidedTurn], turn: WholeTurn | None = None
+    ) -> Iterator[CamFlaw]:
         """Give the parts of the turn where a value is above 0, with the worst of what is told of it, at its tops."""
         turn = turn or self.turn
-        places = (*tops, *(Place(root) for root in turn.roots(value)))
+        places = (*tops, *(SidedTurn(root) for root in turn.roots(value)))
         for start, end in self._parts(turn, value, places):
             inside = [place for place in places if _inside(place, start, end)]
             found = turn.read(told, inside)
             best = int(np.nanargmin(found) if kind in LEAST or kind == "hollow" else np.nanargmax(found))
             size = -found[best] if kind == "hollow" else found[best]
-            yield Flaw(kind, start, end, Extreme(float(size), inside[best].turned))
+            yield CamFlaw(kind, start, end, Extreme(float(size), inside[best].turned))
 
-    def _parts(self, turn: Turn, value: Value, places: tuple[Place, ...]) -> list[tuple[float, float]]:
+    def _parts(self, turn: WholeTurn, value: Value, places: tuple[SidedTurn, ...]) -> list[tuple[float, float]]:
         cuts = sorted({place.turned for place in places})
         middles = np.array([(start + other) / 2 for start, other in pairwise(cuts)])
         above = value(turn.at(middles)) > 0
@@ -170,7 +170,7 @@ def _off_face(side: float, reach: float, curve: Curve) -> Floats:
     return side * curve.place - reach * (1 + NEAR)
 
 
-def _inside(place: Place, start: float, end: float) -> bool:
+def _inside(place: SidedTurn, start: float, end: float) -> bool:
     if start > end:
         return place.turned >= start or place.turned <= end
     return start <= place.turned <= end
@@ -178,7 +178,7 @@ def _inside(place: Place, start: float, end: float) -> bool:
 
 def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
     """Find a cam's profile at some turns, rad, its extremes over the whole turn, and its flaws."""
-    extremes = Extremes(cam, sizes)
+    extremes = CurveExtremes(cam, sizes)
     roller, rule = roller_radius(cam, extremes, sizes.base)
     forces = forces_of(cam, roller)
     flaws = Flaws(extremes, roller, forces).all()
@@ -212,7 +212,7 @@ def advised(cam: Cam) -> Sizes | None:
         return None
 
 
-def roller_radius(cam: Cam, extremes: Extremes, base: float) -> tuple[float, str]:
+def roller_radius(cam: Cam, extremes: CurveExtremes, base: float) -> tuple[float, str]:
     """Give the roller's radius, m, and by what it was taken: r <= 0.7 ρ_min, r <= 0.4 R0, the smaller (M2.14).
 
     In a groove 0.7 of the hollow's radius bounds it too. A cam that translates has no R0, a curve that is nowhere

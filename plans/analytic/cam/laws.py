@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from plans.model.cam import CUBICS, LINES, SHAPE, SOFTNESSES, TABLE, Cam, Law, Phase
-from plans.model.cam_motion import Shock, Travel
+from plans.model.cam_motion import FollowerTravel, Shock
 from plans.model.motion import Floats
 
 
@@ -227,7 +227,7 @@ def limits(law: Law, share: float, order: int, before: bool) -> float:
     return float(LAWS[law.name](law, np.array([share]), order, before)[0])
 
 
-def travel(cam: Cam, turned: Floats, before: bool = False) -> Travel:
+def travel(cam: Cam, turned: Floats, before: bool = False) -> FollowerTravel:
     """Give S, S', S'' at turns of the cam, (N,); where two laws meet those of the later one, or of the one before.
 
     Before the beginning of a turn is the end of the last one; a cam that translates has none before.
@@ -241,7 +241,7 @@ def travel(cam: Cam, turned: Floats, before: bool = False) -> Travel:
     for number, phase in enumerate(cam.phases):
         here = np.maximum(interval, 0) == number
         found[:, here] = _within(phase, phi[here], before)
-    return Travel(*found)
+    return FollowerTravel(*found)
 
 
 def _within(phase: Phase, phi: Floats, before: bool) -> Floats:

@@ -13,8 +13,8 @@ from typing import Final
 import numpy as np
 
 from plans.analytic.cam.contour import Curve
-from plans.analytic.cam.extremes import Turn
-from plans.model.cam_motion import Extreme, Flaw, Points
+from plans.analytic.cam.extremes import WholeTurn
+from plans.model.cam_motion import CamFlaw, Extreme, Points
 from plans.model.motion import Floats
 
 CHORDS: Final = 64  # of a piece: of crossings close together each is to be on chords of its own
@@ -36,15 +36,15 @@ Pair = tuple[float, float]
 class Loops:
     """The search for loops of one profile."""
 
-    turn: Turn
+    turn: WholeTurn
     roller: float  # m
 
-    def flaws(self) -> Iterator[Flaw]:
+    def flaws(self) -> Iterator[CamFlaw]:
         """Give every loop with how much of S is lost on it."""
         spans = self._undercut()
         for first, second in self.crossings(spans):
             start, end = self._loop(first, second)
-            yield Flaw("crossing", start, end, self._loss(first, start, end))
+            yield CamFlaw("crossing", start, end, self._loss(first, start, end))
 
     def _undercut(self) -> list[Pair]:
         """Give the parts of the turn where the edge runs backwards."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.analytic.cam.laws import LAWS, breaks, travel
 from plans.model.cam import Cam, Law, Phase
-from plans.model.cam_motion import Extreme, Sizes, Travel
+from plans.model.cam_motion import Extreme, FollowerTravel, Sizes
 from plans.model.motion import Floats
 
 GRID = 65  # places of a stretch that are looked at before a root is closed in on
@@ -19,20 +19,20 @@ GOLDEN, SECTIONS = (5**0.5 - 1) / 2, 78  # of two parts, to the last digit
 HALVINGS = 60  # of a part of it: to the last digit
 
 
-class Stretch(NamedTuple):
+class LawPart(NamedTuple):
     """A stretch of a phase on which its law is smooth, from one share of the phase to another."""
 
     phase: Phase
     start: float
     end: float
 
-    def at(self, share: Floats) -> Travel:
+    def at(self, share: Floats) -> FollowerTravel:
         """Give S, S', S'' at shares of the phase; at the end of the stretch those before the break."""
         k, phase = np.clip(share, self.start, self.end), self.phase
         if phase.law is None:
-            return Travel(np.full_like(k, phase.level), np.zeros_like(k), np.zeros_like(k))
+            return FollowerTravel(np.full_like(k, phase.level), np.zeros_like(k), np.zeros_like(k))
         rows = [self._closed(phase.law, k, order) * (phase.change / phase.angle**order) for order in range(3)]
-        return Travel(phase.level + rows[0], *rows[1:])
+        return FollowerTravel(phase.level + rows[0], *rows[1:])
 
     def _closed(self, law: Law, k: Floats, order: int) -> Floats:
         """Give a derivative of the law in shares of phase and lift."""
@@ -49,33 +49,33 @@ class Stretch(NamedTuple):
         return np.linspace(self.start, self.end, GRID)
 
 
-Value: TypeAlias = Callable[[Travel], Floats]
+Value: TypeAlias = Callable[[FollowerTravel], Floats]
 
 
 class Peak(NamedTuple):
     """A place where something is greatest."""
 
     value: float
-    stretch: Stretch
+    stretch: LawPart
     share: float
 
 
-def stretches(cam: Cam, kinds: Collection[str]) -> tuple[Stretch, ...]:
+def stretches(cam: Cam, kinds: Collection[str]) -> tuple[LawPart, ...]:
     """Give the stretches of all phases of some kinds."""
     return tuple(
-        Stretch(phase, *ends)
+        LawPart(phase, *ends)
         for phase in cam.phases
         if phase.kind in kinds
         for ends in pairwise((0.0, *(breaks(phase.law) if phase.law else ()), 1.0))
     )
 
 
-def peak(along: Collection[Stretch], value: Value, slope: Value) -> Peak:
+def peak(along: Collection[LawPart], value: Value, slope: Value) -> Peak:
     """Give where a value is greatest: at a root of its slope, or at an end of a stretch."""
     return max((peak for stretch in along for peak in _candidates(stretch, value, slope)), key=lambda peak: peak.value)
 
 
-def _candidates(stretch: Stretch, value: Value, slope: Value) -> Iterator[Peak]:
+def _candidates(stretch: LawPart, value: Value, slope: Value) -> Iterator[Peak]:
     shares = np.array([stretch.start, *roots(lambda k: slope(stretch.at(k)), stretch.grid), stretch.end])
     for share, height in zip(
         shares.tolist(), np.broadcast_to(value(stretch.at(shares)), shares.shape).tolist(), strict=True
@@ -83,7 +83,7 @@ def _candidates(stretch: Stretch, value: Value, slope: Value) -> Iterator[Peak]:
         yield Peak(height, stretch, share)
 
 
-def golden(along: Collection[Stretch], value: Value) -> Peak:
+def golden(along: Collection[LawPart], value: Value) -> Peak:
     """Give where a value without a slope is greatest, by the golden section of the parts beside the best places.
 
     The place of a smooth peak is known to half of the digits, its value to all of them; that of a kink to all.
@@ -91,7 +91,7 @@ def golden(along: Collection[Stretch], value: Value) -> Peak:
     return max((_sectioned(stretch, value) for stretch in along), key=lambda peak: peak.value)
 
 
-def _sectioned(stretch: Stretch, value: Value) -> Peak:
+def _sectioned(stretch: LawPart, value: Value) -> Peak:
     grid = stretch.grid
     best = int(np.argmax(value(stretch.at(grid))))
     low, high = float(grid[max(best - 1, 0)]), float(grid[min(best + 1, GRID - 1)])
@@ -149,11 +149,11 @@ def _greatest(cam: Cam, sizes: Sizes, kind: str) -> Extreme:
 def extreme(cam: Cam, sizes: Sizes, kind: str, sign: int) -> Extreme:
     """Give the greatest (sign +1) or the least (-1) pressure angle on a kind of phase, rad."""
 
-    def angle(at: Travel) -> Floats:
+    def angle(at: FollowerTravel) -> Floats:
         ratio = ratio_of(cam, sizes, at)
         return np.asarray(sign * np.arctan2(ratio.above, ratio.below))
 
-    def slope(at: Travel) -> Floats:
+    def slope(at: FollowerTravel) -> Floats:
         ratio = ratio_of(cam, sizes, at)
         return np.asarray(ratio.above_slope * ratio.below - ratio.above * ratio.below_slope)
 
@@ -161,7 +161,7 @@ def extreme(cam: Cam, sizes: Sizes, kind: str, sign: int) -> Extreme:
     return Extreme(sign * found.value, found.stretch.turned(found.share))
 
 
-def ratio_of(cam: Cam, sizes: Sizes, at: Travel) -> Ratio:
+def ratio_of(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
     """Give tan α by the kind of cam and follower."""
     if cam.flat:
         return _face(cam, sizes, at) if cam.rocks and not cam.translates else _square(at)
@@ -175,19 +175,19 @@ def _ratio(above: Floats, below: Floats | float, above_slope: Floats, below_slop
     return Ratio(above, below * ones, above_slope, below_slope * ones)
 
 
-def _square(at: Travel) -> Ratio:
+def _square(at: FollowerTravel) -> Ratio:
     """Give that of a face square to its way: none."""
     zero = np.zeros_like(at.s)
     return _ratio(zero, 1.0, zero, 0.0)
 
 
-def _guided(sizes: Sizes, at: Travel) -> Ratio:
+def _guided(sizes: Sizes, at: FollowerTravel) -> Ratio:
     """Give (S' - e)/(S + S0) (5.28)."""
     level = math.sqrt(sizes.base**2 - sizes.offset**2)
     return _ratio(at.slope - sizes.offset, at.s + level, at.bend, at.slope)
 
 
-def _rocker(cam: Cam, sizes: Sizes, at: Travel) -> Ratio:
+def _rocker(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
     """Give (L cos ψ - l(1 - ψ'))/(L sin ψ) with ψ from the line of centres; against the cam -, and 1 + ψ'."""
     f, length, apart = cam.follower.sense, cam.follower.length or 0.0, sizes.centre
     psi = sizes.initial + at.s
@@ -196,14 +196,14 @@ def _rocker(cam: Cam, sizes: Sizes, at: Travel) -> Ratio:
     return _ratio(above, across, -f * across * at.slope + length * at.bend, along * at.slope)
 
 
-def _rail_rocker(cam: Cam, at: Travel) -> Ratio:
+def _rail_rocker(cam: Cam, at: FollowerTravel) -> Ratio:
     """Give that of a rocker on a cam that translates: (lψ' - sin x)/cos x, x from mid-swing."""
     f, length, x = cam.follower.sense, cam.follower.length or 0.0, at.s - cam.lift / 2
     above = length * at.slope - f * np.sin(x)
     return _ratio(above, np.cos(x), length * at.bend - f * np.cos(x) * at.slope, -np.sin(x) * at.slope)
 
 
-def _face(cam: Cam, sizes: Sizes, at: Travel) -> Ratio:
+def _face(cam: Cam, sizes: Sizes, at: FollowerTravel) -> Ratio:
     """Give that of a rocker's face: -h/t, with t = L cos ψ/(1 - ψ') from the pivot to the contact along the face."""
     f, face, psi = cam.follower.sense, cam.follower.face, sizes.initial + at.s
     along, across = sizes.centre * np.cos(psi), sizes.centre * np.sin(psi)

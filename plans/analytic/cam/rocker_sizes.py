@@ -15,9 +15,9 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.analytic.cam.pressure import Stretch, stretches
+from plans.analytic.cam.pressure import LawPart, stretches
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
-from plans.model.cam_motion import Points, Sizes, Travel, no_region, no_triangle, vanishing
+from plans.model.cam_motion import FollowerTravel, Points, Sizes, no_region, no_triangle, vanishing
 from plans.model.motion import Floats
 
 ROUNDS = 200  # each takes one more line into account, of some hundreds
@@ -82,7 +82,7 @@ class Family(NamedTuple):
     """The limiting lines of one limit over one stretch."""
 
     cam: Cam
-    stretch: Stretch
+    stretch: LawPart
     weight: complex  # ±cos α + i sin α
 
     @property
@@ -95,7 +95,7 @@ class Family(NamedTuple):
         """l, m."""
         return self.cam.follower.length or 0.0
 
-    def _lean(self, at: Travel) -> Points:
+    def _lean(self, at: FollowerTravel) -> Points:
         return np.asarray(np.exp(1j * self.sense * (at.s - self.cam.lift / 2)))
 
     def lines(self, share: Floats) -> tuple[Points, Floats]:

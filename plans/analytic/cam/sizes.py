@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.cam.pressure import Stretch, golden, peak, stretches
+from plans.analytic.cam.pressure import LawPart, golden, peak, stretches
 from plans.analytic.cam.rocker_sizes import rocker_sizes
 from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
 from plans.model.cam_motion import (
+    FollowerTravel,
     Sizes,
-    Travel,
     fast_face,
     hard_face,
     no_distance,
@@ -62,14 +62,14 @@ def _initial(cam: Cam, centre: float) -> float:
     return least
 
 
-def _wave(cam: Cam, at: Travel) -> tuple[Floats, Floats]:
+def _wave(cam: Cam, at: FollowerTravel) -> tuple[Floats, Floats]:
     """Give R, and the S of the position with β: the angle of the line of centres at the start is what is sought."""
     m = cam.follower.sense * at.slope
     level, upright = (1 - 2 * m) / (1 - m) ** 2, at.bend / (1 - m) ** 3
     return np.hypot(level, upright), at.s + np.arctan2(upright, level)
 
 
-def _slower(cam: Cam, everywhere: tuple[Stretch, ...]) -> None:
+def _slower(cam: Cam, everywhere: tuple[LawPart, ...]) -> None:
     """Refuse a rocker that turns as fast as the cam."""
     f = cam.follower.sense
     fastest = peak(everywhere, lambda at: f * at.slope, lambda at: f * at.bend)
@@ -89,7 +89,7 @@ def sizes(cam: Cam) -> Sizes:
     return rocker_sizes(cam) if cam.rocks else _guided(cam)
 
 
-class Side(NamedTuple):
+class LimitLine(NamedTuple):
     """A limiting line of O = (-e, -S0): sign*e + S0 tan a >= Q."""
 
     sign: int
@@ -121,7 +121,7 @@ def _guided(cam: Cam) -> Sizes:
     return Sizes(base, offset) if given.base is None else Sizes(given.base, offset * given.base / base)
 
 
-def sides_of(cam: Cam) -> Iterator[Side]:
+def sides_of(cam: Cam) -> Iterator[LimitLine]:
     """Give the limiting lines of a follower that translates."""
     limits = limits_of(cam)
     assert limits.rise is not None  # the book's at least
@@ -132,16 +132,16 @@ def sides_of(cam: Cam) -> Iterator[Side]:
         yield _side(cam, RISE, limits.rise, -1)
 
 
-def _side(cam: Cam, kind: str, angle: float, sign: int) -> Side:
+def _side(cam: Cam, kind: str, angle: float, sign: int) -> LimitLine:
     """Give the line of a limit: Q is the greatest of sign*S' - S tan a, at S'' = sign*S' tan a or at a corner."""
     t = math.tan(angle)
     found = peak(
         stretches(cam, (kind,)), lambda at: sign * at.slope - t * at.s, lambda at: sign * at.bend - t * at.slope
     )
-    return Side(sign, t, found.value)
+    return LimitLine(sign, t, found.value)
 
 
-def least(sides: tuple[Side, ...]) -> tuple[float, float]:
+def least(sides: tuple[LimitLine, ...]) -> tuple[float, float]:
     """Give e and S0 of the least R0: where two lines meet, or square to one of them."""
     rise, *others = sides
     corners = [_meeting(rise, other) for other in others]
@@ -152,7 +152,7 @@ def least(sides: tuple[Side, ...]) -> tuple[float, float]:
     return min(held, key=lambda spot: math.hypot(*spot))
 
 
-def _meeting(side: Side, other: Side) -> tuple[float, float] | None:
+def _meeting(side: LimitLine, other: LimitLine) -> tuple[float, float] | None:
     if side.sign == other.sign:
         turn = side.tangent - other.tangent
         level = (side.most - other.most) / turn if turn else math.inf
@@ -161,7 +161,7 @@ def _meeting(side: Side, other: Side) -> tuple[float, float] | None:
     return side.sign * (side.most * other.tangent - other.most * side.tangent) / (side.tangent + other.tangent), level
 
 
-def _foot(side: Side) -> tuple[float, float]:
+def _foot(side: LimitLine) -> tuple[float, float]:
     size = side.most / (1 + side.tangent**2)
     return side.sign * size, side.tangent * size
 

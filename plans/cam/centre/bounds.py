@@ -33,7 +33,7 @@ class Instant(NamedTuple):
     jerk: Floats
 
 
-class Stretch(NamedTuple):
+class SmoothStretch(NamedTuple):
     """A stretch of a phase within which its law is smooth, from one share of the phase to another."""
 
     phase: Phase
@@ -58,18 +58,18 @@ class Stretch(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def sampled(stretch: Stretch) -> tuple[Floats, Instant]:
+def sampled(stretch: SmoothStretch) -> tuple[Floats, Instant]:
     """Give the motion along a stretch densely, its ends from within; the shares first."""
     share = np.linspace(stretch.start, stretch.end, PARTS + 1)
     inner, last = stretch.at(share[:-1]), stretch.at(share[-1:], before=True)
     return share, Instant(*(np.concatenate(pair) for pair in zip(inner, last, strict=True)))
 
 
-def stretches(cam: Cam, kinds: Iterable[str]) -> tuple[Stretch, ...]:
+def stretches(cam: Cam, kinds: Iterable[str]) -> tuple[SmoothStretch, ...]:
     """Give the stretches of the phases of some kinds."""
     asked = frozenset(kinds)
     return tuple(
-        Stretch(phase, *ends)
+        SmoothStretch(phase, *ends)
         for phase in cam.phases
         if phase.kind in asked
         for ends in pairwise((*(law_of(phase.law).starts if phase.law else (0.0,)), 1.0))
@@ -137,10 +137,10 @@ def side_of(kind: str) -> int:
 Rule: TypeAlias = Callable[[Instant], tuple[Floats, Floats]]
 
 
-class Touch(NamedTuple):
+class RulerTouch(NamedTuple):
     """Where a ruler touches: the stretch, the share of its phase, and how far beyond the line that is."""
 
-    stretch: Stretch
+    stretch: SmoothStretch
     share: float
     beyond: float
 
@@ -160,12 +160,12 @@ class Touch(NamedTuple):
         return float(self.instant.s[0]), float(self.instant.slope[0])
 
 
-def touch(along: Iterable[Stretch], rule: Rule) -> Touch:
+def touch(along: Iterable[SmoothStretch], rule: Rule) -> RulerTouch:
     """Give the place of some stretches that goes farthest beyond a line; of several, the first."""
     return max((top for stretch in along for top in _tops(stretch, rule)), key=lambda top: top.beyond)
 
 
-def _tops(stretch: Stretch, rule: Rule) -> Iterator[Touch]:
+def _tops(stretch: SmoothStretch, rule: Rule) -> Iterator[RulerTouch]:
     """Give the places of a stretch beyond their neighbours, each refined to the root of the derivative."""
     share, motion = sampled(stretch)
     beyond, slope = (np.broadcast_to(row, share.shape) for row in rule(motion))
@@ -173,10 +173,10 @@ def _tops(stretch: Stretch, rule: Rule) -> Iterator[Touch]:
     for k in np.flatnonzero((beyond >= padded[:-2]) & (beyond > padded[2:])).tolist():
         node, top = float(share[k]), _refined(stretch, rule, share, slope, k)
         height = float(beyond[k]) if top == node else float(rule(stretch.one(top))[0][0])
-        yield Touch(stretch, top, height) if height > beyond[k] else Touch(stretch, node, float(beyond[k]))
+        yield RulerTouch(stretch, top, height) if height > beyond[k] else RulerTouch(stretch, node, float(beyond[k]))
 
 
-def _refined(stretch: Stretch, rule: Rule, share: Floats, slope: Floats, k: int) -> float:
+def _refined(stretch: SmoothStretch, rule: Rule, share: Floats, slope: Floats, k: int) -> float:
     """Give the root of the derivative between the neighbours of a place, or the place itself where it is a corner."""
     other = k + 1 if slope[k] > 0 else k - 1
     if slope[k] == 0 or not 0 <= other < len(share) or slope[k] * slope[other] > 0:
@@ -196,7 +196,7 @@ class Bound(Protocol):
     """A kind of limiting lines."""
 
     @property
-    def along(self) -> tuple[Stretch, ...]:
+    def along(self) -> tuple[SmoothStretch, ...]:
         """The stretches whose positions it is of."""
         ...
 
@@ -213,7 +213,7 @@ class Limit(NamedTuple):
     """The limiting line of one position that a bound touches."""
 
     bound: Bound
-    touch: Touch
+    touch: RulerTouch
     normal: complex
     reach: float
 
@@ -233,7 +233,7 @@ class PressureBound:
     level: bool = False  # by the chord of the book: all its lines are parallel
 
     @cached_property
-    def along(self) -> tuple[Stretch, ...]:
+    def along(self) -> tuple[SmoothStretch, ...]:
         """The stretches of the phases of its kind."""
         return stretches(self.diagram.cam, (self.kind,))
 
@@ -304,7 +304,7 @@ class CurvatureBound:
     radius: float
 
     @cached_property
-    def along(self) -> tuple[Stretch, ...]:
+    def along(self) -> tuple[SmoothStretch, ...]:
         """All that moves the follower, and its dwells."""
         return stretches(self.diagram.cam, {phase.kind for phase in self.diagram.cam.phases})
 

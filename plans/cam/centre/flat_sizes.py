@@ -14,12 +14,12 @@ from plans.cam.centre.bounds import (
     Instant,
     Lines,
     SlopeDiagram,
-    Stretch,
+    SmoothStretch,
     limit,
     stretches,
     touch,
 )
-from plans.cam.centre.place import SIZES, Sizing, Tangent, axis, on_circle, place, rocker_sizes
+from plans.cam.centre.place import SIZES, SizeTangent, Sizing, axis, on_circle, place, rocker_sizes
 from plans.cam.course import Course, positions
 from plans.model.cam import Cam
 from plans.model.cam_motion import Sizes, fast_face, hard_face, no_distance, no_level, no_radius, no_region
@@ -32,7 +32,7 @@ DOWN = 1 - 1j  # along the lines S + S'' = const
 class FallBound(NamedTuple):
     """The lines S + S'' = const of all positions: O lies below each by the least radius of curvature."""
 
-    along: tuple[Stretch, ...]
+    along: tuple[SmoothStretch, ...]
 
     def lines(self, motion: Instant) -> Lines:
         """Give the lines in the plane of S'' across and S upwards."""
@@ -73,7 +73,7 @@ def flat_sizing(course: Course) -> Sizing:
     return Sizing(cam, cam.limits, sizes, board, turned, start, start, tip, end, centre, (tangent,), bounds)
 
 
-def _fallen(board: Board, cam: Cam, start: Mark) -> Tangent:
+def _fallen(board: Board, cam: Cam, start: Mark) -> SizeTangent:
     """Draw the ruler where it touches the curve of S over S''."""
     bound: Bound = FallBound(stretches(cam, {phase.kind for phase in cam.phases}))
     found = touch(bound.along, _rule)
@@ -81,7 +81,7 @@ def _fallen(board: Board, cam: Cam, start: Mark) -> Tangent:
     point = _laid(board, start, (at.s[0], at.bend[0]), "1")[1]
     direction = board.given("t_1", DOWN, because("cam_convex"))
     line = board.parallel("τ_1", point, direction, because("cam_ruler"))
-    return Tangent(bound, found, point, direction, line, cam.given.base is None)
+    return SizeTangent(bound, found, point, direction, line, cam.given.base is None)
 
 
 def _least(board: Board, cam: Cam, along: Mark, line: Mark) -> Mark:
@@ -110,7 +110,7 @@ def rocking_face_sizing(course: Course) -> Sizing:
     arc = board.arc("L", pivot, cam.given.centre, because("cam_distance"))
     bound = CurvatureBound(diagram, cam.limits.curvature)
     up, arm = bound.upright
-    lines: tuple[Tangent, ...] = ()
+    lines: tuple[SizeTangent, ...] = ()
     if cam.given.base is not None:
         centre = _level(board, cam, (pivot, arc), up, arm)
     else:
@@ -122,7 +122,7 @@ def rocking_face_sizing(course: Course) -> Sizing:
     return Sizing(cam, cam.limits, sizes, board, positions(cam), pivot, pivot, None, None, centre, lines, bounds)
 
 
-def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> tuple[tuple[Tangent, ...], Mark]:
+def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> tuple[tuple[SizeTangent, ...], Mark]:
     """Find O where the line of least curvature cuts the arc of L."""
     _smooth(course)
     _slower(course.cam)
@@ -152,7 +152,7 @@ def _level(board: Board, cam: Cam, arc: tuple[Mark, Mark], up: complex, arm: com
     return board.meet("O", level, arc[1], side=1, why=because("cam_given_centre"))
 
 
-def _convex(board: Board, cam: Cam, bound: Bound, up: complex, arm: complex) -> tuple[Tangent, complex]:
+def _convex(board: Board, cam: Cam, bound: Bound, up: complex, arm: complex) -> tuple[SizeTangent, complex]:
     """Push the line of least curvature until it touches, and draw it; O is near the place that is given beside."""
     radius, face = cam.given.centre or 0.0, cam.follower.face
     start = radius * up
@@ -163,4 +163,4 @@ def _convex(board: Board, cam: Cam, bound: Bound, up: complex, arm: complex) -> 
     point = board.given("T_1", line.reach * line.normal, because("cam_convex_point"))
     direction = board.given("t_1", 1j * line.normal, because("cam_convex_way"))
     drawn = board.parallel("τ_1", point, direction, because("cam_limit_line"))
-    return Tangent(bound, line.touch, point, direction, drawn, True), found.centre
+    return SizeTangent(bound, line.touch, point, direction, drawn, True), found.centre

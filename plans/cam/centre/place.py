@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeAlias
 
 from geometry.board import Board, Mark
 from geometry.meet import EPS, cross, dot
-from plans.cam.centre.bounds import Bound, Limit, PressureBound, SlopeDiagram, Touch, limit, side_of
+from plans.cam.centre.bounds import Bound, Limit, PressureBound, RulerTouch, SlopeDiagram, limit, side_of
 from plans.model.cam import LEAST_BASE, Cam, Limits
 from plans.model.cam_motion import Sizes, no_region, vanishing
 from plans.model.motion import Floats
@@ -21,19 +21,19 @@ PARALLEL = 1e-9  # sine of the angle of two lines that touch one curve at one pl
 ROUNDS = 60  # of pushing a ruler; about six are needed
 ROUNDED = 32 * EPS  # of the size of the diagram: a line that is broken by less is kept
 # The lines so far, how far one may be broken -> the best place within them and the lines that it lies on.
-Choice: TypeAlias = Callable[[Sequence[Limit], float], "Place | None"]
+Choice: TypeAlias = Callable[[Sequence[Limit], float], "CentrePlace | None"]
 
 
-class Place(NamedTuple):
+class CentrePlace(NamedTuple):
     """A place for the centre, and the limiting lines that it lies on: two, one, or none."""
 
     centre: complex
     limits: tuple[Limit, ...]
 
 
-def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) -> Place | None:
+def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) -> CentrePlace | None:
     """Find the best place within all bounds, beginning from one; None: there is none."""
-    best = Place(start, ())
+    best = CentrePlace(start, ())
     known: list[Limit] = []
     for _ in range(ROUNDS):
         broken = [line for bound in bounds if (line := limit(bound, best.centre)).beyond(best.centre) > ROUNDED * size]
@@ -51,40 +51,40 @@ def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) 
 def nearest(to: complex) -> Choice:
     """Choose the place nearest to a point: a corner of the region, or the foot of a perpendicular on its edge."""
 
-    def choice(limits: Sequence[Limit], slack: float) -> Place | None:
+    def choice(limits: Sequence[Limit], slack: float) -> CentrePlace | None:
         return _best([*_feet(to, limits), *_corners(limits)], limits, slack, lambda at: abs(at - to))
 
     return choice
 
 
 def _best(
-    places: Sequence[Place], limits: Sequence[Limit], slack: float, cost: Callable[[complex], float]
-) -> Place | None:
+    places: Sequence[CentrePlace], limits: Sequence[Limit], slack: float, cost: Callable[[complex], float]
+) -> CentrePlace | None:
     within = [spot for spot in places if all(line.beyond(spot.centre) <= slack for line in limits)]
     return min(within, key=lambda spot: cost(spot.centre), default=None)
 
 
-def _feet(to: complex, limits: Sequence[Limit]) -> Iterator[Place]:
+def _feet(to: complex, limits: Sequence[Limit]) -> Iterator[CentrePlace]:
     for line in limits:
-        yield Place(to - line.beyond(to) * line.normal, (line,))
+        yield CentrePlace(to - line.beyond(to) * line.normal, (line,))
 
 
-def _corners(limits: Sequence[Limit]) -> Iterator[Place]:
+def _corners(limits: Sequence[Limit]) -> Iterator[CentrePlace]:
     for first, second in combinations(limits, 2):
         sine = float(cross(first.normal, second.normal))
         if abs(sine) > PARALLEL:
-            yield Place(1j * (second.reach * first.normal - first.reach * second.normal) / sine, (first, second))
+            yield CentrePlace(1j * (second.reach * first.normal - first.reach * second.normal) / sine, (first, second))
 
 
 def on_line(through: complex, along: complex, ahead: complex) -> Choice:
     """Choose the place on a line nearest to a point of it, on the side `ahead`."""
 
-    def choice(limits: Sequence[Limit], slack: float) -> Place | None:
-        places = [Place(through, ())]
+    def choice(limits: Sequence[Limit], slack: float) -> CentrePlace | None:
+        places = [CentrePlace(through, ())]
         for line in limits:
             rate = float(dot(line.normal, along))
             if abs(rate) > PARALLEL:
-                places.append(Place(through - line.beyond(through) / rate * along, (line,)))
+                places.append(CentrePlace(through - line.beyond(through) / rate * along, (line,)))
         ahead_of = [spot for spot in places if dot(spot.centre - through, ahead) >= -slack]
         return _best(ahead_of, limits, slack, lambda at: abs(at - through))
 
@@ -94,29 +94,29 @@ def on_line(through: complex, along: complex, ahead: complex) -> Choice:
 def on_circle(radius: float, cost: Callable[[complex], float], start: complex, ahead: complex) -> Choice:
     """Choose the cheapest place on a circle about the origin, on the side `ahead`."""
 
-    def choice(limits: Sequence[Limit], slack: float) -> Place | None:
-        places = [Place(start, ()), *(cut for line in limits for cut in _cuts(radius, line))]
+    def choice(limits: Sequence[Limit], slack: float) -> CentrePlace | None:
+        places = [CentrePlace(start, ()), *(cut for line in limits for cut in _cuts(radius, line))]
         return _best([spot for spot in places if dot(spot.centre, ahead) >= -slack], limits, slack, cost)
 
     return choice
 
 
-def _cuts(radius: float, line: Limit) -> Iterator[Place]:
+def _cuts(radius: float, line: Limit) -> Iterator[CentrePlace]:
     """Give where a line cuts the circle."""
     if abs(line.reach) <= radius:
         half = math.acos(line.reach / radius)
         for turned in (half, -half):
-            yield Place(radius * line.normal * cmath.exp(1j * turned), (line,))
+            yield CentrePlace(radius * line.normal * cmath.exp(1j * turned), (line,))
 
 
 SIZES = "sizes"  # the board: m
 
 
-class Tangent(NamedTuple):
+class SizeTangent(NamedTuple):
     """A ruler's touch on the board: the point that it touches, its direction, its line; whether O lies on it."""
 
     bound: Bound
-    touch: Touch
+    touch: RulerTouch
     point: Mark
     direction: Mark
     line: Mark
@@ -131,7 +131,7 @@ class Tangent(NamedTuple):
 class Chord(NamedTuple):
     """The book's construction on the chord of a rocker's arc: its two tangents, its centre, how far that is off."""
 
-    tangents: tuple[Tangent, ...]
+    tangents: tuple[SizeTangent, ...]
     centre: Mark
     error: Mark
 
@@ -155,24 +155,24 @@ class Sizing:
     tip: Mark | None = None  # K
     end: Mark | None = None  # D; of a flat face S'' across from S
     centre: Mark | None = None
-    tangents: tuple[Tangent, ...] = ()
+    tangents: tuple[SizeTangent, ...] = ()
     bounds: tuple[Bound, ...] = ()
     chord: Chord | None = None
     longer: float = 1.0
 
     @property
-    def binding(self) -> Iterator[Tangent]:
+    def binding(self) -> Iterator[SizeTangent]:
         """The tangents that O lies on."""
         return (tangent for tangent in self.tangents if tangent.binding)
 
 
 # A touch and its number -> on the board D there, and the way of K there.
-Laid: TypeAlias = Callable[[Touch, str], tuple[Mark, Mark]]
+Laid: TypeAlias = Callable[[RulerTouch, str], tuple[Mark, Mark]]
 
 
 def tangents(
     board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: Sequence[Limit], laid: Laid, prime: str = ""
-) -> tuple[Tangent, ...]:
+) -> tuple[SizeTangent, ...]:
     """Draw the limiting lines through the points that rulers touch, numbered; those that O lies on come first."""
     bounds = [line.bound for line in binding]
     ordered = [*sorted(binding, key=_rise_first), *(line for line in limits if line.bound not in bounds)]
@@ -190,7 +190,7 @@ def axis(board: Board) -> tuple[Mark, Mark, Mark]:
     return start, way, board.parallel("AS", start, way, because("cam_way"))
 
 
-def required(cam: Cam, limits: Limits, found: Place | None, start: complex = 0j) -> Place:
+def required(cam: Cam, limits: Limits, found: CentrePlace | None, start: complex = 0j) -> CentrePlace:
     """Give the place that was found for O; raises CamError where the limits leave none, or one at the start of K."""
     if found is None:
         raise no_region(cam, limits)
@@ -200,19 +200,19 @@ def required(cam: Cam, limits: Limits, found: Place | None, start: complex = 0j)
     return found
 
 
-def touched(bounds: Sequence[Bound], found: Place) -> list[Limit]:
+def touched(bounds: Sequence[Bound], found: CentrePlace) -> list[Limit]:
     """Push a ruler against every bound; none where nothing moves."""
     return [limit(bound, found.centre) for bound in bounds if bound.along]
 
 
-def bound_by(cam: Cam, lines: Sequence[Tangent]) -> tuple[Tangent, ...]:
+def bound_by(cam: Cam, lines: Sequence[SizeTangent]) -> tuple[SizeTangent, ...]:
     """Give tangents as they bind O: with R0 given none does."""
     return tuple(line._replace(binding=line.binding and cam.given.base is None) for line in lines)
 
 
 def _tangents(
     board: Board, diagram: SlopeDiagram, limits: Sequence[Limit], binding: int, laid: Laid, prime: str
-) -> Iterator[Tangent]:
+) -> Iterator[SizeTangent]:
     for number, edge in enumerate(limits):
         bound, name = edge.bound, f"{number + 1}{prime}"
         assert isinstance(bound, PressureBound)
@@ -221,10 +221,10 @@ def _tangents(
         by = diagram.limit(bound.side, bound.angle) / 1j
         direction = board.turn(f"t_{name}", way, by, because("cam_limit_angle", angle=angle))
         line = board.parallel(f"τ_{name}", point, direction, because("cam_ruler"))
-        yield Tangent(bound, edge.touch, point, direction, line, number < binding)
+        yield SizeTangent(bound, edge.touch, point, direction, line, number < binding)
 
 
-def met(board: Board, name: str, lines: Sequence[Tangent], start: Mark, why: str) -> Mark:
+def met(board: Board, name: str, lines: Sequence[SizeTangent], start: Mark, why: str) -> Mark:
     """Give where two limiting lines meet; of one alone the foot of the perpendicular from the start."""
     if len(lines) == 2:
         return board.meet(name, lines[0].line, lines[1].line, why=because(why))

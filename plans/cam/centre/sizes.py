@@ -11,16 +11,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.centre.bounds import Bound, SlopeDiagram, Touch, pressure_bounds, stretches, touch
+from plans.cam.centre.bounds import Bound, RulerTouch, SlopeDiagram, pressure_bounds, stretches, touch
 from plans.cam.centre.flat_sizes import flat_sizing, rocking_face_sizing
 from plans.cam.centre.place import (
     SIZES,
+    CentrePlace,
     Choice,
     Chord,
     Laid,
-    Place,
+    SizeTangent,
     Sizing,
-    Tangent,
     axis,
     bound_by,
     met,
@@ -75,9 +75,9 @@ def _translating(course: Course) -> Sizing:
     bounds = tuple(pressure_bounds(diagram, limits))
     offset = cam.given.offset
     choice = nearest(0j) if offset is None else on_line(complex(-cam.sense * offset), 1j, -1j)
-    found = required(cam, limits, Place(0j, ()) if cam.sized else place(bounds, 0j, choice, cam.lift))
+    found = required(cam, limits, CentrePlace(0j, ()) if cam.sized else place(bounds, 0j, choice, cam.lift))
 
-    def laid(touch: Touch, name: str) -> tuple[Mark, Mark]:
+    def laid(touch: RulerTouch, name: str) -> tuple[Mark, Mark]:
         """Lay off D where a ruler touches; the way of K is the same everywhere."""
         return laid_end(board, diagram, start, touch.motion, name)[1], way
 
@@ -123,7 +123,7 @@ def _settled(value: Points) -> Points | complex:
     return value if value.ndim else complex(value)
 
 
-def _centre(board: Board, cam: Cam, start: Mark, way: Mark, lines: Sequence[Tangent]) -> Mark:
+def _centre(board: Board, cam: Cam, start: Mark, way: Mark, lines: Sequence[SizeTangent]) -> Mark:
     """Find O on the board, by the limiting lines and by what is given."""
     base = cam.given.base
     offset = 0.0 if cam.given.offset is None and base is not None and not lines else cam.given.offset
@@ -136,7 +136,7 @@ def _centre(board: Board, cam: Cam, start: Mark, way: Mark, lines: Sequence[Tang
     return board.lay_off("O", start, ray, because("cam_on_ray"))
 
 
-def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines: Sequence[Tangent]) -> Mark:
+def _beside(board: Board, cam: Cam, start: Mark, way: Mark, offset: float, lines: Sequence[SizeTangent]) -> Mark:
     """Find O on the line of a given offset: R0 from A where it is given, else on the limiting line."""
     across = board.given("e", complex(-cam.sense * offset), because("cam_offset"))
     beside = board.parallel("EO", board.lay_off("E", start, across, because("cam_offset")), way, because("cam_offset"))
@@ -165,10 +165,10 @@ def _rocking(course: Course) -> Sizing:
     start, _ = laid_end(board, diagram, circle, (0.0, 0.0), "0")
     first = complex(start.point)
     bounds = tuple(pressure_bounds(diagram, limits))
-    sought = Place(first, ()) if cam.sized else place(bounds, *_choice(cam, first), diagram.length)
+    sought = CentrePlace(first, ()) if cam.sized else place(bounds, *_choice(cam, first), diagram.length)
     found = required(cam, limits, sought, first)
 
-    def laid(touch: Touch, name: str) -> tuple[Mark, Mark]:
+    def laid(touch: RulerTouch, name: str) -> tuple[Mark, Mark]:
         """Lay off D where a ruler touches, and the way of K there: square to the rocker."""
         far = laid_end(board, diagram, circle, touch.motion, name)[1]
         return far, board.turn(f"u_{name}", board[f"ψ_{name}"], 1j * cam.rising, because("cam_way"))
@@ -191,7 +191,9 @@ def _choice(cam: Cam, first: complex) -> tuple[complex, Choice]:
     return start, on_circle(centre, lambda at: abs(at - first), start, -1j * cam.rising * first)
 
 
-def _rocker_centre(board: Board, cam: Cam, ends: tuple[Mark, Mark], lines: Sequence[Tangent], near: complex) -> Mark:
+def _rocker_centre(
+    board: Board, cam: Cam, ends: tuple[Mark, Mark], lines: Sequence[SizeTangent], near: complex
+) -> Mark:
     """Find O on the board, by the limiting lines and by what is given; `near` tells which meeting is meant."""
     pivot, start = ends
     base, centre = cam.given.base, cam.given.centre

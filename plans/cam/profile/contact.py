@@ -11,8 +11,8 @@ import numpy as np
 from plans.cam.centre.sizes import sizing
 from plans.cam.course import Course
 from plans.cam.profile.profile import curvature, curvature_slope, slip, slip_slope
-from plans.cam.profile.touch import Place, Stretches, Tip, Touch, Value
-from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, Load, Phase, interval_of
+from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, Value
+from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, FollowerLoad, Phase, interval_of
 from plans.model.cam_motion import BEND, SLOPE, CamError, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
 
@@ -20,14 +20,14 @@ from plans.model.motion import Floats
 def pressure(tip: Tip) -> Floats:
     """Give the pressure angle, rad."""
     if tip.cam.flat:
-        return Touch(tip).pressure
+        return FaceTouch(tip).pressure
     return np.asarray(tip.cam.sense * np.angle(tip.lever / tip.heading))
 
 
 def pressure_slope(tip: Tip) -> Floats:
     """Give its derivative by the turn."""
     if tip.cam.flat:
-        return Touch(tip).pressure_slope
+        return FaceTouch(tip).pressure_slope
     _, first, second, _ = tip.orders
     lever = abs(tip.turns) * first + 1j * tip.cam.sense * second
     turning = tip.cam.rising * tip.travel.slope if tip.cam.rocks else 0.0
@@ -39,7 +39,7 @@ ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice,
 
 
 @dataclass(frozen=True)
-class Extremes:
+class ProfileExtremes:
     """The extremes of a cam's profile, each with its place; corners of the law and ends of dwells are legal places."""
 
     stretches: Stretches
@@ -51,7 +51,7 @@ class Extremes:
         if not (cam.flat and cam.rocks):
             return None
         places = self.stretches.places(lambda tip: tip.travel.bend)
-        most = self.stretches.most(lambda tip: 1 - Touch(tip).lead, places)
+        most = self.stretches.most(lambda tip: 1 - FaceTouch(tip).lead, places)
         return most if most and most.value >= 1 else None
 
     @cached_property
@@ -67,7 +67,7 @@ class Extremes:
         return {name: extreme for name, extreme in found.items() if extreme is not None}
 
     @cached_property
-    def turning(self) -> tuple[Place, ...]:
+    def turning(self) -> tuple[TurnSide, ...]:
         """Where the pressure angle can be largest."""
         return self.stretches.places(pressure_slope)
 
@@ -77,11 +77,11 @@ class Extremes:
         kinds = () if self.outrun else dict.fromkeys(phase.kind for phase in self.stretches.course.cam.moving())
         return {kind: found for kind in kinds if (found := self._largest(pressure, self._turning_on(kind))) is not None}
 
-    def _turning_on(self, kind: str) -> tuple[Place, ...]:
+    def _turning_on(self, kind: str) -> tuple[TurnSide, ...]:
         phases = [phase for phase in self.stretches.course.cam.phases if phase.kind == kind]
         return tuple(place for place in self.turning if any(within(place, phase) for phase in phases))
 
-    def _largest(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
+    def _largest(self, value: Value, places: tuple[TurnSide, ...]) -> Extreme | None:
         """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
         found = self.stretches.most(lambda tip: np.abs(value(tip)), places)
         if found is None:
@@ -92,10 +92,10 @@ class Extremes:
         return Extreme(float(signed[best]), places[best].turned)
 
     @cached_property
-    def bends(self) -> tuple[Place, ...]:
+    def bends(self) -> tuple[TurnSide, ...]:
         """Where the curve can be sharpest."""
         flat = self.stretches.course.cam.flat
-        return self.stretches.places((lambda tip: Touch(tip).radius_slope) if flat else curvature_slope)
+        return self.stretches.places((lambda tip: FaceTouch(tip).radius_slope) if flat else curvature_slope)
 
     @cached_property
     def sharpest(self) -> Extreme | None:
@@ -103,7 +103,7 @@ class Extremes:
         if self.outrun:
             return None
         if self.stretches.course.cam.flat:
-            found = self.stretches.most(lambda tip: -Touch(tip).radius, self.bends)
+            found = self.stretches.most(lambda tip: -FaceTouch(tip).radius, self.bends)
             return found and Extreme(-found.value, found.turned)
         found = self.stretches.most(curvature, self.bends)
         return Extreme(1 / found.value, found.turned) if found and found.value > 0 else None
@@ -121,15 +121,15 @@ class Extremes:
         """Where contact on a flat face is farthest to both sides, m: the least and the greatest place."""
         if not self.stretches.course.cam.flat or self.outrun:
             return 0.0, 0.0
-        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
-        found = self.stretches.read(lambda tip: Touch(tip).place, places)
+        places = self.stretches.places(lambda tip: FaceTouch(tip).place_slope)
+        found = self.stretches.read(lambda tip: FaceTouch(tip).place, places)
         return float(np.nanmin(found)), float(np.nanmax(found))
 
 
-def within(place: Place, phase: Phase) -> bool:
+def within(place: TurnSide, phase: Phase) -> bool:
     """Tell whether a place belongs to a phase: on a joint by its side.
 
-    >>> within(Place(1.0, before=True), Phase("dwell", 1.0, 0.0, 0.0, 0.0))
+    >>> within(TurnSide(1.0, before=True), Phase("dwell", 1.0, 0.0, 0.0, 0.0))
     True
     """
     if place.before:
@@ -151,7 +151,7 @@ def base_needed(stretches: Stretches) -> float | None:
     return math.hypot(max(0.0, *asked), stretches.sizes.offset)
 
 
-def base_convex(extremes: Extremes) -> float | None:
+def base_convex(extremes: ProfileExtremes) -> float | None:
     """Give R0, m, with which the profile under a flat face is convex and as its limit asks; None where none does.
 
     R0 is added to the radius of curvature everywhere. A rocker's is not, and where S' falls at once no R0 helps.
@@ -199,7 +199,7 @@ NOTHING = Extreme(np.nan, 0.0)  # of a force that no turn bears: the normal stan
 class Contact:
     """The contact of a loaded follower with a cam that goes at its speed, without friction."""
 
-    load: Load
+    load: FollowerLoad
     speed: float
     roller: float  # m
 
@@ -232,10 +232,10 @@ class Contact:
         return self.force_slope(tip) * self._slip(tip) + self.force(tip) * self._slip_slope(tip)
 
     def _slip(self, tip: Tip) -> Floats:
-        return Touch(tip).slip if tip.cam.flat else slip(tip, tip.lever, self.roller)
+        return FaceTouch(tip).slip if tip.cam.flat else slip(tip, tip.lever, self.roller)
 
     def _slip_slope(self, tip: Tip) -> Floats:
-        return Touch(tip).slip_slope if tip.cam.flat else slip_slope(tip, self.roller)
+        return FaceTouch(tip).slip_slope if tip.cam.flat else slip_slope(tip, self.roller)
 
 
 def contact_of(cam: Cam, roller: float) -> Contact | None:
@@ -259,13 +259,13 @@ def pressing(contact: Contact, stretches: Stretches) -> Pressing:
 def _arm(tip: Tip) -> Floats:
     """Give what the force is multiplied by along the follower's way: cos α, of a rocker its arm about the pivot, m."""
     if tip.cam.flat:
-        return Touch(tip).place if tip.cam.rocks else np.ones_like(tip.turned)
+        return FaceTouch(tip).place if tip.cam.rocks else np.ones_like(tip.turned)
     return _length(tip) * np.cos(pressure(tip))
 
 
 def _arm_slope(tip: Tip) -> Floats:
     if tip.cam.flat:
-        return Touch(tip).place_slope if tip.cam.rocks else np.zeros_like(tip.turned)
+        return FaceTouch(tip).place_slope if tip.cam.rocks else np.zeros_like(tip.turned)
     return -_length(tip) * np.sin(pressure(tip)) * pressure_slope(tip)
 
 

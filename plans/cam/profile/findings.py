@@ -11,7 +11,7 @@ import numpy as np
 from plans.cam.course import Course
 from plans.cam.profile.contact import (
     Contact,
-    Extremes,
+    ProfileExtremes,
     base_convex,
     base_needed,
     contact_of,
@@ -21,10 +21,10 @@ from plans.cam.profile.contact import (
     sizes_advised,
 )
 from plans.cam.profile.profile import Roller, curvature, profile, roller_of
-from plans.cam.profile.resting import Edge, crossings, loss
-from plans.cam.profile.touch import Place, Span, Stretches, Tip, Touch, Value
+from plans.cam.profile.resting import ProfileEdge, crossings, loss
+from plans.cam.profile.touch import FaceTouch, Stretches, Tip, TurnSide, TurnSpan, Value
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, ROLLER, Cam, interval_of
-from plans.model.cam_motion import CONSTRUCTION, CamFound, Extreme, Flaw, Sizes
+from plans.model.cam_motion import CONSTRUCTION, CamFlaw, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
 # Sizes that were found by a limit touch it, and a roller may be as large as a radius: the same within this share of the
@@ -37,7 +37,7 @@ LEAST: Final = ("undercut", "concave", "sharp", "lift-off")  # of which the wors
 class Search:
     """The search for flaws of one profile."""
 
-    extremes: Extremes
+    extremes: ProfileExtremes
     roller: float  # m
     contact: Contact | None
 
@@ -51,39 +51,39 @@ class Search:
         """The cam."""
         return self.stretches.course.cam
 
-    def flaws(self) -> tuple[Flaw, ...]:
+    def flaws(self) -> tuple[CamFlaw, ...]:
         """Give all flaws by their kinds, those of a kind as the cam turns."""
         worst = self.extremes.outrun
         if worst:
-            return (Flaw("outrun", worst.turned, worst.turned, worst),)
+            return (CamFlaw("outrun", worst.turned, worst.turned, worst),)
         ways = (self._undercut, self._concave, self._crossing, self._pressure, self._face, self._off)
         found = [flaw for way in ways for flaw in way()]
         found = found if self.cam.translates else round_the_turn(found, self.cam.turn)
         return tuple(sorted(found, key=lambda flaw: (flaw.kind, flaw.start)))
 
-    def _undercut(self) -> Iterator[Flaw]:
+    def _undercut(self) -> Iterator[CamFlaw]:
         """Find where the roller is larger than the curve bears: convex, or of a groove's outer side hollow."""
         yield from self._sharp("undercut", 1.0)
         if self.cam.closure == GROOVE:
             yield from self._sharp("hollow", -1.0)
 
-    def _sharp(self, kind: str, side: float) -> Iterator[Flaw]:
+    def _sharp(self, kind: str, side: float) -> Iterator[CamFlaw]:
         if self.roller == 0 or self.cam.flat:
             return
         spans = self._too_sharp(side)
         yield from (self._flaw(kind, span, lambda tip: side * curvature(tip), 1 / side) for span in spans)
         yield from self._cusp(kind, side, spans)
         for turned in self.corners(side):
-            yield Flaw(kind, turned, turned, Extreme(0.0, turned))
+            yield CamFlaw(kind, turned, turned, Extreme(0.0, turned))
 
-    def _too_sharp(self, side: float) -> list[Span]:
+    def _too_sharp(self, side: float) -> list[TurnSpan]:
         """Give where the curve is bent more than the roller, to one side."""
         return list(self.stretches.spans(lambda tip: side * self.roller * curvature(tip) - 1, self.extremes.bends))
 
-    def _cusp(self, kind: str, side: float, spans: Sequence[Span]) -> Iterator[Flaw]:
+    def _cusp(self, kind: str, side: float, spans: Sequence[TurnSpan]) -> Iterator[CamFlaw]:
         extreme = self.extremes.sharpest if side > 0 else self.extremes.hollow
         if extreme and not spans and abs(abs(extreme.value) / self.roller - 1) <= TOUCHES:
-            yield Flaw(kind, extreme.turned, extreme.turned, extreme)
+            yield CamFlaw(kind, extreme.turned, extreme.turned, extreme)
 
     def corners(self, side: float = 1.0) -> list[float]:
         """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
@@ -96,16 +96,16 @@ class Search:
         turns = np.angle(after / before) * -self.cam.sense * side
         return [turned for turned, turn in zip(hard, turns.tolist(), strict=True) if turn > 0]
 
-    def _concave(self) -> Iterator[Flaw]:
+    def _concave(self) -> Iterator[CamFlaw]:
         """Find where the profile under a flat face would be hollow, or sharper than was asked."""
         if not self.cam.flat:
             return
         spans = self._hollows
-        yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
-        yield from (Flaw("concave", turned, turned, Extreme(0.0, turned)) for turned in self._steps())
+        yield from (self._flaw("concave", span, lambda tip: -FaceTouch(tip).radius, least=True) for span in spans)
+        yield from (CamFlaw("concave", turned, turned, Extreme(0.0, turned)) for turned in self._steps())
         least, asked = self.extremes.sharpest, self.cam.limits.curvature
         if not spans and least and asked > 0 and least.value < asked * (1 - TOUCHES):
-            yield Flaw("sharp", least.turned, least.turned, least)
+            yield CamFlaw("sharp", least.turned, least.turned, least)
 
     def _steps(self) -> Iterator[float]:
         """Give where a hard shock makes contact jump back along the face: an edge is left there."""
@@ -114,16 +114,16 @@ class Search:
                 yield shock.turned
 
     @property
-    def _hollows(self) -> list[Span]:
+    def _hollows(self) -> list[TurnSpan]:
         return list(self.stretches.spans(_hollow, self.extremes.bends))
 
-    def _crossing(self) -> Iterator[Flaw]:
+    def _crossing(self) -> Iterator[CamFlaw]:
         """Find where the profile crosses itself, and what is lost where the loop is cut away."""
         spans = self._hollows if self.cam.flat else self._too_sharp(1.0)
-        for crossing in crossings(Edge(self.stretches, self.roller), spans):
-            yield Flaw("crossing", crossing.start, crossing.end, loss(self.stretches, self.roller, crossing))
+        for crossing in crossings(ProfileEdge(self.stretches, self.roller), spans):
+            yield CamFlaw("crossing", crossing.start, crossing.end, loss(self.stretches, self.roller, crossing))
 
-    def _pressure(self) -> Iterator[Flaw]:
+    def _pressure(self) -> Iterator[CamFlaw]:
         """Find where the pressure angle is beyond its limit; a spring drives the return, which has none then."""
         for kind in (RISE, RETURN):
             interval = interval_of(self.cam, kind)
@@ -131,7 +131,7 @@ class Search:
                 yield from self._beyond(kind, 1, interval.high)
                 yield from self._beyond(kind, -1, -interval.low)
 
-    def _beyond(self, kind: str, side: int, limit: float) -> Iterator[Flaw]:
+    def _beyond(self, kind: str, side: int, limit: float) -> Iterator[CamFlaw]:
         def beyond(tip: Tip) -> Floats:
             return np.where(on(tip, kind), side * pressure(tip) - limit * (1 + TOUCHES), -1.0)
 
@@ -140,17 +140,17 @@ class Search:
                 "pressure", span, lambda tip: np.where(on(tip, kind), side * pressure(tip), 0.0), least=side < 0
             )
 
-    def _face(self) -> Iterator[Flaw]:
+    def _face(self) -> Iterator[CamFlaw]:
         """Find where contact goes off a face that is too short."""
         reach = self.cam.follower.reach
         if not self.cam.flat or reach is None:
             return
-        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
-        off = self.stretches.spans(lambda tip: np.abs(Touch(tip).place) - reach * (1 + TOUCHES), places)
+        places = self.stretches.places(lambda tip: FaceTouch(tip).place_slope)
+        off = self.stretches.spans(lambda tip: np.abs(FaceTouch(tip).place) - reach * (1 + TOUCHES), places)
         for span in off:
-            yield self._flaw("short face", span, lambda tip: np.abs(Touch(tip).place))
+            yield self._flaw("short face", span, lambda tip: np.abs(FaceTouch(tip).place))
 
-    def _off(self) -> Iterator[Flaw]:
+    def _off(self) -> Iterator[CamFlaw]:
         """Find where nothing holds the follower on the cam."""
         contact = self.contact
         if contact is None or self.cam.closure != FORCE:
@@ -159,19 +159,19 @@ class Search:
         for span in self.stretches.spans(lambda tip: -contact.resistance(tip), places):
             yield self._flaw("lift-off", span, lambda tip: -contact.force(tip), least=True)
 
-    def _flaw(self, kind: str, span: Span, value: Value, over: float | None = None, least: bool = False) -> Flaw:
+    def _flaw(self, kind: str, span: TurnSpan, value: Value, over: float | None = None, least: bool = False) -> CamFlaw:
         """Make a flaw of a span with the place where a value is greatest, told as it is, over 1, or turned about."""
-        ends = (Place(span.start, False), Place(span.end, True))
+        ends = (TurnSide(span.start, False), TurnSide(span.end, True))
         found = self.stretches.most(value, (*span.places, *ends)) or Extreme(np.nan, span.start)
         told = over / found.value if over else -found.value if least else found.value
-        return Flaw(kind, span.start, span.end, Extreme(told, found.turned))
+        return CamFlaw(kind, span.start, span.end, Extreme(told, found.turned))
 
 
-def round_the_turn(found: Sequence[Flaw], turn: float) -> list[Flaw]:
+def round_the_turn(found: Sequence[CamFlaw], turn: float) -> list[CamFlaw]:
     """Join a flaw that ends with the turn to one of its kind that begins with it: it starts late and ends early.
 
-    >>> round_the_turn([Flaw("undercut", 0, 1, Extreme(2, 0)), Flaw("undercut", 5, 6, Extreme(2, 5))], 6)
-    [Flaw(kind='undercut', start=5, end=1, worst=Extreme(value=2, turned=0))]
+    >>> round_the_turn([CamFlaw("undercut", 0, 1, Extreme(2, 0)), CamFlaw("undercut", 5, 6, Extreme(2, 5))], 6)
+    [CamFlaw(kind='undercut', start=5, end=1, worst=Extreme(value=2, turned=0))]
     """
     last = {flaw.kind: flaw for flaw in found if flaw.end == turn and flaw.start > 0}
     first = {flaw.kind: flaw for flaw in found if flaw.start == 0 and flaw.end < turn and flaw.kind in last}
@@ -183,7 +183,7 @@ def round_the_turn(found: Sequence[Flaw], turn: float) -> list[Flaw]:
     return [flaw for flaw in joined if flaw is not last.get(flaw.kind) or flaw.kind not in whole]
 
 
-def _worse(kind: str, flaw: Flaw, other: Flaw) -> Extreme:
+def _worse(kind: str, flaw: CamFlaw, other: CamFlaw) -> Extreme:
     if kind in LEAST:
         return min(flaw.worst, other.worst)
     return max(flaw.worst, other.worst, key=lambda worst: abs(worst.value))
@@ -191,7 +191,7 @@ def _worse(kind: str, flaw: Flaw, other: Flaw) -> Extreme:
 
 def _hollow(tip: Tip) -> Floats:
     """Give what is above 0 where the profile under a face is hollow, or the face turns faster than the cam."""
-    touch = Touch(tip)
+    touch = FaceTouch(tip)
     if not tip.cam.rocks:
         return -touch.radius
     return np.where(touch.lead > 0, -touch.sweep, tip.sizes.base)
@@ -199,7 +199,7 @@ def _hollow(tip: Tip) -> Floats:
 
 def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
     """Find a cam's profile at some turns, rad, its extremes over the whole turn, and its flaws."""
-    extremes = Extremes(Stretches(course, sizes))
+    extremes = ProfileExtremes(Stretches(course, sizes))
     roller, rule = roller_for(extremes)
     contact = contact_of(course.cam, roller)
     flaws = Search(extremes, roller, contact).flaws()
@@ -223,7 +223,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
     )
 
 
-def roller_for(extremes: Extremes) -> Roller:
+def roller_for(extremes: ProfileExtremes) -> Roller:
     """Take the roller of a cam, by its rule where none is given; a pointed or a flat follower has none."""
     cam, sharpest = extremes.stretches.course.cam, extremes.sharpest
     if cam.follower.end != ROLLER:

@@ -11,7 +11,7 @@ import numpy as np
 from geometry.board import Board, Mark
 from geometry.meet import Vectors
 from plans.cam.course import Course
-from plans.cam.profile.touch import Tip, Touch, arm, guide_start
+from plans.cam.profile.touch import FaceTouch, Tip, arm, guide_start
 from plans.model.cam import GROOVE, Cam
 from plans.model.cam_motion import Contour, Points, Sizes
 from plans.model.motion import Floats
@@ -124,7 +124,7 @@ def _rocking_face(start: Start) -> Inversion:
         "F", turned, board.turn("O1F", normal, follower.face, because("cam_face")), because("cam_face")
     )
     face = board.parallel("f", foot, along, because("cam_face"))
-    lead = Touch(tip).lead
+    lead = FaceTouch(tip).lead
     share = np.where(lead == 0, np.nan, 1 - 1 / np.where(lead == 0, 1.0, lead))
     line = board.join("OO1'", centre, turned, because("cam_centres"))
     pole = board.lay_off("C", centre, board.turn("OC", line, share, because("cam_pole")), because("cam_pole"))
@@ -169,12 +169,12 @@ def curvature_slope(tip: Tip) -> Floats:
 def radius(tip: Tip) -> Floats:
     """Give the radius of curvature, m: below 0 where the curve is hollow, infinite where it is straight."""
     if tip.cam.flat:
-        return Touch(tip).radius
+        return FaceTouch(tip).radius
     with np.errstate(divide="ignore"):
         return 1 / curvature(tip)
 
 
-class Spot(NamedTuple):
+class OutlineSpot(NamedTuple):
     """Points of an outline in the cam, (N,): m, the unit tangent there, how fast the outline runs along it, m/rad.
 
     The tangent is that of the pitch curve, or lies in the flat face: where the outline turns back on itself, on a loop,
@@ -187,7 +187,7 @@ class Spot(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Outline:
+class CamOutline:
     """The outline that lies `away` m from the pitch curve, outward: minus the roller's radius for the profile."""
 
     course: Course
@@ -199,18 +199,18 @@ class Outline:
         """The cam."""
         return self.course.cam
 
-    def at(self, turned: Floats, before: bool = False) -> Spot:
+    def at(self, turned: Floats, before: bool = False) -> OutlineSpot:
         """Give points at turns of the cam, (N,) rad; at a joint after it, or before it."""
         tip = Tip(self.course, self.sizes, np.asarray(turned, dtype=float), before)
         if self.cam.flat:
-            touch = Touch(tip)
+            touch = FaceTouch(tip)
             return self._spot(tip, touch.contact, touch.normal, touch.sweep)
         normal, speed = tip.lever / np.abs(tip.lever), np.abs(tip.lever)
         return self._spot(tip, tip.orders[0] + self.away * normal, normal, speed * (1 + self.away * curvature(tip)))
 
-    def _spot(self, tip: Tip, place: Points, normal: Points, speed: Floats) -> Spot:
+    def _spot(self, tip: Tip, place: Points, normal: Points, speed: Floats) -> OutlineSpot:
         tangent = -1j * self.cam.sense * normal * np.exp(-1j * tip.turns * tip.turned)
-        return Spot(tip.on_cam(place), np.asarray(tangent), speed)
+        return OutlineSpot(tip.on_cam(place), np.asarray(tangent), speed)
 
     def tip(self, turned: float) -> complex:
         """Give the place of the follower's tip in the cam at one turn, m."""
@@ -290,9 +290,9 @@ def _contour(tip: Tip, drawing: Inversion, roller: float) -> Contour:
         lever=lever,
         pitch=pitch,
         profile=_all(tip, working(drawing, roller).point),
-        pressure=Touch(tip).pressure if cam.flat else cam.sense * np.angle(lever / tip.heading),
+        pressure=FaceTouch(tip).pressure if cam.flat else cam.sense * np.angle(lever / tip.heading),
         radius=radius(tip),
-        sliding=np.abs(Touch(tip).slip if cam.flat else slip(tip, lever, roller)),
+        sliding=np.abs(FaceTouch(tip).slip if cam.flat else slip(tip, lever, roller)),
         outer=_all(tip, outer(drawing, roller).point) if cam.closure == GROOVE and not cam.flat else None,
     )
 

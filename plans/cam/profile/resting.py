@@ -12,8 +12,8 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.meet import EPS, cross
-from plans.cam.profile.profile import Outline
-from plans.cam.profile.touch import Span, Stretches, Tip, guide_start
+from plans.cam.profile.profile import CamOutline
+from plans.cam.profile.touch import Stretches, Tip, TurnSpan, guide_start
 from plans.model.cam import Cam
 from plans.model.cam_motion import Extreme, Points
 from plans.model.motion import Floats
@@ -27,7 +27,7 @@ SAME: Final = 1e-9  # rad, or of a chord: what is nearer is one
 Pairs = tuple[np.ndarray, np.ndarray]
 
 
-class Crossing(NamedTuple):
+class SelfCrossing(NamedTuple):
     """A crossing of the profile with itself: the turns between which the loop is, rad, and the point on the cam, m."""
 
     start: float
@@ -35,7 +35,7 @@ class Crossing(NamedTuple):
     point: complex
 
 
-class Chords(NamedTuple):
+class ProfileChords(NamedTuple):
     """Chords of the profile: the turn at which each starts, rad, its start and way, m, and its stretch."""
 
     turned: Floats
@@ -45,15 +45,15 @@ class Chords(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Edge:
+class ProfileEdge:
     """The profile that touches the follower, as a curve on the cam by its turn."""
 
     stretches: Stretches
     roller: float  # m
 
     @property
-    def _outline(self) -> Outline:
-        return Outline(self.stretches.course, self.stretches.sizes, -self.roller)
+    def _outline(self) -> CamOutline:
+        return CamOutline(self.stretches.course, self.stretches.sizes, -self.roller)
 
     def at(self, turned: Floats, before: bool = False) -> Points:
         """Give its points, m."""
@@ -64,25 +64,25 @@ class Edge:
         spot = self._outline.at(turned)
         return np.asarray(spot.tangent * spot.speed)
 
-    def chords(self, spans: Iterable[Span]) -> Chords:
+    def chords(self, spans: Iterable[TurnSpan]) -> ProfileChords:
         """Divide it into chords, fine about an undercut; none goes from one side of a joint to the other."""
         spots = [_about(span) for span in spans]
         rows = [self._row(k, row, spots) for k, row in enumerate(self.stretches.grid)]
-        return Chords(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
+        return ProfileChords(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
 
-    def _row(self, number: int, row: Floats, spots: Sequence[Floats]) -> Chords:
+    def _row(self, number: int, row: Floats, spots: Sequence[Floats]) -> ProfileChords:
         fine = [near[(row[0] < near) & (near < row[-1])] for near in spots]
         turned = np.unique(np.concatenate([row[:-1], *fine]))
         points = np.append(self.at(turned), self.at(row[-1:], before=True))
-        return Chords(turned, points[:-1], np.diff(points), np.full(len(turned), number))
+        return ProfileChords(turned, points[:-1], np.diff(points), np.full(len(turned), number))
 
 
-def _about(span: Span) -> Floats:
+def _about(span: TurnSpan) -> Floats:
     middle, wide = (span.start + span.end) / 2, span.end - span.start
     return np.linspace(middle - wide, middle + wide, NEAR + 1)
 
 
-def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
+def crossings(edge: ProfileEdge, spans: Sequence[TurnSpan] = ()) -> tuple[SelfCrossing, ...]:
     """Find all crossings of the profile with itself."""
     chords = edge.chords(spans)
     found = [crossing for pair in zip(*_meetings(chords), strict=True) if (crossing := _closed(edge, chords, *pair))]
@@ -91,7 +91,7 @@ def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
     )
 
 
-def _looped(edge: Edge, crossing: Crossing, chords: Chords) -> Crossing:
+def _looped(edge: ProfileEdge, crossing: SelfCrossing, chords: ProfileChords) -> SelfCrossing:
     """Tell of both parts of the profile which is the loop: that with less area in the sense in which the profile runs.
 
     A loop that a roller leaves runs the other way round. On a cam that translates the loop is what lies between.
@@ -109,15 +109,15 @@ def _area(points: Points) -> float:
     return float(np.sum(cross(points[:-1], points[1:])))
 
 
-def _once(found: Iterable[Crossing]) -> Iterator[Crossing]:
-    last: Crossing | None = None
+def _once(found: Iterable[SelfCrossing]) -> Iterator[SelfCrossing]:
+    last: SelfCrossing | None = None
     for crossing in found:
         if last is None or abs(crossing.start - last.start) + abs(crossing.end - last.end) > SAME:
             yield crossing
         last = crossing
 
 
-def _meetings(chords: Chords) -> Pairs:
+def _meetings(chords: ProfileChords) -> Pairs:
     """Find which chords cross, by a sweep over x: only those that overlap there are tried."""
     ends = chords.start + chords.way
     left, right = np.minimum(chords.start.real, ends.real), np.maximum(chords.start.real, ends.real)
@@ -135,7 +135,7 @@ def _meetings(chords: Chords) -> Pairs:
     return firsts, seconds
 
 
-def _cross(chords: Chords, chord: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _cross(chords: ProfileChords, chord: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Tell which pairs cross and have no end in common."""
     start, way = chords.start, chords.way
     base, across = start[other] - start[chord], np.asarray(cross(way[chord], way[other]))
@@ -146,7 +146,7 @@ def _cross(chords: Chords, chord: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(apart & (along >= 0) & (along < 1) & (back >= 0) & (back < 1))
 
 
-def _closed(edge: Edge, chords: Chords, chord: int, other: int) -> Crossing | None:
+def _closed(edge: ProfileEdge, chords: ProfileChords, chord: int, other: int) -> SelfCrossing | None:
     """Close in on a crossing by Newton's method, each turn on its own stretch.
 
     None where the chords cross and the curve does not: about a cusp.
@@ -164,7 +164,7 @@ def _closed(edge: Edge, chords: Chords, chord: int, other: int) -> Crossing | No
     first, second = pair.tolist()
     if gap > SAME * np.abs(chords.way[[chord, other]]).max() or _short(edge.stretches.course.cam, second - first):
         return None
-    return Crossing(first, second, complex(edge.at(pair).mean()))
+    return SelfCrossing(first, second, complex(edge.at(pair).mean()))
 
 
 def _short(cam: Cam, wide: float) -> bool:
@@ -205,7 +205,7 @@ def _rocker(tip: Tip, place: np.ndarray, roller: float) -> Floats:
     return np.asarray(tip.cam.lift / 2 + tip.cam.rising * np.angle(along * tip.cam.rising))
 
 
-def loss(stretches: Stretches, roller: float, crossing: Crossing) -> Extreme:
+def loss(stretches: Stretches, roller: float, crossing: SelfCrossing) -> Extreme:
     """Give how much of S is lost at most on a loop that is cut away, and where."""
     cam, (start, end, point) = stretches.course.cam, crossing
     end += cam.turn if end < start else 0.0

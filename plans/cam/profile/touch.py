@@ -17,7 +17,7 @@ import numpy.typing as npt
 from geometry.meet import Vectors
 from plans.cam.course import Course, law_of
 from plans.model.cam import Cam, Phase
-from plans.model.cam_motion import Extreme, Points, Sizes, Travel
+from plans.model.cam_motion import Extreme, FollowerTravel, Points, Sizes
 from plans.model.motion import Floats
 
 
@@ -49,7 +49,7 @@ class Tip:
         return self.course.cam
 
     @cached_property
-    def travel(self) -> Travel:
+    def travel(self) -> FollowerTravel:
         """S, S', S''."""
         return self.course.at(self.turned, self.before)
 
@@ -131,19 +131,19 @@ PARTS: Final = 48  # of a stretch: a law has at most seven turning points on one
 Value = Callable[[Tip], Floats]
 
 
-class Place(NamedTuple):
+class TurnSide(NamedTuple):
     """A turn of the cam, rad, and the side on which a value is taken there."""
 
     turned: float
     before: bool
 
 
-class Span(NamedTuple):
+class TurnSpan(NamedTuple):
     """A part of the turn, rad, and its places at which a value can be the worst."""
 
     start: float
     end: float
-    places: tuple[Place, ...]
+    places: tuple[TurnSide, ...]
 
 
 @dataclass(frozen=True)
@@ -193,13 +193,13 @@ class Stretches:
         on = self.grid[:, 1:-1][(found[:, 1:-1] == 0) & ((found[:, :-2] != 0) | (found[:, 2:] != 0))]
         return np.sort(np.concatenate([inner, on]))
 
-    def places(self, slope: Value) -> tuple[Place, ...]:
+    def places(self, slope: Value) -> tuple[TurnSide, ...]:
         """Give where a value can be greatest or least: ends of stretches, and where its derivative vanishes."""
-        starts = [Place(phi, False) for phi in self.edges[:-1].tolist()]
-        ends = [Place(phi, True) for phi in self.edges[1:].tolist()]
-        return (*starts, *ends, *(Place(phi, False) for phi in self.roots(slope).tolist()))
+        starts = [TurnSide(phi, False) for phi in self.edges[:-1].tolist()]
+        ends = [TurnSide(phi, True) for phi in self.edges[1:].tolist()]
+        return (*starts, *ends, *(TurnSide(phi, False) for phi in self.roots(slope).tolist()))
 
-    def read(self, value: Value, places: tuple[Place, ...]) -> Floats:
+    def read(self, value: Value, places: tuple[TurnSide, ...]) -> Floats:
         """Give a value at places."""
         turned = np.array([place.turned for place in places])
         found = self.at(value, turned)
@@ -207,7 +207,7 @@ class Stretches:
         found[back] = value(Tip(self.course, self.sizes, turned[back], before=True))
         return found
 
-    def most(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
+    def most(self, value: Value, places: tuple[TurnSide, ...]) -> Extreme | None:
         """Give the greatest value at places, the first where there are several."""
         found = self.read(value, places)
         if not places or np.isnan(found).all():
@@ -215,18 +215,18 @@ class Stretches:
         best = int(np.nanargmax(found))
         return Extreme(float(found[best]), places[best].turned)
 
-    def spans(self, value: Value, places: tuple[Place, ...]) -> Iterator[Span]:
+    def spans(self, value: Value, places: tuple[TurnSide, ...]) -> Iterator[TurnSpan]:
         """Give the parts of the turn where a value is above 0; places on two sides of a joint make one part."""
         cuts = np.unique(np.concatenate([self.edges, self.roots(value), [place.turned for place in places]]))
         above = self.at(value, (cuts[:-1] + cuts[1:]) / 2) > 0
         start = np.flatnonzero(above & ~np.concatenate([[False], above[:-1]]))
         end = np.flatnonzero(above & ~np.concatenate([above[1:], [False]]))
         for begin, other in zip(cuts[start].tolist(), cuts[end + 1].tolist(), strict=True):
-            yield Span(begin, other, tuple(place for place in places if begin <= place.turned <= other))
+            yield TurnSpan(begin, other, tuple(place for place in places if begin <= place.turned <= other))
 
 
 @dataclass(frozen=True)
-class Touch:
+class FaceTouch:
     """The contact of a flat face at N turns of the cam: where along the face, the profile's radius, how it slides.
 
     Of a rocker the place is counted along the face from under its pivot, of one that translates from its axis, to where

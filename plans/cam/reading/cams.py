@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 from plans.cam.reading.fields import CYCLOGRAM, REST, TURNING_STIFFNESS
 from plans.cam.reading.form import AGAINST, CamForm
-from plans.cam.reading.laws import Way, law_of, ways_of
-from plans.cam.reading.misplaced import Entry, Exact, misplaced, pace_of, proportions, shown
-from plans.model.cam import DWELL, NO_LIMITS, Cam, Follower, GivenSizes, Limits, Load, Phase
+from plans.cam.reading.laws import PhaseWay, law_of, ways_of
+from plans.cam.reading.misplaced import CamEntry, Exact, misplaced, pace_of, proportions, shown
+from plans.model.cam import DWELL, NO_LIMITS, Cam, Follower, FollowerLoad, GivenSizes, Limits, Phase
 from plans.model.cyclogram import Window
 from plans.scene import units
 from plans.scene.faults import Fault, Path, SceneError
@@ -25,7 +25,7 @@ SNAPPED = Fraction(1, 10**6)  # degrees: so near a whole turn a sum is taken for
 RADIANS = Fraction("6.283185307179586"), Fraction(1, 100)  # a whole turn, and how near it angles in radians are
 
 
-def turns_of(entry: Entry, window: Fraction | None) -> Exact | None:
+def turns_of(entry: CamEntry, window: Fraction | None) -> Exact | None:
     """Give the phases' angles in degrees (travels m), or nothing where they are at fault or wait for the cyclogram."""
     if entry.translates:
         return _travels(entry)
@@ -44,7 +44,7 @@ def _known(angle: Decimal | str | None, window: Fraction | None) -> Fraction | N
     return Fraction(angle) if isinstance(angle, Decimal) else window if angle == CYCLOGRAM else None
 
 
-def _travels(entry: Entry) -> Exact | None:
+def _travels(entry: CamEntry) -> Exact | None:
     for number, phase in enumerate(entry.form.phases):
         if phase.travel is None:
             entry.fault(("phases", number, "angle"), "mixed_phases")
@@ -52,7 +52,7 @@ def _travels(entry: Entry) -> Exact | None:
     return tuple(Fraction(phase.travel or 0) for phase in entry.form.phases)
 
 
-def _words(entry: Entry, window: Fraction | None, stated: Fraction) -> None:
+def _words(entry: CamEntry, window: Fraction | None, stated: Fraction) -> None:
     """See that words stand for one angle each, and that the others leave something to them."""
     angles = [phase.angle for phase in entry.form.phases]
     places = {word: [k for k, angle in enumerate(angles) if angle == word] for word in (REST, CYCLOGRAM)}
@@ -66,7 +66,7 @@ def _words(entry: Entry, window: Fraction | None, stated: Fraction) -> None:
         entry.fault(("phases", waiting[0], "angle"), "nothing_left", found=shown(stated))
 
 
-def _fits(entry: Entry, found: Sequence[Fraction]) -> bool:
+def _fits(entry: CamEntry, found: Sequence[Fraction]) -> bool:
     """See that the angles make a whole turn, and that none but a dwell's is 0."""
     before = len(entry.faults)
     phases = entry.form.phases
@@ -127,12 +127,12 @@ def asked_of(scene: Scene) -> tuple[str, ...]:
     return tuple(name for name, asked in (("linkage", by_drive), ("cyclogram", by_cyclogram)) if asked)
 
 
-def entries_of(scene: Scene, doubts: frozenset[Path] = frozenset()) -> Iterator[Entry]:
+def entries_of(scene: Scene, doubts: frozenset[Path] = frozenset()) -> Iterator[CamEntry]:
     """Give a scene's cams as they are examined."""
-    return (Entry(scene, number, form, doubts) for number, form in enumerate(scene.of(CamForm).cam))
+    return (CamEntry(scene, number, form, doubts) for number, form in enumerate(scene.of(CamForm).cam))
 
 
-def _one_name(scene: Scene, entries: Sequence[Entry]) -> Iterator[Fault]:
+def _one_name(scene: Scene, entries: Sequence[CamEntry]) -> Iterator[Fault]:
     """See that no two cams have one name."""
     for number, entry in enumerate(entries):
         before = [other.number for other in entries[:number] if other.name == entry.name]
@@ -140,7 +140,7 @@ def _one_name(scene: Scene, entries: Sequence[Entry]) -> Iterator[Fault]:
             yield scene.fault(entry.path("name") if entry.form.name else entry.path(), "cam_twice", name=entry.name)
 
 
-def _cam(entry: Entry, window: Window | None) -> Cam | None:
+def _cam(entry: CamEntry, window: Window | None) -> Cam | None:
     """Make one cam, or nothing where it is at fault or waits for the window."""
     if window is None:
         _has_cyclogram(entry)
@@ -171,7 +171,7 @@ def _cam(entry: Entry, window: Window | None) -> Cam | None:
     )
 
 
-def _has_cyclogram(entry: Entry) -> None:
+def _has_cyclogram(entry: CamEntry) -> None:
     """See that a file whose cam asks for a cyclogram has one."""
     if not entry.asks_cyclogram or entry.scene.has(("cyclogram",)):
         return
@@ -180,7 +180,7 @@ def _has_cyclogram(entry: Entry) -> None:
     entry.fault(path, "needs", tables="[cyclogram]", example=("[cyclogram]",))
 
 
-def _phases(entry: Entry, window: Window | None) -> tuple[Exact, tuple[Phase, ...]] | None:
+def _phases(entry: CamEntry, window: Window | None) -> tuple[Exact, tuple[Phase, ...]] | None:
     """Give the angles and the phases; a dwell of no angle is none."""
     turns = turns_of(entry, None if window is None else Fraction(math.degrees(window.angle)))
     ways = ways_of(entry)
@@ -191,7 +191,7 @@ def _phases(entry: Entry, window: Window | None) -> tuple[Exact, tuple[Phase, ..
     return tuple(turn for turn in turns if turn), tuple(made)
 
 
-def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way) -> Phase:
+def _phase(entry: CamEntry, number: int, turn: Fraction, start: Fraction, way: PhaseWay) -> Phase:
     def across(size: Fraction) -> float:
         return float(size) if entry.translates else math.radians(float(size))
 
@@ -204,12 +204,12 @@ def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way)
     return Phase(kind, across(turn), across(start), up(way.level), up(way.change), moving, across(start + turn))
 
 
-def _limits(entry: Entry) -> Limits:
+def _limits(entry: CamEntry) -> Limits:
     limits = entry.form.limits
     return Limits(_radians(limits.rise), _radians(limits.return_), float(limits.curvature))
 
 
-def _follower(entry: Entry) -> Follower:
+def _follower(entry: CamEntry) -> Follower:
     follower = entry.form.follower
     return Follower(
         follower.motion,
@@ -221,7 +221,7 @@ def _follower(entry: Entry) -> Follower:
     )
 
 
-def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> float:
+def _setting(entry: CamEntry, window: Window | None, phases: Sequence[Phase]) -> float:
     """Give the turn of the main shaft at which the first phase begins, from 0 to a whole turn.
 
     By the cyclogram the phase that takes its angle from it begins with the window, or else the first that moves.
@@ -234,12 +234,12 @@ def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> fl
     return (window.start - (starts or moving or [0.0])[0]) % math.tau
 
 
-def _asking(entry: Entry) -> list[bool]:
+def _asking(entry: CamEntry) -> list[bool]:
     """Tell of each phase that is made whether it takes its angle from the cyclogram."""
     return [phase.angle == CYCLOGRAM for phase in entry.form.phases if phase.angle != 0]
 
 
-def _load(entry: Entry) -> Load | None:
+def _load(entry: CamEntry) -> FollowerLoad | None:
     load = entry.form.load
     if load is None:
         return None
@@ -247,7 +247,7 @@ def _load(entry: Entry) -> Load | None:
     mass, acting = (load.inertia, load.moment) if entry.rocks else (load.mass, load.force)
     preload = entry.quantity(load.preload, force, "load", "preload")
     stiffness = entry.quantity(load.stiffness, stiff, "load", "stiffness")
-    return Load(*(float(size or 0) for size in (mass, acting, preload, stiffness)))
+    return FollowerLoad(*(float(size or 0) for size in (mass, acting, preload, stiffness)))
 
 
 def _radians(degrees: Decimal | None) -> float | None:

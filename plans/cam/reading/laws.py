@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
-from plans.cam.reading.misplaced import Entry, shown
-from plans.cam.reading.phase_form import LawTable, PhaseTable, Shape, cancelled
+from plans.cam.reading.misplaced import CamEntry, shown
+from plans.cam.reading.phase_form import AccelerationShape, LawTable, PhaseTable, cancelled
 from plans.model.cam import CUBICS, DWELL, LINES, RETURN, RISE, SHAPE, TABLE, Law
 from plans.scene import units
 from plans.scene.faults import Path
@@ -16,18 +16,18 @@ from plans.scene.units import Kind
 from plans.words.words import message
 
 
-class Way(NamedTuple):
+class PhaseWay(NamedTuple):
     """S at the start of a phase, and its change; m, or degrees of a follower that rocks."""
 
     level: Fraction
     change: Fraction
 
 
-def ways_of(entry: Entry) -> tuple[Way, ...] | None:
+def ways_of(entry: CamEntry) -> tuple[PhaseWay, ...] | None:
     """Give the way of each phase, or nothing where the follower leaves its way, or does not come back."""
-    before, ways, level = len(entry.faults), list[Way](), _start(entry)
+    before, ways, level = len(entry.faults), list[PhaseWay](), _start(entry)
     for number, phase in enumerate(entry.form.phases):
-        ways.append(Way(level, _change(entry, phase, level)))
+        ways.append(PhaseWay(level, _change(entry, phase, level)))
         level += ways[-1].change
         _keeps(entry, number, phase, ways[-1])
         if len(entry.faults) > before:  # what follows from it is not told as well
@@ -36,7 +36,7 @@ def ways_of(entry: Entry) -> tuple[Way, ...] | None:
     return tuple(ways) if len(entry.faults) == before else None
 
 
-def _keeps(entry: Entry, number: int, phase: PhaseTable, way: Way) -> None:
+def _keeps(entry: CamEntry, number: int, phase: PhaseTable, way: PhaseWay) -> None:
     """See that a phase has some of the way left, and does not go beyond it."""
     if not 0 <= way.level + way.change <= entry.lift:
         left, unit = entry.sized(entry.lift - way.level if phase.kind == RISE else way.level)
@@ -45,13 +45,13 @@ def _keeps(entry: Entry, number: int, phase: PhaseTable, way: Way) -> None:
         entry.fault(("phases", number, "kind"), "at_top" if phase.kind == RISE else "at_bottom")
 
 
-def _start(entry: Entry) -> Fraction:
+def _start(entry: CamEntry) -> Fraction:
     """Give S at the start: at the top where the first that moves is a return."""
     kinds = (phase.kind for phase in entry.form.phases if phase.kind != DWELL)
     return entry.lift if next(kinds, RISE) == RETURN else Fraction(0)
 
 
-def _change(entry: Entry, phase: PhaseTable, level: Fraction) -> Fraction:
+def _change(entry: CamEntry, phase: PhaseTable, level: Fraction) -> Fraction:
     """Give the change of S: a part of the way that is given, or all that is left of it."""
     if phase.kind == DWELL:
         return Fraction(0)
@@ -61,7 +61,7 @@ def _change(entry: Entry, phase: PhaseTable, level: Fraction) -> Fraction:
     return -level if part is None else -Fraction(part)
 
 
-def _returns(entry: Entry, ways: Sequence[Way]) -> None:
+def _returns(entry: CamEntry, ways: Sequence[PhaseWay]) -> None:
     """See that the follower comes back (a cam that translates goes back itself), and goes its whole way."""
     levels = [*accumulate((way.change for way in ways), initial=ways[0].level)]
     last, over = ("phases", len(ways) - 1), levels[-1] - levels[0]
@@ -78,7 +78,7 @@ POINTS_LEAST = 2
 Plotted = tuple[tuple[Fraction, Fraction], ...]
 
 
-def law_of(entry: Entry, number: int, turned: Fraction, way: Way) -> Law | None:
+def law_of(entry: CamEntry, number: int, turned: Fraction, way: PhaseWay) -> Law | None:
     """Give the law of one phase, or nothing of a dwell, or where it is at fault."""
     law = entry.form.phases[number].law
     if not isinstance(law, LawTable):
@@ -92,7 +92,7 @@ def law_of(entry: Entry, number: int, turned: Fraction, way: Way) -> Law | None:
     return Law(law.name, float(law.first or 0.5)) if len(entry.faults) == before else None
 
 
-def _owned(entry: Entry, number: int, law: LawTable) -> None:
+def _owned(entry: CamEntry, number: int, law: LawTable) -> None:
     """See that a law is given nothing that only another takes."""
     path = ("phases", number, "law")
     if law.name != CONSTANT_ACCELERATION:
@@ -105,7 +105,7 @@ def _owned(entry: Entry, number: int, law: LawTable) -> None:
         entry.spare(("tolerance",), law.given, "cubics", *path)
 
 
-def _table(entry: Entry, number: int, law: LawTable, turned: Fraction, way: Way) -> Law | None:
+def _table(entry: CamEntry, number: int, law: LawTable, turned: Fraction, way: PhaseWay) -> Law | None:
     """Give a law by a table of S over the turn of the cam, in shares."""
     across, up = units.LENGTH if entry.translates else units.ANGLE, units.ANGLE if entry.rocks else units.LENGTH
     points = _plotted(entry, number, law, across, up)
@@ -123,7 +123,7 @@ def _ended(shares: Sequence[tuple[Fraction, Fraction]]) -> Plotted:
     return (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))
 
 
-def _plotted(entry: Entry, number: int, law: LawTable, across: Kind, up: Kind) -> Plotted | None:
+def _plotted(entry: CamEntry, number: int, law: LawTable, across: Kind, up: Kind) -> Plotted | None:
     """Give the points of a law; those that are too few, unsorted or of another kind are at fault."""
     path = ("phases", number, "law", "points")
     found = [
@@ -139,7 +139,7 @@ def _plotted(entry: Entry, number: int, law: LawTable, across: Kind, up: Kind) -
     return points if law.name == SHAPE or _sorted(entry, path, points) else None
 
 
-def _sorted(entry: Entry, path: Path, points: Plotted) -> bool:
+def _sorted(entry: CamEntry, path: Path, points: Plotted) -> bool:
     """See that a table goes on from point to point, and does not jump."""
     before = len(entry.faults)
     for at, (point, other) in enumerate(pairwise(points), 1):
@@ -150,7 +150,7 @@ def _sorted(entry: Entry, path: Path, points: Plotted) -> bool:
     return len(entry.faults) == before
 
 
-def _repeated(entry: Entry, path: Path, point: tuple[Fraction, Fraction], jump: Fraction) -> None:
+def _repeated(entry: CamEntry, path: Path, point: tuple[Fraction, Fraction], jump: Fraction) -> None:
     if jump:
         size, unit = entry.sized(abs(jump))
         entry.fault(path, "table_jumps", found=shown(point[0]), jump=size, unit=unit)
@@ -161,7 +161,7 @@ def _repeated(entry: Entry, path: Path, point: tuple[Fraction, Fraction], jump: 
 NEAR = Fraction(1, 10**9)  # of a phase or a lift: so near its end a point of a table is meant to be at it
 
 
-def _spans(entry: Entry, number: int, points: Plotted, turned: Fraction, way: Way) -> bool:
+def _spans(entry: CamEntry, number: int, points: Plotted, turned: Fraction, way: PhaseWay) -> bool:
     """See that a table goes from the start of its phase to its end, and joins what is before and behind it."""
     before, path = len(entry.faults), ("phases", number, "law", "points")
     ends = ((0, Fraction(0), way.level), (len(points) - 1, turned, way.level + way.change))
@@ -175,13 +175,13 @@ def _spans(entry: Entry, number: int, points: Plotted, turned: Fraction, way: Wa
     return len(entry.faults) == before
 
 
-def _shape(entry: Entry, number: int, law: LawTable) -> Law | None:
+def _shape(entry: CamEntry, number: int, law: LawTable) -> Law | None:
     """Give a law by the shape of its acceleration, whose areas above and below cancel."""
     path = ("phases", number, "law", "points")
     points = _plotted(entry, number, law, units.NUMBER, units.NUMBER)
     if points is None or not _shares(entry, path, points):
         return None
-    shape = Shape(points)
+    shape = AccelerationShape(points)
     if not shape.cancels:
         factor = shape.factor
         advice = message("advice.shape_factor", factor=shown(factor)) if factor else message("advice.shape_both")
@@ -194,7 +194,7 @@ def _shape(entry: Entry, number: int, law: LawTable) -> Law | None:
     return Law(SHAPE, 0.5, _floats(found.points))
 
 
-def _shares(entry: Entry, path: Path, points: Plotted) -> bool:
+def _shares(entry: CamEntry, path: Path, points: Plotted) -> bool:
     """See that shares go from 0 to 1 without falling, at most two points at one of them."""
     before = len(entry.faults)
     for at, share in ((0, 0), (len(points) - 1, 1)):

@@ -22,7 +22,7 @@ Exact = tuple[Fraction, ...]
 
 
 @dataclass(frozen=True)
-class Entry:
+class CamEntry:
     """A [[cam]] of a scene, and the list that its faults are put into."""
 
     scene: Scene
@@ -97,19 +97,19 @@ def shown(number: Fraction | Decimal) -> str:
     return f"{float(number):.10g}"
 
 
-class Drive(Protocol):
+class DriveSpeed(Protocol):
     """A drive, whatever technique states it."""
 
     omega: Decimal
 
 
-class Driven(Protocol):
+class DrivenMachine(Protocol):
     """What a scene says of a mechanism with a drive."""
 
-    drive: Drive
+    drive: DriveSpeed
 
 
-def pace_of(entry: Entry) -> tuple[int, float | None]:
+def pace_of(entry: CamEntry) -> tuple[int, float | None]:
     """Give the sense of a cam, +1 counter-clockwise, and its speed, rad/s (m/s of one that translates), or none."""
     kind = units.VELOCITY if entry.translates else units.SPEED
     speed = entry.quantity(entry.form.speed, kind, "speed")
@@ -120,17 +120,17 @@ def pace_of(entry: Entry) -> tuple[int, float | None]:
     return -1 if speed is not None and speed < 0 else 1, abs(float(speed)) if speed else None
 
 
-def _of_drive(entry: Entry) -> Decimal | None:
+def _of_drive(entry: CamEntry) -> Decimal | None:
     """Give the speed of the drive, where the scene has one."""
     linkage = entry.scene.part("linkage")
-    return cast("Driven", linkage).drive.omega if linkage is not None else None
+    return cast("DrivenMachine", linkage).drive.omega if linkage is not None else None
 
 
 METRE, HUNDREDS = 1, 100  # m, and of the way of the follower: so large a roller is one in millimetres
 DEGREE = Fraction(math.radians(1))
 
 
-def proportions(entry: Entry) -> None:
+def proportions(entry: CamEntry) -> None:
     """Put a fault at each of the given sizes that the others do not allow."""
     sizes, follower = entry.form.sizes, entry.form.follower
     if entry.rocks and entry.flat and sizes.centre is None and not entry.doubted("sizes"):
@@ -146,14 +146,14 @@ def proportions(entry: Entry) -> None:
         _reach(entry, *three)  # type: ignore[arg-type]
 
 
-def _reach(entry: Entry, base: Decimal, centre: Decimal, length: Decimal) -> None:
+def _reach(entry: CamEntry, base: Decimal, centre: Decimal, length: Decimal) -> None:
     """See that R0, L and the rocker make a triangle."""
     least, most = abs(centre - length), centre + length
     if not least < base < most:
         entry.fault(("sizes", "base"), "rocker_reach", least=_mm(least), most=_mm(most))
 
 
-def _way(entry: Entry) -> Fraction:
+def _way(entry: CamEntry) -> Fraction:
     """Give how far the follower's end goes, m."""
     return Fraction(entry.form.follower.length or 0) * entry.lift * DEGREE if entry.rocks else entry.lift
 
@@ -162,7 +162,7 @@ def _mm(size: Decimal) -> str:
     return shown(1000 * size)
 
 
-def misplaced(entry: Entry) -> None:
+def misplaced(entry: CamEntry) -> None:
     """Put a fault at each key that is of another kind of cam."""
     _follower(entry)
     _phases(entry)
@@ -172,7 +172,7 @@ def misplaced(entry: Entry) -> None:
         entry.fault(("follower", "end"), "flat_translating")
 
 
-def _follower(entry: Entry) -> None:
+def _follower(entry: CamEntry) -> None:
     given = entry.form.follower.given
     if not entry.rocks:
         entry.spare(("swing", "length", "turns"), given, "rocking", "follower")
@@ -186,7 +186,7 @@ def _follower(entry: Entry) -> None:
         entry.spare(("reach",), given, "flat", "follower")
 
 
-def _phases(entry: Entry) -> None:
+def _phases(entry: CamEntry) -> None:
     part, owner = ("lift", "translating") if entry.rocks else ("swing", "rocking")
     for number, phase in enumerate(entry.form.phases):
         entry.spare((part,), phase.given, owner, "phases", number)
@@ -194,7 +194,7 @@ def _phases(entry: Entry) -> None:
             entry.spare({"law", "lift", "swing"} - {part}, phase.given, "moving", "phases", number)
 
 
-def _sizes(entry: Entry) -> None:
+def _sizes(entry: CamEntry) -> None:
     given = entry.form.sizes.given
     if entry.form.follower.end != ROLLER:
         entry.spare(("roller",), given, "roller", "sizes")
@@ -208,7 +208,7 @@ def _sizes(entry: Entry) -> None:
         entry.spare(("curvature",), entry.form.limits.given, "flat", "limits")
 
 
-def _load(entry: Entry) -> None:
+def _load(entry: CamEntry) -> None:
     given = entry.form.load.given if entry.form.load else ()
     names, owner = (("mass", "force"), "translating") if entry.rocks else (("inertia", "moment"), "rocking")
     entry.spare(names, given, owner, "load")

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from plans.cam.reading.cams import WHOLE, entries_of
 from plans.cam.reading.fields import CYCLOGRAM, REST
-from plans.cam.reading.misplaced import Entry, pace_of, shown
+from plans.cam.reading.misplaced import CamEntry, pace_of, shown
 from plans.cam.reading.phase_form import LawTable
 from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, RISE, TABLE
 from plans.scene import units
@@ -31,7 +31,7 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
             yield from notes(entry)
 
 
-def _lengths(entry: Entry) -> Iterator[tuple[Path, Decimal]]:
+def _lengths(entry: CamEntry) -> Iterator[tuple[Path, Decimal]]:
     """Give the lengths m that a cam states; a zero is one in any unit."""
     follower, sizes = entry.form.follower, entry.form.sizes
     stated = {("follower", name): getattr(follower, name) for name in ("lift", "length")}
@@ -39,7 +39,7 @@ def _lengths(entry: Entry) -> Iterator[tuple[Path, Decimal]]:
     return ((entry.path(*path), abs(size)) for path, size in stated.items() if size)
 
 
-def _paces(entries: Sequence[Entry]) -> Iterator[Fault]:
+def _paces(entries: Sequence[CamEntry]) -> Iterator[Fault]:
     """Find a cam that turns otherwise than the first that turns: one shaft has one speed."""
     found = ((entry, *pace_of(entry)) for entry in entries if not entry.translates)
     paces = [(entry, sense * speed) for entry, sense, speed in found if speed]
@@ -49,11 +49,11 @@ def _paces(entries: Sequence[Entry]) -> Iterator[Fault]:
             yield _note(entry, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
 
 
-def _note(entry: Entry, path: Path, kind: str, **details: object) -> Fault:
+def _note(entry: CamEntry, path: Path, kind: str, **details: object) -> Fault:
     return entry.scene.fault(entry.path(*path), kind, **details)
 
 
-def _turns(entry: Entry) -> Iterator[Fault]:
+def _turns(entry: CamEntry) -> Iterator[Fault]:
     """Tell of a sum that was near a whole turn and is taken for one."""
     angles = [phase.angle for phase in entry.form.phases]
     if entry.translates or REST in angles or CYCLOGRAM in angles:
@@ -64,7 +64,7 @@ def _turns(entry: Entry) -> Iterator[Fault]:
         yield _note(entry, ("phases", largest, "angle"), "turn_snapped", found=f"{float(total):.12g}")
 
 
-def _dwells(entry: Entry) -> Iterator[Fault]:
+def _dwells(entry: CamEntry) -> Iterator[Fault]:
     """Find two dwells in a row."""
     kinds = [phase.kind for phase in entry.form.phases]
     for number in range(1, len(kinds)):
@@ -72,7 +72,7 @@ def _dwells(entry: Entry) -> Iterator[Fault]:
             yield _note(entry, ("phases", number, "kind"), "two_dwells")
 
 
-def _way(entry: Entry) -> Iterator[Fault]:
+def _way(entry: CamEntry) -> Iterator[Fault]:
     """Find a follower that does not move, or moves farther than the cam is wide."""
     base, key = entry.form.sizes.base, "swing" if entry.rocks else "lift"
     if entry.lift == 0:
@@ -81,7 +81,7 @@ def _way(entry: Entry) -> Iterator[Fault]:
         yield _note(entry, ("follower", key), "high_lift", base=shown(1000 * base))
 
 
-def _limits(entry: Entry) -> Iterator[Fault]:
+def _limits(entry: CamEntry) -> Iterator[Fault]:
     """Tell of limits that nothing is found from, and of those that are taken from the book."""
     given, sizes = entry.form.limits.given, entry.form.sizes
     if "return" in given and entry.form.closure == FORCE:
@@ -101,13 +101,13 @@ def _limits(entry: Entry) -> Iterator[Fault]:
             yield _note(entry, (), f"book_{name}", name=entry.name, most=most)
 
 
-def _sized(entry: Entry) -> bool:
+def _sized(entry: CamEntry) -> bool:
     """Tell whether no size is left to be found by limits: without any a radius alone is that of a radial follower."""
     given, limits = entry.form.sizes.given, entry.form.limits.given & {"rise", "return"}
     return "base" in given and ("centre" in given if entry.rocks else "offset" in given or not limits)
 
 
-def _laws(entry: Entry) -> Iterator[Fault]:
+def _laws(entry: CamEntry) -> Iterator[Fault]:
     """Tell of tables with few points, and of those that are smoothed."""
     for number, phase in enumerate(entry.form.phases):
         law, path = phase.law, ("phases", number, "law")
@@ -120,7 +120,7 @@ def _laws(entry: Entry) -> Iterator[Fault]:
             yield _note(entry, (*path, "tolerance"), "smoothed")
 
 
-def _backward(entry: Entry, path: Path, kind: str, law: LawTable) -> Iterator[Fault]:
+def _backward(entry: CamEntry, path: Path, kind: str, law: LawTable) -> Iterator[Fault]:
     """Tell where a table first goes back within its phase."""
     levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
     way = 1 if kind == RISE else -1
@@ -129,7 +129,7 @@ def _backward(entry: Entry, path: Path, kind: str, law: LawTable) -> Iterator[Fa
         yield _note(entry, (*path, back[0], 1), "table_falls" if kind == RISE else "table_rises")
 
 
-def _unused(entry: Entry) -> Iterator[Fault]:
+def _unused(entry: CamEntry) -> Iterator[Fault]:
     """Find a spring or a flat face beside a groove, and a mass that needs a speed."""
     if entry.form.closure == GROOVE:
         if entry.flat:
@@ -139,7 +139,7 @@ def _unused(entry: Entry) -> Iterator[Fault]:
         yield from _each(entry, "still_cam", "mass", "inertia")
 
 
-def _each(entry: Entry, kind: str, *names: str) -> Iterator[Fault]:
+def _each(entry: CamEntry, kind: str, *names: str) -> Iterator[Fault]:
     """Give a note at each of some keys of the load that is given."""
     given = entry.form.load.given if entry.form.load else ()
     return (_note(entry, ("load", name), kind) for name in names if name in given)

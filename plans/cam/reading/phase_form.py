@@ -21,7 +21,7 @@ Plotted = tuple[tuple[Fraction, Fraction], ...]
 NEARLY = Fraction(1, 10**6)  # of either area: written shares are rounded, and areas so near each other are meant alike
 
 
-class Shape(NamedTuple):
+class AccelerationShape(NamedTuple):
     """Shares of a phase from 0 to 1 with the acceleration in any scale; two points at one share are a jump."""
 
     points: Plotted
@@ -30,7 +30,7 @@ class Shape(NamedTuple):
     def above(self) -> Fraction:
         """The area above 0.
 
-        >>> str(Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).above)
+        >>> str(AccelerationShape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).above)
         '1/4'
         """
         return sum(self._areas(1), Fraction(0))
@@ -79,10 +79,10 @@ class Shape(NamedTuple):
         return level
 
 
-def cancelled(shape: Shape) -> Shape:
+def cancelled(shape: AccelerationShape) -> AccelerationShape:
     """Give a shape whose areas cancel exactly: what is below 0 takes what is over."""
     factor = shape.factor
-    return Shape(tuple((x, y * factor if y < 0 else y) for x, y in shape.points))
+    return AccelerationShape(tuple((x, y * factor if y < 0 else y) for x, y in shape.points))
 
 
 POINTS = 'points = [[0, 0], [60, "15 mm"], [120, "30 mm"]]'
