@@ -1,4 +1,4 @@
-"""Assemblies: chosen once and kept, told where a mechanism may go on in two ways or in none, and where it turns back."""
+"""Assemblies: chosen once and kept; it is told where a mechanism may go on in two ways, or in none, or turns back."""
 
 from __future__ import annotations
 

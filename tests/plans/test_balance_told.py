@@ -1,4 +1,4 @@
-"""What solve and explain tell of a balance: numbers of one form by both roads, the mass centre, counterweights step by step."""
+"""What solve and explain tell of a balance: numbers alike by both roads, the mass centre, counterweights in steps."""
 
 from __future__ import annotations
 
