@@ -85,13 +85,13 @@ def expected_rows(comparison: DiagramsComparison) -> tuple[ExpectedRow, ...]:
     found, sliding = comparison.analysis, comparison.findings[0].name == LETTERS[True][0]
     letters = LETTERS[True] if sliding else AHEAD if found.count.turns else LETTERS[False]
     units = [finding.unit for finding in comparison.findings[:3]]
-    own: dict[str, float] = {}
+    slacks: dict[str, float] = {}
     for finding in comparison.findings:  # of a row those of the plans, of chords and between
         letter = finding.name.split(" ")[0]
-        own[letter] = own.get(letter, 0.0) + float(np.nanmax(finding.allowed, initial=0.0))
+        slacks[letter] = slacks.get(letter, 0.0) + float(np.nanmax(finding.allowed, initial=0.0))
     return tuple(
         _row(comparison, order, letter, unit, allowed)
-        for order, (letter, unit, allowed) in enumerate(zip(letters, units, own.values(), strict=True))
+        for order, (letter, unit, allowed) in enumerate(zip(letters, units, slacks.values(), strict=True))
     )
 
 
@@ -153,8 +153,8 @@ def _pieces(axis: Axis, places: Floats, values: Floats) -> Iterator[Piece]:
     """Give the values of each run that a smooth curve joins, with those beyond the ends of a turn, and its ends."""
     for run in axis.runs:
         bounds = float(axis.turned[run.start]), float(axis.turned[run.stop - 1])
-        own = (places >= bounds[0] - FLAT) & (places <= bounds[1] + FLAT) & ~np.isnan(values)
-        x, y = places[own], values[own]
+        inside = (places >= bounds[0] - FLAT) & (places <= bounds[1] + FLAT) & ~np.isnan(values)
+        x, y = places[inside], values[inside]
         if axis.closed:
             if x[-1] - x[0] > TURN * (1 - FLAT):
                 x, y = x[:-1], y[:-1]
@@ -192,10 +192,10 @@ def _parabola(x: Floats, y: Floats, k: np.ndarray, at: Floats) -> Floats:
     """Give the parabola through three points from the k-th on, at angles, by Lagrange."""
     ends = x[k], x[k + 1], x[k + 2]
     total = np.zeros(len(at))
-    for own in range(3):
-        part = y[k + own]
-        for other in (one for one in range(3) if one != own):
-            part = part * (at - ends[other]) / (ends[own] - ends[other])
+    for corner in range(3):
+        part = y[k + corner]
+        for other in (node for node in range(3) if node != corner):
+            part = part * (at - ends[other]) / (ends[corner] - ends[other])
         total = total + part
     return total
 
@@ -205,14 +205,14 @@ def columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, 
     found, turns = comparison.analysis, comparison.analysis.count.turns
     s, v, a = found.at
     whole = s + turns * found.axis.turned, v + turns * omega, a
-    slacks = [float(np.nanmax(one.allowed, initial=0.0)) for one in comparison.findings[:3]]
+    slacks = [float(np.nanmax(finding.allowed, initial=0.0)) for finding in comparison.findings[:3]]
     sizes = [float(np.nanmax(np.abs(row), initial=0.0)) for row in whole]
     sizes = [max(omega**power * size for power, size in enumerate(sizes[k::-1])) for k in range(len(sizes))]
-    own = [(row, slack + KNOWN * size) for row, slack, size in zip(whole, slacks, sizes, strict=True)]
-    return [(found.axis.turned * 360 / TURN, KNOWN), *own]
+    others = [(row, slack + KNOWN * size) for row, slack, size in zip(whole, slacks, sizes, strict=True)]
+    return [(found.axis.turned * 360 / TURN, KNOWN), *others]
 
 
 def headings(comparison: DiagramsComparison, drafting: Drafting) -> list[str]:
     """Give the headings of the columns: the crank angle, the output's own letters and units."""
-    own = (f"{one.name}, {drafting.word(one.unit)}" for one in comparison.findings[:3])
-    return [Text(0j, head).plain for head in ("φ, °", *own)]
+    heads = (f"{finding.name}, {drafting.word(finding.unit)}" for finding in comparison.findings[:3])
+    return [Text(0j, head).plain for head in ("φ, °", *heads)]

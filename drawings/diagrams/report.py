@@ -28,32 +28,32 @@ if TYPE_CHECKING:
 PER_CENT = 2  # digits of an error
 
 
-def diagram_notes(own: DiagramsStudy, drafting: Drafting) -> list[str]:
+def diagram_notes(diagrams: DiagramsStudy, drafting: Drafting) -> list[str]:
     """Write the notes on the diagrams; nothing where they are not wanted."""
-    if not own.wanted:
+    if not diagrams.wanted:
         return []
-    if own.left_out is not None:
-        return [drafting.word("diagrams left out", why=said(own.left_out, drafting.language))]
-    return [" ".join(_drawn(own, drafting)), *_read_off(own, drafting)]
+    if diagrams.left_out is not None:
+        return [drafting.word("diagrams left out", why=said(diagrams.left_out, drafting.language))]
+    return [" ".join(_drawn(diagrams, drafting)), *_read_off(diagrams, drafting)]
 
 
-def _drawn(own: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
+def _drawn(diagrams: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
     """Say how the diagrams are drawn and counted, and what of a crank that gathers speed is left aside."""
-    s, v, a = letters_of(own)
-    keys = ("diagrams by chords", f"diagrams {own.counted}", *(("diagrams even",) if own.course.lead else ()))
+    s, v, a = letters_of(diagrams)
+    keys = ("diagrams by chords", f"diagrams {diagrams.counted}", *(("diagrams even",) if diagrams.course.lead else ()))
     yield from (drafting.word(key, s=s, v=v, a=a) for key in keys)
 
 
-def _read_off(own: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
+def _read_off(diagrams: DiagramsStudy, drafting: Drafting) -> Iterator[str]:
     """Tell how far the chords are out at the most, where, and why."""
-    told = [_error(row, own, drafting) for row in rows_of(own)[1:] if row.off is not None and not row.flat]
+    told = [_error(row, diagrams, drafting) for row in rows_of(diagrams)[1:] if row.off is not None and not row.flat]
     if told:
         yield drafting.word("diagrams off", told=",  ".join(told))
 
 
-def _error(row: DiagramRow, own: DiagramsStudy, drafting: Drafting) -> str:
+def _error(row: DiagramRow, diagrams: DiagramsStudy, drafting: Drafting) -> str:
     assert row.off is not None  # asked only where chords are judged
-    numbers, k = own.axis.numbers, row.off.at
+    numbers, k = diagrams.axis.numbers, row.off.at
     place = f"{numbers[k]}–{numbers[k + 1]}" if row.key == VELOCITY else str(numbers[k])
     off = drafting.number(100 * row.off.share, PER_CENT)
     return drafting.word("diagram off", letter=row.letter, off=off, place=place)
@@ -67,13 +67,13 @@ DIGITS = 4  # of the largest of a column, whose numbers all have its decimals
 PLACES = range(-3, 8)  # decimals of a column; of none below 0; of other sizes each number has its own digits
 
 
-def output_table(own: DiagramsStudy, drafting: Drafting) -> RuledTable:
+def output_table(diagrams: DiagramsStudy, drafting: Drafting) -> RuledTable:
     """Rule the table of the output's course."""
-    found = own.drawn
-    letters = SLIDING if own.course.travel.sliding else TURNING
-    units = [drafting.word(unit) for unit in own.units]
+    found = diagrams.drawn
+    letters = SLIDING if diagrams.course.travel.sliding else TURNING
+    units = [drafting.word(unit) for unit in diagrams.units]
     heads = ("φ, °", *(f"{letter}, {unit}" for letter, unit in zip(letters, units, strict=True)))
-    told = table(list(_rows(own, found, drafting)), drafting.word("position head"), heads, drafting.hand.text)
+    told = table(list(_rows(diagrams, found, drafting)), drafting.word("position head"), heads, drafting.hand.text)
     return told._replace(name=NAME)
 
 
@@ -84,8 +84,8 @@ def told_positions(found: Diagrams) -> tuple[int, ...]:
     return tuple(sorted(range(0, count, step), key=lambda k: found.axis.numbers[k]))
 
 
-def _rows(own: DiagramsStudy, found: Diagrams, drafting: Drafting) -> Iterator[TableRow]:
-    columns = tuple(_columns(whole(found, own.course.omega), own.course.omega))
+def _rows(diagrams: DiagramsStudy, found: Diagrams, drafting: Drafting) -> Iterator[TableRow]:
+    columns = tuple(_columns(whole(found, diagrams.course.omega), diagrams.course.omega))
     for k in told_positions(found):
         cells = (_shown(column, k, drafting) for column in columns)
         yield TableRow(
@@ -138,13 +138,13 @@ FULL = 10
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the output's course at all positions with the chords; why there are no diagrams, if they are wanted."""
-    own = study.of(DiagramsStudy)
+    diagrams = study.of(DiagramsStudy)
     language = study.scene.sheet.language
-    if own.diagrams is not None:
-        return Chapters(values=_values(own.diagrams, study.comparison("diagrams").findings, language))
-    if own.left_out is None or not own.wanted:
+    if diagrams.diagrams is not None:
+        return Chapters(values=_values(diagrams.diagrams, study.comparison("diagrams").findings, language))
+    if diagrams.left_out is None or not diagrams.wanted:
         return Chapters()
-    return Chapters(left_out=(word(language, "report.no_diagrams", why=own.left_out),))
+    return Chapters(left_out=(word(language, "report.no_diagrams", why=diagrams.left_out),))
 
 
 def headline(study: Study) -> str:
@@ -161,10 +161,10 @@ def _values(found: Diagrams, findings: Sequence[Quantity], language: str) -> Ite
     """Tabulate the course; v by a chord stands with the position from which it goes on."""
     yield chapter(language, "diagrams")
     told = [findings[k] for k in TOLD]
-    heads = (word(language, "table.position"), "φ, °", *(heading(one, language) for one in told))
+    heads = (word(language, "table.position"), "φ, °", *(heading(finding, language) for finding in told))
     yield from header(heads)
     for k, position in enumerate(found.axis.numbers):
-        cells = (_cell(one, k, language) for one in told)
+        cells = (_cell(finding, k, language) for finding in told)
         yield row([str(position), decimal(f"{math.degrees(found.axis.turned[k]):.4f}", language), *cells])
     yield ""
     yield from _errors(found, told, language)
@@ -187,9 +187,9 @@ def _errors(found: Diagrams, told: Sequence[Quantity], language: str) -> Iterato
         (found.speeds, found.true_speeds),
         (found.growths, found.true_growths),
     )
-    for one, (values, true), fast in zip(told[3:], pairs, (True, False), strict=True):
+    for finding, (values, true), fast in zip(told[3:], pairs, (True, False), strict=True):
         error = chord_error(values, true)
         if error is not None:
             place = f"{numbers[error.at]}–{numbers[error.at + 1]}" if fast else str(numbers[error.at])
             off = number(100 * error.share, language, 3)
-            yield word(language, "report.chords", name=one.name.split(" ")[0], off=off, place=place)
+            yield word(language, "report.chords", name=finding.name.split(" ")[0], off=off, place=place)

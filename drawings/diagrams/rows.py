@@ -57,50 +57,52 @@ class DiagramRow(NamedTuple):
         """The least and the greatest value, zero among them; nothing of a row that shows nothing."""
         if self.flat:
             return 0.0, 0.0
-        own = np.concatenate([self.at, *(one.y for one in (*self.results, *self.thin, self.chords))])
-        return float(np.nanmin(own, initial=0.0)), float(np.nanmax(own, initial=0.0))
+        values = np.concatenate([self.at, *(curve.y for curve in (*self.results, *self.thin, self.chords))])
+        return float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
 
 
-def letters_of(own: DiagramsStudy) -> tuple[str, str, str]:
+def letters_of(diagrams: DiagramsStudy) -> tuple[str, str, str]:
     """Give the letters of the rows."""
-    if own.course.travel.sliding:
+    if diagrams.course.travel.sliding:
         return SLIDING
-    return AHEAD if own.course.count.turns else TURNING
+    return AHEAD if diagrams.course.count.turns else TURNING
 
 
-def rows_of(own: DiagramsStudy) -> tuple[DiagramRow, ...]:
+def rows_of(diagrams: DiagramsStudy) -> tuple[DiagramRow, ...]:
     """Give the rows from the top."""
-    found = own.drawn
+    found = diagrams.drawn
     axis, nodes = found.axis, found.axis.nodes(STEPS)
-    dense = [own.course.at(row) for row in nodes]
-    travel = _row(own, 0, found.at.s, _curves(nodes, [one.s for one in dense]))
+    dense = [diagrams.course.at(row) for row in nodes]
+    travel = _row(diagrams, 0, found.at.s, _curves(nodes, [course.s for course in dense]))
     chords = tuple(Curve(axis.turned[run], found.at.s[run]) for run in axis.runs)
     return (
         travel._replace(thin=chords),
-        _by_chords(_row(own, 1, found.at.v, _curves(nodes, [one.v for one in dense])), own, axis.middles),
-        _by_chords(_row(own, 2, found.even, _curves(nodes, _even(found, dense))), own, axis.places),
+        _by_chords(
+            _row(diagrams, 1, found.at.v, _curves(nodes, [course.v for course in dense])), diagrams, axis.middles
+        ),
+        _by_chords(_row(diagrams, 2, found.even, _curves(nodes, _even(found, dense))), diagrams, axis.places),
     )
 
 
-def _row(own: DiagramsStudy, order: int, at: Floats, curves: tuple[Curve, ...]) -> DiagramRow:
+def _row(diagrams: DiagramsStudy, order: int, at: Floats, curves: tuple[Curve, ...]) -> DiagramRow:
     nothing = Curve(np.zeros(0), np.zeros(0))
-    return DiagramRow(KEYS[order], letters_of(own)[order], own.units[order], at, curves, (), nothing)
+    return DiagramRow(KEYS[order], letters_of(diagrams)[order], diagrams.units[order], at, curves, (), nothing)
 
 
-def _by_chords(row: DiagramRow, own: DiagramsStudy, places: Floats) -> DiagramRow:
+def _by_chords(row: DiagramRow, diagrams: DiagramsStudy, places: Floats) -> DiagramRow:
     """Let the values by chords be the result, and what is exact stand thin beside them."""
-    found, fast = own.drawn, row.key == VELOCITY
+    found, fast = diagrams.drawn, row.key == VELOCITY
     values, exact = (found.speeds, found.true_speeds) if fast else (found.growths, found.true_growths)
     there, off = ~np.isnan(values), chord_error(values, exact)
     above = float(np.nanmax(np.abs(found.at.s if fast else found.speeds), initial=0.0))
-    flat = bool(np.nanmax(np.abs(values), initial=0.0) <= NOUGHT * own.course.omega * above)
+    flat = bool(np.nanmax(np.abs(values), initial=0.0) <= NOUGHT * diagrams.course.omega * above)
     results = () if flat else tuple(_smooth(found.axis, places, values))
     chords = Curve(places[there], values[there])
     return row._replace(results=results, thin=() if flat else row.results, chords=chords, off=off, flat=flat)
 
 
 def _even(found: Diagrams, dense: list[Course]) -> list[Floats]:
-    return [one.even(found.lead) for one in dense]
+    return [course.even(found.lead) for course in dense]
 
 
 def _curves(nodes: Sequence[Floats], values: list[Floats]) -> tuple[Curve, ...]:
@@ -110,9 +112,9 @@ def _curves(nodes: Sequence[Floats], values: list[Floats]) -> tuple[Curve, ...]:
 def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Curve]:
     """Join the values by chords of each run smoothly; those of a whole turn go on from its end to its beginning."""
     for run, nodes in zip(axis.runs, axis.nodes(STEPS), strict=True):
-        own = slice(run.start, run.stop - (len(values) < len(axis.turned)))
-        there = ~np.isnan(values[own])
-        x, y = places[own][there], values[own][there]
+        part = slice(run.start, run.stop - (len(values) < len(axis.turned)))
+        there = ~np.isnan(values[part])
+        x, y = places[part][there], values[part][there]
         if axis.closed:
             x, y = _around(x, y)
         if len(x) > 1:
@@ -146,7 +148,7 @@ PER_CENT = 2  # digits of an error
 class DiagramsPlate(RowPlate[DiagramRow]):
     """Diagrams to be drafted: their rows and the paper about them."""
 
-    own: DiagramsStudy
+    diagrams: DiagramsStudy
     drafting: Drafting
 
     @property
@@ -157,17 +159,17 @@ class DiagramsPlate(RowPlate[DiagramRow]):
     @property
     def axis(self) -> Axis:
         """The axis of all rows."""
-        return self.own.axis
+        return self.diagrams.axis
 
     @property
     def omega(self) -> float:
         """How fast the crank turns, rad/s."""
-        return self.own.course.omega
+        return self.diagrams.course.omega
 
     @cached_property
     def rows(self) -> tuple[DiagramRow, ...]:
         """The rows from the top."""
-        return rows_of(self.own)
+        return rows_of(self.diagrams)
 
     @property
     def length(self) -> float:
@@ -289,34 +291,34 @@ def _value(row: DiagramRow, k: int) -> float:
 
 def _course(row: DiagramRow, curves: Collection[Curve], name: str, graph: Graph, style: LineStyle) -> Iterator[Stroke]:
     """Draw curves as what they state; without a scale nothing is stated."""
-    lines = [stroke for one in curves for stroke in graph.curve(one.x, one.y, style)]
+    lines = [stroke for curve in curves for stroke in graph.curve(curve.x, curve.y, style)]
     yield from lines if row.flat or not lines else (graph.stated(name, lines),)
 
 
-def measure(own: DiagramsStudy, drafting: Drafting) -> Picture:
+def measure(diagrams: DiagramsStudy, drafting: Drafting) -> Picture:
     """Measure the room of the diagrams."""
-    head = text_width(Text(0j, title(own, drafting), drafting.hand.title))
-    return DiagramsPlate(own, drafting).room(NAME, ("φ", "rad"), head)._replace(taller=TALLER)
+    head = text_width(Text(0j, title(diagrams, drafting), drafting.hand.title))
+    return DiagramsPlate(diagrams, drafting).room(NAME, ("φ", "rad"), head)._replace(taller=TALLER)
 
 
-def draw(own: DiagramsStudy, spot: Spot, drafting: Drafting) -> Parts:
+def draw(diagrams: DiagramsStudy, spot: Spot, drafting: Drafting) -> Parts:
     """Draw the diagrams in their spot, under their heading and the scales along their axis."""
-    frame = DiagramsFrame(DiagramsPlate(own, drafting), spot)
+    frame = DiagramsFrame(DiagramsPlate(diagrams, drafting), spot)
     scales = drafting.scale(spot.scale, frame.argument)
-    head = Group((heading(spot.box, title(own, drafting), scales, drafting.hand),), NAME)
+    head = Group((heading(spot.box, title(diagrams, drafting), scales, drafting.hand),), NAME)
     return Parts((head,), frame.parts)
 
 
-def title(own: DiagramsStudy, drafting: Drafting) -> str:
+def title(diagrams: DiagramsStudy, drafting: Drafting) -> str:
     """Head the figure with the output: a point of what slides, a link that turns."""
-    travel, out = own.course.travel, own.linkage.output
+    travel, out = diagrams.course.travel, diagrams.linkage.output
     point = (out.point or (travel.slide.point if travel.slide else "")) if travel.sliding else ""
     return drafting.word("diagrams of point" if point else "diagrams of link", link=out.link, point=point)
 
 
-def working(own: DiagramsStudy, drafting: Drafting) -> Working:
+def working(diagrams: DiagramsStudy, drafting: Drafting) -> Working:
     """Write beside the diagrams how the scale of time and the pole distances are found."""
-    return Working(SCALES, NAME, lambda spot: list(_lines(DiagramsPlate(own, drafting), spot)), drafting)
+    return Working(SCALES, NAME, lambda spot: list(_lines(DiagramsPlate(diagrams, drafting), spot)), drafting)
 
 
 def _lines(plate: DiagramsPlate, spot: Spot | None) -> Iterator[tuple[str, ...]]:
@@ -329,7 +331,7 @@ def _lines(plate: DiagramsPlate, spot: Spot | None) -> Iterator[tuple[str, ...]]
 
 def _time(plate: DiagramsPlate, mu: float) -> tuple[str, ...]:
     """Write the scale of time by that of the crank angle, rad/mm."""
-    drafting, letter = plate.drafting, f"ω_{{{plate.own.linkage.mechanism.drive.link}}}"
+    drafting, letter = plate.drafting, f"ω_{{{plate.diagrams.linkage.mechanism.drive.link}}}"
     omega, (s, mm) = told(plate.omega, drafting), map(drafting.word, ("s", "mm"))
     if drafting.notation == "K":
         return (
@@ -342,14 +344,14 @@ def _time(plate: DiagramsPlate, mu: float) -> tuple[str, ...]:
 
 def _pole(above: DiagramRow, row: DiagramRow, plate: DiagramsPlate, frame: DiagramsFrame | None) -> tuple[str, ...]:
     """Write a pole distance by the scales of its row, of the row above it, and of time."""
-    drafting, (high, low) = plate.drafting, (f"{{{one.letter}}}" for one in (above, row))
+    drafting, (high, low) = plate.drafting, (f"{{{number.letter}}}" for number in (above, row))
     first, second, time, distance = _working_numbers(above, row, frame)
     result = f"{plate.pole_letters(row)[1]} = ", f"{told(distance, drafting)} {drafting.word('mm')}"
     if drafting.notation == "K":
-        own, over, other = (told(1 / one, drafting) for one in (second, time, first))
-        return f"{result[0]}K_{low}·K_t/K_{high}", f"{own}·{over}/{other}", result[1]
-    over, own, other = (told(one, drafting) for one in (first, second, time))
-    return f"{result[0]}μ_{high}/(μ_{low}·μ_t)", f"{over}/({own}·{other})", result[1]
+        lower, over, other = (told(1 / number, drafting) for number in (second, time, first))
+        return f"{result[0]}K_{low}·K_t/K_{high}", f"{lower}·{over}/{other}", result[1]
+    over, lower, other = (told(number, drafting) for number in (first, second, time))
+    return f"{result[0]}μ_{high}/(μ_{low}·μ_t)", f"{over}/({lower}·{other})", result[1]
 
 
 def _working_numbers(

@@ -113,7 +113,7 @@ Bar = tuple[complex, complex]
 Reach = Mapping[Slide, tuple[float, float]]  # how far slots reach along their slides' lines, m
 
 
-class Corner(NamedTuple):
+class RigidCorner(NamedTuple):
     """A rigid corner of a link: where two of its bars meet, and their unit directions away from it."""
 
     at: complex
@@ -121,15 +121,15 @@ class Corner(NamedTuple):
     second: complex
 
 
-class Outline(NamedTuple):
+class LinkOutline(NamedTuple):
     """A link's bars and rigid corners, in its own frame."""
 
     link: int
     bars: tuple[Bar, ...]
-    corners: tuple[Corner, ...] = ()
+    corners: tuple[RigidCorner, ...] = ()
 
 
-def outlines(bones: Bones, reach: Reach) -> list[Outline]:
+def outlines(bones: Bones, reach: Reach) -> list[LinkOutline]:
     """Give the outlines of all moving links through all their points, their slots as long as they must reach."""
     return [_outline(bones, link, reach) for link in bones.links]
 
@@ -140,7 +140,7 @@ def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
     return {slide: (along, along) for slide, along in places.items() if not math.isnan(along)}
 
 
-def _outline(bones: Bones, link: int, reach: Reach) -> Outline:
+def _outline(bones: Bones, link: int, reach: Reach) -> LinkOutline:
     spots = list(_spots(bones, link).values())
     bars, corners = _body(spots)
     for slide, (low, high) in reach.items():
@@ -153,7 +153,7 @@ def _outline(bones: Bones, link: int, reach: Reach) -> Outline:
             pin = bones.mechanism.links[link].points[slide.point]
             corners += [_corner(pin, foot, end) for bar in bars if pin in bar for end in bar if end != pin]
             bars = [*bars, (pin, foot)]
-    return Outline(link, tuple(bars), tuple(corners))
+    return LinkOutline(link, tuple(bars), tuple(corners))
 
 
 def offset_foot(bones: Bones, slide: Slide) -> complex | None:
@@ -171,7 +171,7 @@ def _spots(bones: Bones, link: int) -> Mapping[str, complex]:
     return spots if len(spots) > 1 else points
 
 
-def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[Corner]]:
+def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[RigidCorner]]:
     """Join a link's points: one bar where they lie on one line, else a closed polygon of rigid corners."""
     if len(spots) < 2:
         return [], []
@@ -187,13 +187,13 @@ def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[Corner]]:
     return bars, [_corner(at, before, after) for (before, at), (_, after) in pairwise([bars[-1], *bars])]
 
 
-def _corner(at: complex, first: complex, second: complex) -> Corner:
-    return Corner(at, (first - at) / abs(first - at), (second - at) / abs(second - at))
+def _corner(at: complex, first: complex, second: complex) -> RigidCorner:
+    return RigidCorner(at, (first - at) / abs(first - at), (second - at) / abs(second - at))
 
 
 def _slotted(
     bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
-) -> tuple[list[Bar], list[Corner]]:
+) -> tuple[list[Bar], list[RigidCorner]]:
     """Lengthen the bar on a slot's line, or lay one along it, so that it reaches from `low` to `high` along it."""
     on_line = [bar for bar in bars if _flat(bar, way, high - low)]
     rest = [bar for bar in bars if bar not in on_line]
@@ -208,7 +208,7 @@ def _slotted(
 
 def _crossing(
     bars: list[Bar], spots: Sequence[complex], way: Way, low: float, high: float
-) -> tuple[list[Bar], list[Corner]]:
+) -> tuple[list[Bar], list[RigidCorner]]:
     """Lay a bar along a slot's line on which no other lies, and tie it to the link where it meets none of it."""
     spot, foot = _hung(spots, way)
     rest = bars if spot == foot else [*bars, (spot, foot)]
@@ -216,7 +216,7 @@ def _crossing(
     arms = [side for side, goes in ((-way.direction, low < place), (way.direction, high > place)) if goes]
     others = [(end - foot) / abs(end - foot) for bar in rest if _holds(bar, foot) for end in bar if end != foot]
     slot = _piece(way, min(low, place), max(high, place))
-    return [*rest, slot], [Corner(foot, arm, other) for arm in arms for other in others]
+    return [*rest, slot], [RigidCorner(foot, arm, other) for arm in arms for other in others]
 
 
 def _hung(spots: Sequence[complex], way: Way) -> Bar:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.kinds.outlines import Bones, Outline, is_centre, offset_foot, outlines, places
+from drawings.kinds.outlines import Bones, LinkOutline, is_centre, offset_foot, outlines, places
 from drawings.layout.ink import LETTERED
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Place
@@ -60,7 +60,7 @@ class Joints:
         return places(self.bones)
 
     @cached_property
-    def outlines(self) -> list[Outline]:
+    def outlines(self) -> list[LinkOutline]:
         """The whole outlines of the links; a slot runs past its stone's outermost places by half a stone and more."""
         more = (STONE[0] / 2 + OVERRUN) * self.hand.symbol * self.place.scale.mu
         reach = {slide: (low - more, high + more) for slide, (low, high) in self.bones.travels.items()}
@@ -128,12 +128,12 @@ class Joints:
         """
         yield from distinct(piece for outline in self.outlines for piece in self._pieces(outline))
 
-    def _pieces(self, outline: Outline) -> Iterator[Stroke]:
+    def _pieces(self, outline: LinkOutline) -> Iterator[Stroke]:
         own = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
         lines = (Line(*ends, self.hand.result) for ends in self.placed(outline))
         return trim(lines, [*self.rounds, *own])
 
-    def placed(self, outline: Outline) -> Iterator[tuple[complex, complex]]:
+    def placed(self, outline: LinkOutline) -> Iterator[tuple[complex, complex]]:
         """Give the ends of an outline's bars on paper."""
         for bar in outline.bars:
             start, end = (complex(self.bones.numbered.of(outline.link, spot)[self.bones.shown]) for spot in bar)
@@ -161,7 +161,7 @@ class Joints:
         near = (mask.radius for mask in self.rounds if isinstance(mask, Circle) and abs(mask.centre - at) < mask.radius)
         return max(near, default=0.0)
 
-    def _joints(self, outline: Outline, block: Polyline) -> Iterator[Stroke]:
+    def _joints(self, outline: LinkOutline, block: Polyline) -> Iterator[Stroke]:
         """Mark where a rod leaves the block that it is one link with."""
         for ends in self.placed(outline):
             for piece in trim([Line(*ends)], [block]):

@@ -69,7 +69,8 @@ def letter_parts(parts: Iterable[LaidPart], labels: Labels, hand: Hand, plan: st
     order = sorted(parts, key=lambda part: -tied(part.length))
     return Group(
         tuple(
-            stating(one.states, labels.along(one.start, one.end, one.text, hand.number, GAP, _up(one))) for one in order
+            stating(vector.states, labels.along(vector.start, vector.end, vector.text, hand.number, GAP, _up(vector)))
+            for vector in order
         ),
         f"{plan}-{PARTS}",
     )
@@ -97,7 +98,7 @@ def quarter_turn(mark: Mark, column: int) -> QuarterTurn | None:
     """Read the figure off the record of an acceleration plan; nothing where the slip or the turning is zero."""
     if mark.step.op != "similar" or not mark.name.startswith("a^k_"):
         return None
-    image, guide, slip = (at(one.point, column) for one in mark.step.inputs)
+    image, guide, slip = (at(side.point, column) for side in mark.step.inputs)
     turning = float(cross(guide, image))
     if turning == 0 or abs(slip) == 0 or cmath.isnan(slip):
         return None

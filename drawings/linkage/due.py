@@ -39,16 +39,16 @@ TURNED = 1e-3  # rad: the resolution of the paper over an arrow
 
 def due(study: Study, leaves: Sequence[Leaf]) -> Iterator[Expected]:
     """Give what must stand on the sheets of a scene's linkage (row of the table of sheets)."""
-    own = _Linkage(study.of(LinkageStudy), study.comparison("linkage"), drafting_of(study.scene), leaves)
-    yield from chain(own.positions(), own.plans(), own.values(), own.notes())
+    linkage = _Linkage(study.of(LinkageStudy), study.comparison("linkage"), drafting_of(study.scene), leaves)
+    yield from chain(linkage.positions(), linkage.plans(), linkage.values(), linkage.notes())
     if any("diagrams" in leaf.metadata for leaf in leaves):
         yield from diagrams.due(study, leaves)
 
 
 def measures(study: LinkageStudy, comparison: MotionComparison, drafting: Drafting) -> Iterator[Expected]:
     """Give the sense of the drive and the strokes that any plan of positions of a linkage may show."""
-    own = _Linkage(study, comparison, drafting, ())
-    yield from chain(own.senses(0), own.strokes())
+    linkage = _Linkage(study, comparison, drafting, ())
+    yield from chain(linkage.senses(0), linkage.strokes())
 
 
 def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
@@ -82,13 +82,13 @@ class _Linkage:
     def points(self, k: int) -> Iterator[Expected]:
         """Give the points and the mass centres of the position in full lines; one at a gap has no place."""
         fixed, moved = self.study.mechanism.links[FRAME].points, self.comparison.analysis
-        slack = {one.name: float(one.allowed[k]) for one in self.comparison.of(POSITIONS.plan)}
-        most = 2 * max((one for one in slack.values() if math.isfinite(one)), default=0.0)
+        slack = {finding.name: float(finding.allowed[k]) for finding in self.comparison.of(POSITIONS.plan)}
+        most = 2 * max((finding for finding in slack.values() if math.isfinite(finding)), default=0.0)
         moving = (name for name in moved.points if name not in fixed)
         places = {name: (complex(moved.points[name].r[k]), slack[f"r_{name}"]) for name in moving}
         places |= {name: (place, 0.0) for name, place in fixed.items()}
-        for name, (link, own) in self.masses.items():
-            places[name] = complex(placed(self.study.mechanism, moved, link, own)[k]), most
+        for name, (link, local) in self.masses.items():
+            places[name] = complex(placed(self.study.mechanism, moved, link, local)[k]), most
         for name, (place, allowed) in places.items():
             if not math.isnan(place.real):
                 lost = name in fixed  # the one that all places are measured from is no point
@@ -128,7 +128,9 @@ class _Linkage:
 
     def _slack(self, name: str) -> float:
         """How far rounding can have moved a stroke or the crank's angle there."""
-        return next((float(one.allowed[0]) for one in self.comparison.of("extremes") if one.name == name), 0.0)
+        return next(
+            (float(finding.allowed[0]) for finding in self.comparison.of("extremes") if finding.name == name), 0.0
+        )
 
     def _stroke(self, name: str, found: Extremes) -> Iterator[Expected]:
         slack = self._slack("H")
@@ -155,8 +157,8 @@ class _Linkage:
         for group in self.study.groups:
             seen = interval(self.study.sweep, group, self.study.nodes)
             angles = ("low", seen.low), ("high", seen.high)
-            own = ((f"{name} {group.label}", math.degrees(angle), 0.0) for name, angle in angles)
-            yield from phrases(NOTES, own, may_lack=True)
+            rows = ((f"{name} {group.label}", math.degrees(angle), 0.0) for name, angle in angles)
+            yield from phrases(NOTES, rows, may_lack=True)
 
     def plans(self) -> Iterator[Expected]:
         """Give the vectors of the plans that are shown; of a position that cannot be assembled there are none."""
@@ -194,15 +196,15 @@ class _Linkage:
 def named(told: Sequence[Quantity], language: str) -> dict[str, Quantity]:
     """Give findings of velocities and accelerations by their letters as they are read."""
     plans = [order.plan for order in ORDERS[1:]]
-    return {_letter(one, language): one for one in told if one.plan in plans}
+    return {_letter(finding, language): finding for finding in told if finding.plan in plans}
 
 
-def _letter(one: Quantity, language: str) -> str:
-    symbol, _, index = one.name.partition("_")
+def _letter(finding: Quantity, language: str) -> str:
+    symbol, _, index = finding.name.partition("_")
     return Text(0j, letter(language, f"{symbol}_{{{index}}}")).plain
 
 
-def is_something(one: Quantity) -> bool:
+def is_something(finding: Quantity) -> bool:
     """Tell whether a finding is more than rounding in some position, by the analysis."""
-    most = np.nanmax(np.abs(one.analysis), initial=0.0)
-    return bool(most > 2 * np.nanmax(one.allowed, initial=0.0))
+    most = np.nanmax(np.abs(finding.analysis), initial=0.0)
+    return bool(most > 2 * np.nanmax(finding.allowed, initial=0.0))

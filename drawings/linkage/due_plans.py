@@ -15,8 +15,7 @@ from drawings.page.scale import Drafting
 from drawings.paper.statement import Key, Kind
 from drawings.paper.strokes import Text
 from plans.linkage.dyads import KINDS
-from plans.linkage.parts import Expected as Analysed
-from plans.linkage.parts import findings, spans
+from plans.linkage.parts import AnalysedVectors, findings, spans
 from plans.linkage.plan import POLES, Plan, Sliding, Slotted, Turning, Vector
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison
@@ -44,14 +43,14 @@ class VectorPlans:
 
     def rows(self, plan: str, k: int, scale: float) -> Iterator[Expected]:
         """Give the vectors of a plan in a position, m/s or m/s2 by a mm, and the letters of those between points."""
-        slack = 2 * max((float(one.allowed[k]) for one in self.comparison.of(plan)), default=0.0)
+        slack = 2 * max((float(finding.allowed[k]) for finding in self.comparison.of(plan)), default=0.0)
         values = self._values(plan, k)
         must = self._drawn(plan, {name for name, value in values.items() if abs(value) > SHORT * scale + slack})
-        stated = {name for kind, own, name, at in self.keys if (kind, own, at) == (Kind.VECTOR, plan, k)}
+        stated = {name for kind, where, name, at in self.keys if (kind, where, at) == (Kind.VECTOR, plan, k)}
         for name, value in (self._across(plan, k, stated) | values).items():
             yield Expected(Kind.VECTOR, plan, name, value, slack, k, may_lack=name not in must)
-        for own, vector, letter in self._letters:
-            if own == plan and (Kind.LETTER, plan, f"{vector} {letter}", k) in self.keys:
+        for where, vector, letter in self._letters:
+            if where == plan and (Kind.LETTER, plan, f"{vector} {letter}", k) in self.keys:
                 told = Text(0j, self.drafting.letter(with_index(letter))).plain
                 yield Expected(Kind.LETTER, plan, f"{vector} {letter}", told, 0.0, k, may_lack=True)
 
@@ -59,36 +58,36 @@ class VectorPlans:
         """Give the vectors of the equations of a plan, by the names of their ends."""
         true = self._analysed(k)
         arrows = true.arrows(self.study.groups).items()
-        found = {f"{start} {end}": one for (own, start, end), one in arrows if own == plan}
-        order = next(one.number for one in ORDERS if one.plan == plan)
+        found = {f"{start} {end}": part for (where, start, end), part in arrows if where == plan}
+        order = next(part.number for part in ORDERS if part.plan == plan)
         for name, mass in self.masses.items():
             found[f"{POLES[plan]} {true.letters.small(name)}"] = true.centre(*mass, order)
-        for one in self.parts:
-            if one.plan == plan:
-                found.setdefault(self._ends[one.name], complex(one.analysis[k]))
+        for part in self.parts:
+            if part.plan == plan:
+                found.setdefault(self._ends[part.name], complex(part.analysis[k]))
         return found
 
     def _across(self, plan: str, k: int, stated: Set[str]) -> dict[str, complex]:
         """Give the vectors to images and places under pins, and between any two of them, of those that are stated."""
-        own = self._images(plan, k)
-        images = {POLES[plan]: 0j, **dict(chain(*(some.items() for some in (*own, *self._under(plan, own)))))}
+        links = self._images(plan, k)
+        images = {POLES[plan]: 0j, **dict(chain(*(some.items() for some in (*links, *self._under(plan, links)))))}
         ends = ((name, *name.split(" ", 1)) for name in stated if " " in name)
         found = {name: images[end] - images[start] for name, start, end in ends if start in images and end in images}
-        return found | (self._along(own, plan, k) if plan == ACCELERATIONS.plan else {})
+        return found | (self._along(links, plan, k) if plan == ACCELERATIONS.plan else {})
 
     def _along(self, images: Sequence[Mapping[str, complex]], plan: str, k: int) -> dict[str, complex]:
         """Give the Coriolis part of what slides over a link that turns, and the part along the guide after it."""
         written, found = self.study.drafts().velocities.written, dict[str, complex]()
         both = self._images(VELOCITIES.plan, k), images
-        speeds, known = (dict(chain(*(one.items() for one in own))) for own in both)
+        speeds, known = (dict(chain(*(link_images.items() for link_images in image))) for image in both)
         for pair, (pin, host) in written.pins.items():
             if host == FRAME:
                 continue
             name, under = written.coriolis(pin, host, pair), written.under(pin, host)
             (other,) = (link for link in pair if link != host)
             mine = pin in self.study.mechanism.links[other].points
-            own = self._image(pin, plan) if mine else written.under(pin, other)
-            for start, end in ((under, own), (own, under)):
+            image = self._image(pin, plan) if mine else written.under(pin, other)
+            for start, end in ((under, image), (image, under)):
                 part = 2j * self._analysed(k).omega(host) * (speeds.get(end, 0j) - speeds.get(start, 0j))
                 found |= {f"{start} {name}": part, f"{name} {end}": known.get(end, 0j) - known.get(start, 0j) - part}
         return found
@@ -98,15 +97,17 @@ class VectorPlans:
         true, order = self._analysed(k), next(one.number for one in ORDERS if one.plan == plan)
         written, found = true.letters, list[dict[str, complex]]()
         for number, link in self.study.mechanism.links.items():
-            own = {self._image(name, plan): place for name, place in link.points.items()}
-            own |= {written.small(name): place for name, (of, place) in self.masses.items() if of == number}
+            spots = {self._image(name, plan): place for name, place in link.points.items()}
+            spots |= {written.small(name): place for name, (of, place) in self.masses.items() if of == number}
             if number != FRAME:
                 name, first = next(iter(link.points.items()))
                 turned = np.exp(-1j * self.comparison.analysis.links[number].angle[k])
-                own |= {written.under(pin, number): first + (true.r(pin) - true.r(name)) * turned for pin in self._pins}
-                own[written.own("n", number)] = self.study.drafts().positions.images[number].at
+                spots |= {
+                    written.under(pin, number): first + (true.r(pin) - true.r(name)) * turned for pin in self._pins
+                }
+                spots[written.of_link("n", number)] = self.study.drafts().positions.images[number].at
             still = number == FRAME
-            found.append({one: 0j if still else true.centre(number, at, order) for one, at in own.items()})
+            found.append({one: 0j if still else true.centre(number, at, order) for one, at in spots.items()})
         return found
 
     @property
@@ -116,15 +117,15 @@ class VectorPlans:
     def _under(self, plan: str, images: Sequence[Mapping[str, complex]]) -> Iterator[dict[str, complex]]:
         """Give the images of all that lies at a pin: its own, and of each link the place under it."""
         made = self._made(plan)
-        known = dict(chain(*(own.items() for own in images)))
+        known = dict(chain(*(link_images.items() for link_images in images)))
         for pin in self._pins:
             unders = (name for link in made.images for name in (_below(made, pin, link), made.written.under(pin, link)))
             names = dict.fromkeys((made.written.small(pin), *unders))
             yield {name: known[name] for name in names if name in known}
 
-    def _analysed(self, k: int) -> Analysed:
+    def _analysed(self, k: int) -> AnalysedVectors:
         written = self.study.drafts().velocities.written
-        return Analysed(self.study.mechanism, self.comparison.analysis, k, written)
+        return AnalysedVectors(self.study.mechanism, self.comparison.analysis, k, written)
 
     @cached_property
     def parts(self) -> tuple[Quantity, ...]:
@@ -135,7 +136,7 @@ class VectorPlans:
     def _ends(self) -> dict[str, str]:
         """Where the plans show each part: the names of its ends."""
         found = spans(self.study, self.study.drafts(), self.comparison.analysis, self.masses)
-        return {name: f"{one.start.name} {one.end.name}" for name, one in found.items()}
+        return {name: f"{span.start.name} {span.end.name}" for name, span in found.items()}
 
     def _drawn(self, plan: str, long: Set[str]) -> set[str]:
         """Give of the vectors that are long enough those that no plan is without: of points, then on from their ends.
@@ -146,7 +147,7 @@ class VectorPlans:
         points = {drafts.velocities.point(name).name for name in self._moving}
         points |= {self._ends[f"v_{name}"].split(" ")[1] for name in self.masses}
         found = {name for name in long if name.split(" ")[0] == pole and name.split(" ")[1] in points}
-        while more := {name for name in long - found if name.split(" ")[0] in {one.split(" ")[1] for one in found}}:
+        while more := {name for name in long - found if name.split(" ")[0] in {other.split(" ")[1] for other in found}}:
             found |= more
         return found
 
@@ -195,11 +196,11 @@ class VectorPlans:
                 else:
                     laid = written.coriolis(pin, host, pair)
                     yield start, laid, f"a^k_{index}"
-                    yield from ((one, end, f"a^r_{index}") for one in (laid, start))
+                    yield from ((begin, end, f"a^r_{index}") for begin in (laid, start))
 
     def _made(self, plan: str) -> Plan:
         """Give a plan as it was constructed: which images share a letter."""
-        return self.study.drafts().plan(next(one.number for one in ORDERS if one.plan == plan))
+        return self.study.drafts().plan(next(order.number for order in ORDERS if order.plan == plan))
 
     def _image(self, point: str, plan: str) -> str:
         written = self.study.drafts().velocities.written

@@ -228,7 +228,7 @@ Scales = Mapping[int, Mapping[str, Scale]]  # of the plans of a position, by the
 def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, Scale]]:
     """Give the scales of the plans of positions, velocities and accelerations that sheets show, by position."""
     found: dict[int, dict[str, Scale]] = {}
-    for leaf in (leaf for own in leaves.values() for leaf in own):
+    for leaf in (leaf for sheets in leaves.values() for leaf in sheets):
         for mark in groups(leaf.groups):
             told = mark.data
             if told.get("plan") in (POSITIONS.plan, V, A) and "position" in told and "scale" in told:
@@ -241,8 +241,8 @@ def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, Sc
 def shown_positions(leaves: Mapping[str, Sequence[Leaf]]) -> list[int]:
     """Give the positions whose plans of velocities, or whose forces, are drawn, as many as a note puts numbers in."""
     scales = drawn_scales(leaves)
-    asked = [k for k, own in scales.items() if V in own] + [
-        leaf.metadata["position"] for own in leaves.values() for leaf in own if "position" in leaf.metadata
+    asked = [k for k, sheets in scales.items() if V in sheets] + [
+        leaf.metadata["position"] for sheets in leaves.values() for leaf in sheets if "position" in leaf.metadata
     ]
     return sorted(dict.fromkeys(asked))[:MOST]
 
@@ -260,9 +260,9 @@ def equations(study: LinkageStudy, motion: Motion, scales: Scales, positions: It
         yield from _lettered(first, cast(Dyad, group))
     for k in have:
         yield in_position(study, k)
-        own = scales.get(k, {})
-        yield from _scales(study, own)
-        yield from _numbers(study, _written(study, motion, k, own, formula))
+        drawn = scales.get(k, {})
+        yield from _scales(study, drawn)
+        yield from _numbers(study, _written(study, motion, k, drawn, formula))
 
 
 def in_position(study: LinkageStudy, k: int) -> str:
@@ -279,7 +279,7 @@ def _written(
 ) -> VectorEquations:
     sums = VectorSums(study.mechanism, motion, k, study.drafts().velocities.written)
     fastest = largest_of([np.abs(rows.omega) for rows in motion.links.values()])
-    plans = Plans(sums, {name: one.mu for name, one in scales.items()}, largest(motion), fastest)
+    plans = Plans(sums, {name: scale.mu for name, scale in scales.items()}, largest(motion), fastest)
     return VectorEquations(plans, formula)
 
 

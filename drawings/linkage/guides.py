@@ -29,7 +29,7 @@ THICK = 12.0  # thin lines that a bar or a symbol of the shown position counts a
 APART = 0.02  # what each degree away from the crank costs: the arrow is looked for ahead of it
 
 
-class Turning(NamedTuple):
+class TurningArrow(NamedTuple):
     """An arrow about the crank's pivot, with the letter of what it shows."""
 
     letter: str
@@ -60,9 +60,9 @@ class Turning(NamedTuple):
 
 
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later its letters stand beside them
-def turnings(pairs: Pairs) -> tuple[Turning, ...]:
+def turnings(pairs: Pairs) -> tuple[TurningArrow, ...]:
     """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε, of each that is not zero."""
-    ink, arrows = felt(pairs), list[Turning]()
+    ink, arrows = felt(pairs), list[TurningArrow]()
     for symbol, sense in senses("ωε", pairs.bones):
         arrows.append(_best(f"{symbol}_{pairs.bones.mechanism.drive.link}", sense, pairs, ink))
         ink.draw(arrows[-1].field, THICK)
@@ -84,22 +84,22 @@ def senses(symbols: str, bones: Skeletons) -> Iterator[tuple[str, int]]:
             yield symbol, int(math.copysign(1, rate))
 
 
-def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:
+def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> TurningArrow:
     bones, place = pairs.bones, pairs.place
     crank = cmath.phase(place.on(bones.drive_end(bones.shown)) - bones.pivot(place))
 
-    def cost(turning: Turning) -> float:
+    def cost(turning: TurningArrow) -> float:
         away = abs(cmath.phase(cmath.rect(1.0, turning.middle[1] - crank - 0.8 * sense)))
         return ink.crossed_by(turning.room) + APART * math.degrees(away)
 
     return min(_turning_places(letter, sense, pairs), key=cost)
 
 
-def _turning_places(letter: str, sense: int, pairs: Pairs) -> Iterator[Turning]:
+def _turning_places(letter: str, sense: int, pairs: Pairs) -> Iterator[TurningArrow]:
     centre, factor = pairs.bones.pivot(pairs.place), pairs.hand.symbol
     for radius in _radii(pairs.bones.crank(pairs.place), factor):
         for k in range(STARTS):
-            yield Turning(letter, TurnArrow(centre, radius, 2 * math.pi * k / STARTS, sense * SWEEP))
+            yield TurningArrow(letter, TurnArrow(centre, radius, 2 * math.pi * k / STARTS, sense * SWEEP))
 
 
 def _radii(crank: float, factor: float) -> list[float]:
@@ -172,7 +172,7 @@ LENGTH = 14.0  # mm of an arrow
 OFFS = (9.0, 12.0, 16.0, 21.0, 27.0)  # mm from the guide to an arrow
 
 
-class Push(NamedTuple):
+class PushArrow(NamedTuple):
     """An arrow beside the slider's guide, with the letter of what it shows."""
 
     letter: str
@@ -211,15 +211,15 @@ def aside(bones: Skeletons) -> complex:
     return line.direction * (-1j if max(offs) + min(offs) >= 0 else 1j)
 
 
-def arrows(pairs: Pairs) -> tuple[Turning | Push, ...]:
+def arrows(pairs: Pairs) -> tuple[TurningArrow | PushArrow, ...]:
     """Give the arrows of how the primary link moves: it turns, or it is pushed along."""
     return pushes(pairs) if pairs.bones.mechanism.drive.pushed else turnings(pairs)
 
 
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later their letters stand beside them
-def pushes(pairs: Pairs) -> tuple[Push, ...]:
+def pushes(pairs: Pairs) -> tuple[PushArrow, ...]:
     """Place the arrow of the slider's velocity where it crosses the fewest lines, and that of its acceleration."""
-    ink, arrows = felt(pairs), list[Push]()
+    ink, arrows = felt(pairs), list[PushArrow]()
     for symbol, sense in senses("va", pairs.bones):
         places = _push_places(f"{symbol}_{pushed(pairs.bones.mechanism).point}", sense, pairs)
         arrows.append(min(places, key=lambda push: ink.crossed_by(push.room)))
@@ -227,7 +227,7 @@ def pushes(pairs: Pairs) -> tuple[Push, ...]:
     return tuple(arrows)
 
 
-def _push_places(letter: str, sense: int, pairs: Pairs) -> Iterator[Push]:
+def _push_places(letter: str, sense: int, pairs: Pairs) -> Iterator[PushArrow]:
     """Give the places of an arrow beside the shown block, the nearest to it first."""
     bones, factor = pairs.bones, pairs.hand.symbol
     along, away = pushed(bones.mechanism).way(FRAME).direction, aside(bones)
@@ -237,4 +237,4 @@ def _push_places(letter: str, sense: int, pairs: Pairs) -> Iterator[Push]:
             for shift in (0.5, -0.5, 1.5, -1.5):
                 middle = spot + (off * side + shift * LENGTH * along) * factor
                 half = along * sense * LENGTH / 2 * factor
-                yield Push(letter, middle - half, middle + half, side)
+                yield PushArrow(letter, middle - half, middle + half, side)

@@ -183,7 +183,7 @@ class _KinematicsSheet:
     def _remarks(self, spots: Mapping[str, Spot]) -> tuple[str, ...]:
         """Say why a plan has another scale than the others of its kind."""
         plans = (exhibit.panel.item for exhibit in self._plans())
-        return tuple(vector_plan.remarks([one for one in plans if isinstance(one, Picture)], spots, self.drafting))
+        return tuple(vector_plan.remarks([plan for plan in plans if isinstance(plan, Picture)], spots, self.drafting))
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""

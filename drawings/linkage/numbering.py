@@ -51,7 +51,7 @@ class NumberedPlace(NamedTuple):
     spot: complex
 
 
-class Track(NamedTuple):
+class NumberedTrack(NamedTuple):
     """A point whose places are numbered: along its guide if it slides on the frame, its strokes, the places."""
 
     point: str
@@ -89,22 +89,26 @@ def crank_places(bones: Skeletons) -> tuple[NumberedPlace, ...]:
     nowhere = np.full(len(bones.numbered), np.nan + 0j)
     places = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
     for track in sliders(bones):
-        places += [one for one in track.places if one.column is None and one.name not in {own.name for own in places}]
-    extreme = {one.name for track in sliders(bones) for one in track.places if one.extreme}
-    return tuple(one._replace(extreme=one.extreme or one.name in extreme) for one in places)
+        places += [
+            station
+            for station in track.places
+            if station.column is None and station.name not in {known.name for known in places}
+        ]
+    extreme = {station.name for track in sliders(bones) for station in track.places if station.extreme}
+    return tuple(station._replace(extreme=station.extreme or station.name in extreme) for station in places)
 
 
-def output_track(bones: Skeletons) -> Track | None:
+def output_track(bones: Skeletons) -> NumberedTrack | None:
     """Give the track of the output; none of one that has no point to show."""
     tip, travel = output_point(bones), bones.study.travel
     if tip is None:
         return None
     ends = (np.nan + 0j,) * 2 if bones.extremes is None else tuple(bones.extremes.points[tip].tolist())
     places = _places(bones, travel, bones.numbered.points[tip], ends, ())
-    return Track(tip, frame_slide(bones.mechanism, bones.study.output.link), travel, tuple(places))
+    return NumberedTrack(tip, frame_slide(bones.mechanism, bones.study.output.link), travel, tuple(places))
 
 
-def sliders(bones: Skeletons) -> Iterator[Track]:
+def sliders(bones: Skeletons) -> Iterator[NumberedTrack]:
     """Give the tracks of the sliders on the frame besides the output."""
     nowhere = np.full(len(bones.numbered), np.nan + 0j)
     taken = list(_places(bones, bones.study.travel, nowhere, (nowhere[0], nowhere[0]), ()))
@@ -113,8 +117,8 @@ def sliders(bones: Skeletons) -> Iterator[Track]:
         aside = 1j * float(np.nanmedian(((spots - way.through) * way.direction.conjugate()).imag))
         ends = [way.through + (reach + aside) * way.direction for reach in travel.extremes.reach]
         places = tuple(_places(bones, travel, spots, ends, taken))
-        taken += [one for one in places if one.column is None]
-        yield Track(slide.point, slide, travel, places)
+        taken += [station for station in places if station.column is None]
+        yield NumberedTrack(slide.point, slide, travel, places)
 
 
 def _places(
@@ -128,9 +132,9 @@ def _places(
     found = [] if travel is None else [_own(bones, direction) for direction in travel.directions]
     for k, spot in enumerate(spots.tolist()):
         yield NumberedPlace(str(k), k, k in found, _returning(bones, travel, k), bones.drive_end(k), spot)
-    known = {one.name: one.crank for one in taken}
-    for which, (own, spot) in enumerate(zip(found, ends, strict=False)):
-        if own is None and travel is not None:
+    known = {station.name: station.crank for station in taken}
+    for which, (column, spot) in enumerate(zip(found, ends, strict=False)):
+        if column is None and travel is not None:
             crank = _crank(bones, travel, which)
             name = _named(bones, travel.extremes.phi[which], crank, known)
             known[name] = crank
@@ -173,42 +177,42 @@ ANGLES = 12  # positions of a list whose crank angles still have room beside the
 def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number every position outside the crank circle, at the output and each slider as many as stand legibly."""
     yield from _crank_numbers(pairs, labels)
-    own = output_track(pairs.bones)
-    for track in (*([own] if own else []), *sliders(pairs.bones)):
+    output = output_track(pairs.bones)
+    for track in (*([output] if output else []), *sliders(pairs.bones)):
         yield from _track_numbers(pairs, track, labels)
 
 
-def _track_numbers(pairs: Pairs, track: Track, labels: Labels) -> Iterator[Stroke]:
+def _track_numbers(pairs: Pairs, track: NumberedTrack, labels: Labels) -> Iterator[Stroke]:
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
-    for one in legible(bones, track, place, hand):
-        spot = place.on(one.spot)
-        angle, more = _outward(bones, track, one, place)
-        gap = (pairs.clear(track.point) if _is_shown(bones, one) else 0.0) + PATH_GAP + more * hand.number
-        number = labels.free(spot, one.name, hand.number, gap, angle)
+    for station in legible(bones, track, place, hand):
+        spot = place.on(station.spot)
+        angle, more = _outward(bones, track, station, place)
+        gap = (pairs.clear(track.point) if _is_shown(bones, station) else 0.0) + PATH_GAP + more * hand.number
+        number = labels.free(spot, station.name, hand.number, gap, angle)
         yield from () if number is None else (number,)
 
 
-def _is_shown(bones: Skeletons, one: NumberedPlace) -> bool:
-    return one.column == bones.shown
+def _is_shown(bones: Skeletons, station: NumberedPlace) -> bool:
+    return station.column == bones.shown
 
 
 def _crank_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number the crank circle; where they crowd, every other one stands further out, and of a tiny circle not all."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     places, end = crank_places(bones), bones.mechanism.drive.end
-    texts = [_with_angle(bones, one) for one in places]
+    texts = [_with_angle(bones, station) for station in places]
     wide = max(width(text, hand) for text in texts)
     every, further = _rings(bones, place, hand, wide)
     listed = _listed(bones, places, wide, place, hand)
-    for one, text in zip(places, texts, strict=True):
-        seen = one.column is not None and one.column % every == 0 and one.column in listed
-        if not (one.extreme or _is_shown(bones, one) or seen):
+    for station, text in zip(places, texts, strict=True):
+        seen = station.column is not None and station.column % every == 0 and station.column in listed
+        if not (station.extreme or _is_shown(bones, station) or seen):
             continue
-        spot = place.on(one.crank)
-        gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, one) else 0.0)
+        spot = place.on(station.crank)
+        gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, station) else 0.0)
         out = _off_path(bones, spot, place)
         gap += BARRED * hand.symbol if _in_barrier(out, bones) else 0.0
-        gap += further if one.column is not None and one.column // every % 2 else 0.0
+        gap += further if station.column is not None and station.column // every % 2 else 0.0
         number = labels.free(spot, text, hand.number, gap, cmath.phase(out))
         yield from () if number is None else (number,)
 
@@ -226,7 +230,11 @@ def _listed(
     bones: Skeletons, places: Sequence[NumberedPlace], wide: float, place: Place, hand: Hand
 ) -> tuple[int, ...]:
     """Give the positions that have room for their numbers outside the crank circle: of a long list not all have."""
-    first = [one.column for one in places if one.column is not None and (one.extreme or _is_shown(bones, one))]
+    first = [
+        station.column
+        for station in places
+        if station.column is not None and (station.extreme or _is_shown(bones, station))
+    ]
     ends = [place.on(bones.drive_end(k)) for k in range(len(bones.numbered))]
     around = _round(bones, place, hand)
     return (
@@ -259,12 +267,12 @@ def _in_barrier(ray: complex, bones: Skeletons) -> bool:
     return any((cmath.phase(ray) - b.start) % turn <= b.end - b.start for b in barriers)
 
 
-def _with_angle(bones: Skeletons, one: NumberedPlace) -> str:
+def _with_angle(bones: Skeletons, station: NumberedPlace) -> str:
     """Write a position's number, and its crank angle where the scene lists the angles."""
     listed = bones.study.form.drive.positions
-    if not isinstance(listed, tuple) or one.column is None or len(listed) > ANGLES:
-        return one.name
-    return f"{one.name} ({number(float(listed[one.column]), bones.study.scene.sheet.language)}°)"
+    if not isinstance(listed, tuple) or station.column is None or len(listed) > ANGLES:
+        return station.name
+    return f"{station.name} ({number(float(listed[station.column]), bones.study.scene.sheet.language)}°)"
 
 
 def width(text: str, hand: Hand) -> float:
@@ -272,14 +280,18 @@ def width(text: str, hand: Hand) -> float:
     return text_width(Text(0j, text, hand.number, "start", True))
 
 
-def legible(bones: Skeletons, track: Track, place: Place, hand: Hand) -> list[NumberedPlace]:
+def legible(bones: Skeletons, track: NumberedTrack, place: Place, hand: Hand) -> list[NumberedPlace]:
     """Choose which numbers stand along a track: extremes always, the shown one, of the rest every so many as fit."""
-    known = [one for one in track.places if not math.isnan(one.spot.real)]
-    first = [one for one in known if one.extreme]
-    first += [one for one in known if _is_shown(bones, one) and one not in first]
+    known = [station for station in track.places if not math.isnan(station.spot.real)]
+    first = [station for station in known if station.extreme]
+    first += [station for station in known if _is_shown(bones, station) and station not in first]
     chosen: list[NumberedPlace] = []
     for step in STEPS:
-        rest = [one for one in known if one not in first and one.column is not None and one.column % step == 0]
+        rest = [
+            station
+            for station in known
+            if station not in first and station.column is not None and station.column % step == 0
+        ]
         chosen = _uncrowded(first, rest, place, hand)
         if len(chosen) - len(first) >= (1 - MOST) * len(rest):
             break
@@ -289,21 +301,21 @@ def legible(bones: Skeletons, track: Track, place: Place, hand: Hand) -> list[Nu
 def _uncrowded(first: list[NumberedPlace], rest: list[NumberedPlace], place: Place, hand: Hand) -> list[NumberedPlace]:
     """Keep of the rest what does not crowd what is kept already, on its own side of the path."""
     kept = list(first)
-    for one in rest:
-        if not any(other.back == one.back and _crowds(one, other, place, hand) for other in kept):
-            kept.append(one)
+    for station in rest:
+        if not any(other.back == station.back and _crowds(station, other, place, hand) for other in kept):
+            kept.append(station)
     return kept
 
 
-def _crowds(one: NumberedPlace, other: NumberedPlace, place: Place, hand: Hand) -> bool:
+def _crowds(station: NumberedPlace, other: NumberedPlace, place: Place, hand: Hand) -> bool:
     wide, apart = (
-        APART * (width(one.name, hand) + width(other.name, hand)) / 2,
-        place.on(one.spot) - place.on(other.spot),
+        APART * (width(station.name, hand) + width(other.name, hand)) / 2,
+        place.on(station.spot) - place.on(other.spot),
     )
     return abs(apart.real) < wide and abs(apart.imag) < 1.3 * APART * hand.number
 
 
-def _outward(bones: Skeletons, track: Track, one: NumberedPlace, place: Place) -> tuple[float, float]:
+def _outward(bones: Skeletons, track: NumberedTrack, station: NumberedPlace, place: Place) -> tuple[float, float]:
     """Direct a number away from its point's path: off a guide by the stroke, off an arc from its centre, else outward.
 
     The second number is how many sizes further off it stands: the return stroke has its own ring outside an arc.
@@ -311,11 +323,13 @@ def _outward(bones: Skeletons, track: Track, one: NumberedPlace, place: Place) -
     if track.slide is not None:
         way = track.slide.way(FRAME).direction
         up = way * (1j if way.real >= 0 else -1j)
-        return cmath.phase(-up if one.back else up), 0.0
-    links, spot = bones.mechanism.links, place.on(one.spot)
-    own = [links[FRAME].points[name] for name in links[bones.study.output.link].points if name in links[FRAME].points]
-    if own:
-        return cmath.phase(spot - place.on(own[0])), RING if one.back else 0.0
+        return cmath.phase(-up if station.back else up), 0.0
+    links, spot = bones.mechanism.links, place.on(station.spot)
+    pivots = [
+        links[FRAME].points[name] for name in links[bones.study.output.link].points if name in links[FRAME].points
+    ]
+    if pivots:
+        return cmath.phase(spot - place.on(pivots[0])), RING if station.back else 0.0
     known = [complex(value) for value in bones.way.points[track.point] if not math.isnan(value.real)]
     middle = place.on(sum(known) / len(known)) if known else spot
     return cmath.phase(spot - middle) if spot != middle else math.pi / 2, 0.0

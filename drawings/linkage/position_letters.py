@@ -19,7 +19,7 @@ from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.phrase import Phrase, slotted, telling
 from drawings.lettering.vector_letters import with_index
 from drawings.lettering.words import fixed
-from drawings.linkage.guides import Push, Turning, arrows
+from drawings.linkage.guides import PushArrow, TurningArrow, arrows
 from drawings.linkage.numbering import numbers, output_point, sliders
 from drawings.linkage.skeleton import Pairs, Skeletons
 from drawings.linkage.trajectories import Traced, phases, sized, traced
@@ -52,7 +52,7 @@ def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink)
     found = stroke(bones, place, hand, language, ink, named=bool(bones.strokes))
     for track in sliders(bones):
         ink.draw(found)
-        ends = [place.on(one.spot) for one in track.places if one.extreme]
+        ends = [place.on(numbered.spot) for numbered in track.places if numbered.extreme]
         if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
             text = _text(track.point, track.travel.extremes.stroke, language)
             found += _told(f"H_{track.point}", clearest(_ordered(ends), text, bones, place, hand, ink), place)
@@ -73,8 +73,8 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, 
 
 def _told(name: str, dimension: list[Stroke], place: Place) -> list[Stroke]:
     """Give a dimension as the stroke that it states, by its arrows and by its number."""
-    own = (telling(POSITIONS.plan, one) if isinstance(one, Text) else one for one in dimension)
-    return [stating(Statement(Kind.LENGTH, POSITIONS.plan, name, scale=place.scale.mu), *own)]
+    parts = (telling(POSITIONS.plan, stroke) if isinstance(stroke, Text) else stroke for stroke in dimension)
+    return [stating(Statement(Kind.LENGTH, POSITIONS.plan, name, scale=place.scale.mu), *parts)]
 
 
 def _ordered(ends: list[complex]) -> tuple[complex, complex]:
@@ -167,11 +167,11 @@ LONG = 40.0  # mm: a shorter path has no room for numbers
 
 def path_ticks(pairs: Pairs) -> Iterator[Line]:
     """Tick each trajectory at the positions, across it; a tick that a symbol would cut is left out."""
-    for one in traced(pairs.bones):
-        for k in _shown(one):
-            direction = _direction(one, k, pairs.place)
+    for path in traced(pairs.bones):
+        for k in _shown(path):
+            direction = _direction(path, k, pairs.place)
             if direction is not None:
-                line = tick(pairs.place.on(complex(one.numbered[k])), direction, pairs.hand)
+                line = tick(pairs.place.on(complex(path.numbered[k])), direction, pairs.hand)
                 yield from (line,) if list(trim([line], pairs.masks)) == [line] else ()
 
 
@@ -179,41 +179,41 @@ def path_numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number a few ticks of each trajectory where there is room; output and crank have their numbers already."""
     drive, masses = pairs.bones.mechanism.drive, pairs.bones.masses
     known = {output_point(pairs.bones), *(name for name, (link, _) in masses.items() if link == drive.link)}
-    for one in traced(pairs.bones):
-        if one.name not in known and _length(one, pairs.place) >= LONG:
-            yield from _numbers(pairs, one, labels)
+    for path in traced(pairs.bones):
+        if path.name not in known and _length(path, pairs.place) >= LONG:
+            yield from _numbers(pairs, path, labels)
 
 
-def _numbers(pairs: Pairs, one: Traced, labels: Labels) -> Iterator[Stroke]:
-    every = max(math.ceil(len(one.numbered) / NUMBERED), 1)
-    for k in _shown(one):
-        direction = _direction(one, k, pairs.place)
+def _numbers(pairs: Pairs, path: Traced, labels: Labels) -> Iterator[Stroke]:
+    every = max(math.ceil(len(path.numbered) / NUMBERED), 1)
+    for k in _shown(path):
+        direction = _direction(path, k, pairs.place)
         if k % every == 0 and k != pairs.bones.shown and direction is not None:
-            spot, gap = pairs.place.on(complex(one.numbered[k])), TICK * pairs.hand.symbol + GAP
+            spot, gap = pairs.place.on(complex(path.numbered[k])), TICK * pairs.hand.symbol + GAP
             number = labels.close(spot, str(k), pairs.sheet.number, gap, cmath.phase(1j * direction))
             yield from () if number is None else (number,)
 
 
-def _shown(one: Traced) -> list[int]:
+def _shown(path: Traced) -> list[int]:
     """List the positions that are ticked: of very many about as many as are drawn with all links."""
-    every = max(math.ceil(len(one.numbered) / MANY), 1)
-    return [k for k in range(0, len(one.numbered), every) if not math.isnan(one.numbered[k].real)]
+    every = max(math.ceil(len(path.numbered) / MANY), 1)
+    return [k for k in range(0, len(path.numbered), every) if not math.isnan(path.numbered[k].real)]
 
 
-def _direction(one: Traced, k: int, place: Place) -> complex | None:
+def _direction(path: Traced, k: int, place: Place) -> complex | None:
     """Give the unit direction of a path at a position: of the longer step beside it; none of a point that stands."""
-    apart = np.abs(one.way - one.numbered[k])
+    apart = np.abs(path.way - path.numbered[k])
     if np.isnan(apart).all():
         return None
     nearest = int(np.nanargmin((apart / place.scale.mu).round(PLACES)))
-    beside = one.way[max(nearest - 1, 0) : nearest + 2]
+    beside = path.way[max(nearest - 1, 0) : nearest + 2]
     steps = np.diff(beside[~np.isnan(beside)])
     longest = max(steps.tolist(), key=lambda step: tied(place.length(abs(step))), default=0j)
     return longest / abs(longest) if longest else None
 
 
-def _length(one: Traced, place: Place) -> float:
-    known = one.way[~np.isnan(one.way)]
+def _length(path: Traced, place: Place) -> float:
+    known = path.way[~np.isnan(path.way)]
     return place.length(float(np.abs(np.diff(known)).sum()))
 
 
@@ -222,7 +222,7 @@ SHARES = (0.45, 0.35, 0.55, 0.25, 0.65, 0.75)  # of the rocker's arm, where its 
 LEAST = 4.0  # lengths of an arrow's head that an arc is long at least: below, its two heads hide it
 
 
-class Swing(NamedTuple):
+class SwingArc(NamedTuple):
     """An arc about a rocker's pivot from one of its extreme positions to the other."""
 
     text: Phrase
@@ -233,20 +233,20 @@ class Swing(NamedTuple):
         yield stating(Statement(Kind.ANGLE, POSITIONS.plan, LETTER), *self.arc.angle(pairs.hand, (-1, 1)))
 
 
-def swings(pairs: Pairs, language: str) -> tuple[Swing, ...]:
+def swings(pairs: Pairs, language: str) -> tuple[SwingArc, ...]:
     """Give the arc of an output that rocks about a hinge of the frame; none of any other, or where it has no room."""
     bones, study, tip = pairs.bones, pairs.bones.study, output_point(pairs.bones)
-    own = bones.mechanism.links[study.output.link].points
-    pivot = next((name for name in own if name in bones.mechanism.links[FRAME].points), None)
+    points = bones.mechanism.links[study.output.link].points
+    pivot = next((name for name in points if name in bones.mechanism.links[FRAME].points), None)
     if study.travel is None or study.travel.extremes.sliding or pivot is None or tip is None or tip == pivot:
         return ()
     low, high = study.travel.extremes.reach
-    arm, centre = own[tip] - own[pivot], pairs.place.on(bones.mechanism.links[FRAME].points[pivot])
+    arm, centre = points[tip] - points[pivot], pairs.place.on(bones.mechanism.links[FRAME].points[pivot])
     start, length = low + cmath.phase(arm), pairs.place.length(abs(arm))
     text = sized(LETTER, abs(high - low), language)
-    arcs = (Swing(text, TurnArrow(centre, share * length, start, high - low)) for share in SHARES)
+    arcs = (SwingArc(text, TurnArrow(centre, share * length, start, high - low)) for share in SHARES)
     least = LEAST * HEAD[0] * pairs.hand.symbol
-    roomy = [one for one in arcs if one.arc.radius * abs(one.arc.sweep) >= least]
+    roomy = [swing for swing in arcs if swing.arc.radius * abs(swing.arc.sweep) >= least]
     return tuple(roomy[:1])
 
 
@@ -269,7 +269,7 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
     return Group((*strokes, Group(links, LINKS), Group(tuple(path_numbers(pairs, labels)), NUMBERS)))
 
 
-def _on_arc(arc: Turning | Push | TurnArrow, text: str, labels: Labels, hand: Hand) -> Stroke:
+def _on_arc(arc: TurningArrow | PushArrow | TurnArrow, text: str, labels: Labels, hand: Hand) -> Stroke:
     """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
     middle, away = arc.middle
     return telling(POSITIONS.plan, labels.beside(middle, text, hand.letter, 1.5, away), text)

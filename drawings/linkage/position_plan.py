@@ -14,7 +14,7 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Place, Spot, picture
 from drawings.lettering.lettering import text_width
-from drawings.linkage.guides import Push, Turning, arrows, axes, grounds
+from drawings.linkage.guides import PushArrow, TurningArrow, arrows, axes, grounds
 from drawings.linkage.numbering import same, stroke_line
 from drawings.linkage.position_letters import letters, path_ticks, strokes, swings
 from drawings.linkage.skeleton import Pairs, Skeletons, reference
@@ -117,7 +117,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     return [group for group in groups if group.strokes]
 
 
-def _sense(arrow: Turning | Push, pairs: Pairs) -> Stroke:
+def _sense(arrow: TurningArrow | PushArrow, pairs: Pairs) -> Stroke:
     """Draw the arrow of a rate of the primary link as what it states."""
     return stating(Statement(Kind.DIRECTION, NAME, arrow.letter), *arrow.strokes(pairs))
 
@@ -148,7 +148,7 @@ def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
 
 def _changes(bones: Skeletons) -> list[Barrier]:
     """Give the change points on the drawn part of the crank's circle."""
-    return [one for one in bones.study.met if one.kind == CHANGE_POINT and bones.sweeps(one.start)]
+    return [barrier for barrier in bones.study.met if barrier.kind == CHANGE_POINT and bones.sweeps(barrier.start)]
 
 
 def _positions(pairs: Pairs) -> Iterable[Stroke]:

@@ -301,7 +301,7 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
 
 def _heading(same: Sequence[Quantity], letters: Formula) -> str:
     """Name a quantity of a point or of a link by its letter, or by all that it has, with its unit."""
-    names = (one.name.split("_", 1) for one in same)
+    names = (finding.name.split("_", 1) for finding in same)
     told = " = ".join(letters.letter(f"{symbol}_{{{index}}}") for symbol, index in names)
     return f"${told}$, {letters.drafting.word(same[0].unit)}"
 
@@ -345,7 +345,7 @@ def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
 
 def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
     count, say = len(linkage.turn), partial(word, linkage.language)
-    sheets = [leaf for own in leaves.values() for leaf in own if "shown" in leaf.metadata]
+    sheets = [leaf for sheet in leaves.values() for leaf in sheet if "shown" in leaf.metadata]
     figures = {group.name for leaf in sheets for group in leaf.groups}  # of a position without velocities none
     asked = [k for leaf in sheets for k in leaf.metadata["plans"] if f"{VELOCITIES.plan}-{k}" in figures]
     if asked:

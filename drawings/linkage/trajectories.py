@@ -33,7 +33,7 @@ APART = 5.0  # mm from other arcs about the pivot
 PAST = 2.0  # mm that the lines of the extreme positions go past the arcs that they bound
 
 
-class Phase(NamedTuple):
+class StrokeArc(NamedTuple):
     """An arc about the crank's pivot from where a stroke begins to where it ends, in the sense of rotation."""
 
     letter: str
@@ -50,7 +50,7 @@ class Phase(NamedTuple):
             yield Line(centre + self.crank * ray, centre + reach * ray, pairs.hand.drafted)
 
 
-def phases(pairs: Pairs, language: str) -> tuple[Phase, ...]:
+def phases(pairs: Pairs, language: str) -> tuple[StrokeArc, ...]:
     """Give the arcs of both strokes; none where they are alike and none is asked for, or there are no two strokes."""
     study = pairs.bones.study
     if study.travel is None or not (_asked(study) or _differ(study.travel)):
@@ -60,7 +60,7 @@ def phases(pairs: Pairs, language: str) -> tuple[Phase, ...]:
     names = (f"φ_{{{word(language, index)}}}" for index in INDICES)
     told = zip(names, extremes.phi, extremes.angles, strict=True)
     return tuple(
-        Phase(name, TurnArrow(centre, radius, phi, study.sense * arc), crank, sized(name, arc, language))
+        StrokeArc(name, TurnArrow(centre, radius, phi, study.sense * arc), crank, sized(name, arc, language))
         for name, phi, arc in told
     )
 
@@ -95,9 +95,9 @@ STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
 def trajectories(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each path once, also where its point goes there and back along it: drawn twice, its dashes would close."""
     strokes: list[Stroke] = []
-    for one in traced(bones):
-        arc = _swing(bones, one.name, place, hand) if one.name not in bones.masses else None
-        strokes += [arc] if arc else _path(_on(one.way, place), hand)
+    for path in traced(bones):
+        arc = _swing(bones, path.name, place, hand) if path.name not in bones.masses else None
+        strokes += [arc] if arc else _path(_on(path.way, place), hand)
     return strokes
 
 

@@ -53,11 +53,11 @@ def draw_missing(why: str, name: str, spot: Spot, drafting: Drafting) -> StillFi
 def remarks(plans: Sequence[Picture], spots: Mapping[str, Spot], drafting: Drafting) -> Iterator[str]:
     """Say of each order which plans are enlarged, and how large they would be at the common scale, mm."""
     for order in ORDERS[1:]:
-        own = {int(one.name.rsplit("-", 1)[1]): one for one in plans if one.name.startswith(order.plan)}
-        shown = {k: one for k, one in sorted(own.items()) if max(one.wide, one.high) and one.name in spots}
-        scales = {k: spots[one.name].scale for k, one in shown.items()}
+        of_order = {int(plan.name.rsplit("-", 1)[1]): plan for plan in plans if plan.name.startswith(order.plan)}
+        shown = {k: plan for k, plan in sorted(of_order.items()) if max(plan.wide, plan.high) and plan.name in spots}
+        scales = {k: spots[plan.name].scale for k, plan in shown.items()}
         common = max(scales.values(), key=lambda scale: scale.mu, default=None)
-        enlarged = {k: one.extent(common) for k, one in shown.items() if common and scales[k] != common}
+        enlarged = {k: plan.extent(common) for k, plan in shown.items() if common and scales[k] != common}
         if common and enlarged:
             yield drafting.word(
                 f"own scale {order.plan}", positions=runs(enlarged), scale=drafting.scale(common),
@@ -71,7 +71,7 @@ SAME = 1e-6  # of a vector: two constructions of one point differ by rounding, a
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
 
-class Arrow(NamedTuple):
+class PlanArrow(NamedTuple):
     """A vector of a plan between two marks, in true units."""
 
     start: Mark
@@ -90,7 +90,7 @@ class VectorDiagram(NamedTuple):
 
     plan: Plan
     column: int  # place of the position among the constructed ones
-    arrows: tuple[Arrow, ...]
+    arrows: tuple[PlanArrow, ...]
     rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
     letters: tuple[Mark, ...]
     turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
@@ -113,8 +113,8 @@ class VectorDiagram(NamedTuple):
     def seen(self) -> set[str]:
         """The letters at the ends of vectors that have a length, but for the pole: those at rest need no room there."""
         size = max((abs(end) for end in self.points), default=0.0)
-        long = (one for one in self.arrows if abs(one.ends[1] - one.ends[0]) > SAME * size)
-        return {mark.name for one in long for mark in (one.start, one.end) if mark is not self.plan.pole}
+        long = (arrow for arrow in self.arrows if abs(arrow.ends[1] - arrow.ends[0]) > SAME * size)
+        return {mark.name for arrow in long for mark in (arrow.start, arrow.end) if mark is not self.plan.pole}
 
 
 def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:
@@ -124,17 +124,19 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     """
     centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
     lettered = set(plan.letters.values())
-    own = dict.fromkeys(mark for mark in centres.values() if mark not in lettered)  # in order: a set of marks has none
+    unnamed = dict.fromkeys(
+        mark for mark in centres.values() if mark not in lettered
+    )  # in order: a set of marks has none
     turning = (reading.turning for reading in plan.readings.values())
-    needed = [mark for mark in behind(*plan.letters.values(), *own, *turning) if mark.subject == plan.board.subject]
+    needed = [mark for mark in behind(*plan.letters.values(), *unnamed, *turning) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
-    arrows: dict[tuple[Mark, Mark], Arrow] = {}
+    arrows: dict[tuple[Mark, Mark], PlanArrow] = {}
     for mark in images:
-        for start, _ in mark.rays if mark not in own else ():
+        for start, _ in mark.rays if mark not in unnamed else ():
             if start.rays or start is plan.pole:
                 arrows.setdefault((start, mark), _arrow(plan, start, mark, column))
     for mark in images:
-        if mark.step.op == "meet" or mark in plan.letters.values() or mark in own:
+        if mark.step.op == "meet" or mark in plan.letters.values() or mark in unnamed:
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
@@ -144,14 +146,14 @@ def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] =
     return VectorDiagram(plan, column, _once(arrows.values()), rays, tuple(images), rules, centres, sides)
 
 
-def _once(arrows: Iterable[Arrow]) -> tuple[Arrow, ...]:
+def _once(arrows: Iterable[PlanArrow]) -> tuple[PlanArrow, ...]:
     """Give each arrow once: the point of a link under a pin is found again for each pair that the pin has there."""
-    kept: dict[str, list[Arrow]] = {}
+    kept: dict[str, list[PlanArrow]] = {}
     for arrow in arrows:
-        own = kept.setdefault(arrow.name, [])
-        if not any(abs(arrow.ends[1] - one.ends[1]) <= SAME * abs(arrow.ends[1]) for one in own):
-            own.append(arrow)
-    return tuple(arrow for own in kept.values() for arrow in own)
+        alike = kept.setdefault(arrow.name, [])
+        if not any(abs(arrow.ends[1] - other.ends[1]) <= SAME * abs(arrow.ends[1]) for other in alike):
+            alike.append(arrow)
+    return tuple(arrow for alike in kept.values() for arrow in alike)
 
 
 def _sides(
@@ -167,8 +169,8 @@ def _sides(
         yield end, start + at(image.arm.point, column)
 
 
-def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
-    return Arrow(start, end, (at(start.point, column), at(end.point, column)), start is plan.pole)
+def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> PlanArrow:
+    return PlanArrow(start, end, (at(start.point, column), at(end.point, column)), start is plan.pole)
 
 
 def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
@@ -219,7 +221,7 @@ def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[L
     """Lay the parts that have letters and are long enough to bear them."""
     for arrow in shown.arrows:
         names = shown.parts.get((arrow.start, arrow.end), ())
-        for name in (one for one in names if is_relative(one, arrow.name)):
+        for name in (letter for letter in names if is_relative(letter, arrow.name)):
             said = Statement(Kind.LETTER, shown.plan.board.subject, f"{arrow.name} {name}", shown.column)
             part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting), said)
             yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
@@ -232,11 +234,11 @@ def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
     return heading(spot.box, title, under, drafting.hand)
 
 
-def _visible(arrow: Arrow, place: Place) -> bool:
+def _visible(arrow: PlanArrow, place: Place) -> bool:
     return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
 
 
-def _style(shown: VectorDiagram, arrow: Arrow, hand: Hand) -> LineStyle:
+def _style(shown: VectorDiagram, arrow: PlanArrow, hand: Hand) -> LineStyle:
     """Give the line of a vector: main from the pole, thinner to mass centres and between points, thin for parts."""
     if arrow.absolute and arrow.end not in shown.centres.values():
         return hand.result
@@ -250,8 +252,8 @@ def _images(shown: VectorDiagram, place: Place) -> Iterator[tuple[complex, list[
     yield place.on(0j), [plan.pole.name, *resting]
     points = (*plan.letters.items(), *shown.centres.items())
     for mark in shown.letters:
-        own = [plan.letter(name) for name, image in points if image is mark]
-        yield place.on(at(mark.point, shown.column)), [mark.name, *own]
+        letters = [plan.letter(name) for name, image in points if image is mark]
+        yield place.on(at(mark.point, shown.column)), [mark.name, *letters]
 
 
 def link_working(mechanism: Mechanism, links: Sequence[int], name: str, drafting: Drafting) -> Working:
@@ -295,7 +297,7 @@ def _plan_lines(shown: VectorDiagram, scale: Scale | None, drafting: Drafting) -
             yield f"{drafting.letter(with_index(letter))} = {factor.true(segment)}", factor.of_drawn(size), told
 
 
-def _letters_of(shown: VectorDiagram, arrow: Arrow, symbol: str) -> Iterator[str]:
+def _letters_of(shown: VectorDiagram, arrow: PlanArrow, symbol: str) -> Iterator[str]:
     """Give all that a vector is: the velocities of the points whose image is its end, and parts."""
     points = (*shown.plan.letters.items(), *shown.centres.items()) if arrow.absolute else ()
     names = [f"{symbol}_{name}" for name, image in points if image is arrow.end]

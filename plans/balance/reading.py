@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from plans.balance.form import COUNTERWEIGHT, BalanceForm, BalanceTable, CounterweightTable
 from plans.forces.reading.form import ForceForm
-from plans.linkage.reading.survey import Survey
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, SHARE, Place, Task
 from plans.model.dyad import Dyad, Group, decompose
 from plans.model.mechanism import FRAME, Mechanism, StructureError
@@ -31,7 +31,7 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     yield from _light(scene, form)
     if form.aim == NONE and form.counterweights:
         yield scene.fault(("balance", "counterweights"), "idle_counterweights")
-    survey: Survey = scene.meaning["linkage"]
+    survey: LinkageSurvey = scene.meaning["linkage"]
     if form.aim == PARTIAL and survey.mechanism is not None and not guided(survey.mechanism):
         yield scene.fault(("balance", "aim"), "nothing_guided")
 
@@ -146,7 +146,7 @@ def _float(value: Decimal | None) -> float | None:
 
 def survey_of(meaning: Meaning) -> BalanceSurvey:
     """Examine a scene's balancing (row of the table of techniques)."""
-    linkage: Survey = meaning["linkage"]
+    linkage: LinkageSurvey = meaning["linkage"]
     survey, form = replace(linkage, faults=[]), meaning.scene.of(BalanceForm).balance
     for number, weight in enumerate(form.counterweights):
         _check_carrier(survey, ("balance", "counterweights", number), weight)
@@ -157,7 +157,7 @@ def survey_of(meaning: Meaning) -> BalanceSurvey:
     return BalanceSurvey(task_of(form), survey.faults)
 
 
-def _check_carrier(survey: Survey, path: Path, entry: CounterweightTable) -> None:
+def _check_carrier(survey: LinkageSurvey, path: Path, entry: CounterweightTable) -> None:
     """See that a link exists, that it turns, and that it has the line that a place is told on."""
     where = (*path, "on")
     if not survey.know_link(where, entry.on):
@@ -168,7 +168,7 @@ def _check_carrier(survey: Survey, path: Path, entry: CounterweightTable) -> Non
         survey.report((*path, "at"), "carrier_line", link=entry.on)
 
 
-def _check_aim(survey: Survey, form: BalanceTable) -> None:
+def _check_aim(survey: LinkageSurvey, form: BalanceTable) -> None:
     """See that something may be put on for an aim, and that a share is of masses that the crank can balance."""
     links, crank = [weight.on for weight in form.counterweights], survey.form.drive.link
     if form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
@@ -180,7 +180,7 @@ def _check_aim(survey: Survey, form: BalanceTable) -> None:
         survey.report(("balance", "counterweights"), "crank_carries", link=crank)
 
 
-def _check_letter(survey: Survey) -> None:
+def _check_letter(survey: LinkageSurvey) -> None:
     """See that no point has the letter of the common mass centre: both stand on one scheme."""
     link = next((number for number, points in survey.points_of.items() if COMMON in points), None)
     if link is not None:
@@ -188,12 +188,12 @@ def _check_letter(survey: Survey) -> None:
         survey.report(next(path for path in tables if survey.scene.has(path)), "common_centre", letter=COMMON)
 
 
-def _would_do(survey: Survey, aim: str = PARTIAL) -> Message:
+def _would_do(survey: LinkageSurvey, aim: str = PARTIAL) -> Message:
     """Name the links that would do."""
     return told(carriers(survey.mechanism, aim) if survey.mechanism else [])
 
 
-def check_moving(survey: Survey, path: Path) -> None:
+def check_moving(survey: LinkageSurvey, path: Path) -> None:
     """See that the crank turns, and that a moving link has a mass: nothing shakes the frame otherwise."""
     scene = survey.scene
     if survey.form.drive.omega == 0 and survey.form.drive.stroke is None:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from plans.balance.reading import check_moving
 from plans.linkage.reading.form import LinkageForm
-from plans.linkage.reading.survey import Survey
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.balance.bank import ORDERS, Asked, BankTask, Member, Unit
 from plans.scene import fields as f
 from plans.scene import forms, units
@@ -343,7 +343,7 @@ def _faults(meaning: Meaning) -> Iterator[Fault]:
 
 def _of_linkage(meaning: Meaning) -> Iterator[Fault]:
     """See that the crank of a bank's linkage turns evenly, and that something moves."""
-    linkage: Survey = meaning["linkage"]
+    linkage: LinkageSurvey = meaning["linkage"]
     survey = replace(linkage, faults=[])
     if survey.form.drive.acceleration:
         survey.report(("drive", "acceleration"), "uneven_bank")

@@ -10,7 +10,7 @@ from plans.forces.loading import output_at
 from plans.forces.reading import fields as h
 from plans.forces.reading.fields import Metres
 from plans.forces.reading.form import ForceForm
-from plans.linkage.reading.survey import Survey
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.cyclogram import Along, CyclogramTask
 from plans.model.machine import IDLE
 from plans.model.mechanism import FRAME
@@ -128,16 +128,16 @@ def _of_loads(scene: Scene) -> Iterator[Along]:
         yield from (Along(float(share)) for share in inner)
 
 
-def survey_of(meaning: Meaning) -> Survey:
+def survey_of(meaning: Meaning) -> LinkageSurvey:
     """Examine a scene's cyclogram (row of the table of techniques)."""
-    linkage: Survey = meaning["linkage"]
+    linkage: LinkageSurvey = meaning["linkage"]
     survey, form = replace(linkage, faults=[]), meaning.scene.of(CyclogramForm).cyclogram
     if form.point is not None and survey.know(POINT, (form.point,)):
         _check_point(survey, form.point)
     return survey
 
 
-def _check_point(survey: Survey, name: str) -> None:
+def _check_point(survey: LinkageSurvey, name: str) -> None:
     """See that the tool is not fixed, and that its link slides on the frame or swings about it."""
     if survey.owners((name,))[:1] == [FRAME]:
         survey.report(POINT, "fixed_output", name=name)

@@ -17,7 +17,7 @@ from plans.cyclogram.tool import Notch, Path, Watch, go_back, watch_of, way_back
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
 from plans.linkage.plan import Plan
 from plans.linkage.pressure import pressure
-from plans.linkage.travel import ExtremePositions, Travel
+from plans.linkage.travel import ExtremePositions, OutputTravel
 from plans.model import cyclogram as c
 from plans.model.cyclogram import BESIDE, TURN, Cyclogram, CyclogramTask, Position, Stop
 from plans.model.dyad import Group
@@ -32,7 +32,7 @@ class Trial:
         self.sweep, self.extremes = sweep, extremes
         self.sense = -1.0 if sweep.mechanism.drive.omega < 0 else 1.0
         drive = sweep.mechanism.drive._replace(omega=1.0, epsilon=0.0)
-        self.travel = Travel(sweep.over(replace(sweep.mechanism, drive=drive)), out)
+        self.travel = OutputTravel(sweep.over(replace(sweep.mechanism, drive=drive)), out)
 
     @cached_property
     def way(self) -> tuple[Stroke, Stroke]:

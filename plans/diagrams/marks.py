@@ -25,30 +25,30 @@ UNITS = {DIAGRAMS: ""}  # abscissas are angles, ordinates what is drawn over the
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind v by the chord from a position to the next, or behind a by the chords on both its sides."""
-    own = study.of(DiagramsStudy)
+    diagrams = study.of(DiagramsStudy)
     asked = TURNING.get(name, name)
     if asked not in (SPEED, GROWTH):
-        return NoMark((SPEED, GROWTH), None, () if own.unfit else (SPEED,))
-    if own.left_out is not None:
-        raise UnknownMark(message("mark.undrawn", mark=name, why=own.left_out))
-    wanted = motion.position_of(own.linkage, position)
-    found = own.drawn
+        return NoMark((SPEED, GROWTH), None, () if diagrams.unfit else (SPEED,))
+    if diagrams.left_out is not None:
+        raise UnknownMark(message("mark.undrawn", mark=name, why=diagrams.left_out))
+    wanted = motion.position_of(diagrams.linkage, position)
+    found = diagrams.drawn
     edge = found.axis.numbers.index(wanted) if wanted in found.axis.numbers else -1
     values = (found.speeds, found.true_speeds) if asked == SPEED else (found.growths, found.true_growths)
     if not 0 <= edge < len(values[0]) or np.isnan(values[0][edge]):
         raise UnknownMark(message("mark.chord", mark=name, position=wanted))
-    drawn, at = _curve(own, edge, asked)
+    drawn, at = _curve(diagrams, edge, asked)
     where = found.axis.middles[edge] if asked == SPEED else found.axis.places[edge]
-    steps = tuple(behind(*_ends(own, edge, asked), drawn.points[at]))
-    unit = own.units[1 if asked == SPEED else 2]
+    steps = tuple(behind(*_ends(diagrams, edge, asked), drawn.points[at]))
+    unit = diagrams.units[1 if asked == SPEED else 2]
     note = _note(name, (float(values[0][edge]), float(values[1][edge])), values[1], float(where), unit)
-    return Explanation(motion.title(own.linkage, name, wanted), steps, UNITS, (note,), DIAGRAMS)
+    return Explanation(motion.title(diagrams.linkage, name, wanted), steps, UNITS, (note,), DIAGRAMS)
 
 
-def _curve(own: DiagramsStudy, edge: int, asked: str) -> tuple[Derivative, int]:
+def _curve(diagrams: DiagramsStudy, edge: int, asked: str) -> tuple[Derivative, int]:
     """Find the curve that a value stands on, and which of its points it is."""
-    axis = own.axis
-    for run, speeds, growths in zip(axis.runs, own.chords.speeds, own.chords.growths, strict=True):
+    axis = diagrams.axis
+    for run, speeds, growths in zip(axis.runs, diagrams.chords.speeds, diagrams.chords.growths, strict=True):
         if run.start <= edge < run.stop:
             if asked == SPEED or growths is None:
                 return speeds, edge - run.start
@@ -56,11 +56,11 @@ def _curve(own: DiagramsStudy, edge: int, asked: str) -> tuple[Derivative, int]:
     raise AssertionError  # a value that is there stands on a curve
 
 
-def _ends(own: DiagramsStudy, edge: int, asked: str) -> tuple[Mark, ...]:
+def _ends(diagrams: DiagramsStudy, edge: int, asked: str) -> tuple[Mark, ...]:
     """Give the two values of v whose chord tells a; v is told by what the plan of positions gives."""
     if asked == SPEED:
         return ()
-    found = (_curve(own, one % len(own.axis.joined), SPEED) for one in (edge - 1, edge))
+    found = (_curve(diagrams, part % len(diagrams.axis.joined), SPEED) for part in (edge - 1, edge))
     return tuple(drawn.points[at] for drawn, at in found)
 
 

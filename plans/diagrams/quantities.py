@@ -45,15 +45,15 @@ class NoDiagrams:
 
 def comparison_of(study: Study) -> Comparison:
     """Compare the diagrams of a scene (row of the table of techniques)."""
-    own = study.of(DiagramsStudy)
-    ours = own.diagrams
+    drafted = study.of(DiagramsStudy)
+    ours = drafted.diagrams
     if ours is None:
         return Comparison(NoDiagrams(), NoDiagrams(), ())
     motion = motion_of(study)
-    output, road = own.linkage.output, motion.road
+    output, road = drafted.linkage.output, motion.road
     exact = ExactCourse(road, output, ours.axis, float(motion.analysis.phi[0]), road.extremes(output))
     theirs = diagrams(exact, motion.analysis)
-    return DiagramsComparison(ours, theirs, tuple(_Bounds(own, ours, theirs, motion).findings()), exact)
+    return DiagramsComparison(ours, theirs, tuple(_Bounds(drafted, ours, theirs, motion).findings()), exact)
 
 
 def motion_of(study: Study) -> MotionComparison:
@@ -66,14 +66,14 @@ def motion_of(study: Study) -> MotionComparison:
 class _Bounds:
     """What rounding allows both roads to differ by, from what it allows the plans' own points or links."""
 
-    def __init__(self, own: DiagramsStudy, ours: Diagrams, theirs: Diagrams, motion: MotionComparison) -> None:
-        self.own, self.ours, self.theirs, self.motion = own, ours, theirs, motion
-        self.axis, self.omega = ours.axis, own.course.omega
+    def __init__(self, study: DiagramsStudy, ours: Diagrams, theirs: Diagrams, motion: MotionComparison) -> None:
+        self.study, self.ours, self.theirs, self.motion = study, ours, theirs, motion
+        self.axis, self.omega = ours.axis, study.course.omega
 
     def findings(self) -> Iterator[Quantity]:
         """Compare S, v, a at the positions, v and a by chords, and exactly where these belong."""
-        letters = LETTERS[self.own.course.travel.sliding]
-        units = self.own.units
+        letters = LETTERS[self.study.course.travel.sliding]
+        units = self.study.units
         for order, (ours, theirs) in enumerate(zip(self.ours.at, self.theirs.at, strict=True)):
             yield Quantity.of((DIAGRAMS, letters[order], units[order]), (ours, theirs), self._plan(order))
         chords = (
@@ -87,15 +87,15 @@ class _Bounds:
 
     def _plan(self, order: int) -> Floats:
         """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""
-        linkage: LinkageStudy = self.own.linkage
+        linkage: LinkageStudy = self.study.linkage
         slide, told = frame_slide(linkage.mechanism, linkage.output.link), ORDERS[order]
         if slide is None:
             name = f"{told.link.symbol}_{linkage.output.link}"
         else:
             name = f"{told.point.symbol}_{linkage.output.point or slide.point}"
-        found = next(one for one in self.motion.of(told.plan) if one.name == name)
-        own = np.broadcast_to(found.allowed, found.construction.shape)[list(self.axis.numbers)]
-        return np.asarray(own + self._zero if order == 0 else own)
+        found = next(quantity for quantity in self.motion.of(told.plan) if quantity.name == name)
+        allowed = np.broadcast_to(found.allowed, found.construction.shape)[list(self.axis.numbers)]
+        return np.asarray(allowed + self._zero if order == 0 else allowed)
 
     @property
     def _zero(self) -> float:
@@ -107,8 +107,8 @@ class _Bounds:
     def _speeds(self) -> Floats:
         """What the ends of each chord of S allow its slope, (M - 1,)."""
         s = self._plan(0) + EPS * np.abs(self.ours.at.s + self.ours.count.zero)
-        own = self.omega * (s[1:] + s[:-1]) / np.diff(self.axis.turned)
-        return np.asarray(own + EPS * ROUNDINGS * np.abs(self.ours.speeds))
+        slopes = self.omega * (s[1:] + s[:-1]) / np.diff(self.axis.turned)
+        return np.asarray(slopes + EPS * ROUNDINGS * np.abs(self.ours.speeds))
 
     @property
     def _growths(self) -> Floats:
@@ -116,8 +116,8 @@ class _Bounds:
         v, parts = self._speeds, np.diff(self.axis.turned)
         ends = np.array([v[-1], v[0]]), np.array([parts[-1], parts[0]])
         both, wide = (np.concatenate([end[:1], row, end[1:]]) for end, row in zip(ends, (v, parts), strict=True))
-        own = self.omega * (both[1:] + both[:-1]) * 2 / (wide[1:] + wide[:-1])
-        return np.asarray(own + EPS * ROUNDINGS * np.abs(self.ours.growths))
+        slopes = self.omega * (both[1:] + both[:-1]) * 2 / (wide[1:] + wide[:-1])
+        return np.asarray(slopes + EPS * ROUNDINGS * np.abs(self.ours.growths))
 
     def _middle(self, order: int) -> Floats:
         """Allow a value between positions what the worst position is allowed."""
@@ -128,14 +128,14 @@ class _Bounds:
 
 def numbers(study: Study, by: str) -> Numbers:
     """Find the diagrams of a scene by a road; why there are none, where they are wanted."""
-    own = study.of(DiagramsStudy)
-    if not own.wanted or own.unfit:
-        return _left_out(own.unfit if own.wanted else None)
+    drafted = study.of(DiagramsStudy)
+    if not drafted.wanted or drafted.unfit:
+        return _left_out(drafted.unfit if drafted.wanted else None)
     if by == "construction":
-        found, left_out = own.diagrams, own.left_out
+        found, left_out = drafted.diagrams, drafted.left_out
     else:
-        found, left_out = analysed(own), message("diagrams.few", least=FEWEST)
-    return _left_out(left_out) if found is None else Numbers({"diagrams": _plain(found, own.linkage)})
+        found, left_out = analysed(drafted), message("diagrams.few", least=FEWEST)
+    return _left_out(left_out) if found is None else Numbers({"diagrams": _plain(found, drafted.linkage)})
 
 
 def _left_out(why: Message | None) -> Numbers:
@@ -153,7 +153,7 @@ def _plain(found: Diagrams, linkage: LinkageStudy) -> dict[str, Any]:
     return {"output": link, "positions": list(axis.numbers), "turned": plain(axis.turned), **at, **chords}
 
 
-def analysed(own: DiagramsStudy) -> Diagrams | None:
+def analysed(drafted: DiagramsStudy) -> Diagrams | None:
     """Find the diagrams by analysis alone."""
-    motion, extremes, road = solved(own.linkage, ACCELERATIONS.number, True)
-    return alone(road, own.linkage.output, extremes, motion, own.whole)
+    motion, extremes, road = solved(drafted.linkage, ACCELERATIONS.number, True)
+    return alone(road, drafted.linkage.output, extremes, motion, drafted.whole)

@@ -16,7 +16,7 @@ from plans.linkage.assembly_limits import at_angles
 from plans.linkage.drafts import Drafts
 from plans.linkage.primary import CrankPositions
 from plans.linkage.study import LinkageStudy
-from plans.linkage.travel import Travel
+from plans.linkage.travel import OutputTravel
 from plans.model.diagrams import MOST, TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
 from plans.model.motion import ORDERS, Floats
 from plans.scene import fields as f
@@ -69,7 +69,7 @@ class OutputCourse:
 
     def __init__(self, study: LinkageStudy, axis: Axis) -> None:
         self.study, self.axis = study, axis
-        self.travel = Travel(study.sweep, study.output)
+        self.travel = OutputTravel(study.sweep, study.output)
         drive = study.mechanism.drive
         self.omega = abs(drive.omega)
         self.lead = drive.epsilon / drive.omega if drive.omega else 0.0
@@ -132,7 +132,7 @@ SPEED, GROWTH = "v", "a"  # the names of the curves on the board
 
 
 @dataclass(frozen=True)
-class Chords:
+class ChordCurves:
     """The curves of v and a drawn by chords over an axis, from S at its positions; the crank turns with omega > 0.
 
     Abscissas are crank angles, rad, and the pole distance is the angle of a second, omega: the ordinates are v and a.
@@ -225,9 +225,9 @@ class DiagramsStudy:
         return OutputCourse(self.linkage, self.axis)
 
     @cached_property
-    def chords(self) -> Chords:
+    def chords(self) -> ChordCurves:
         """The curves of v and a by chords."""
-        return Chords(self.axis, self.course.positions.s, self.course.omega)
+        return ChordCurves(self.axis, self.course.positions.s, self.course.omega)
 
     @property
     def units(self) -> tuple[str, str, str]:

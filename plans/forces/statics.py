@@ -15,7 +15,7 @@ from plans.forces.force_template import ForceDrawing, ForcePattern, ForcePlans
 from plans.forces.loading import ROUNDING, NoStroke, OtherStroke, Stroke, counted, loading, strokes
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.linkage.assembly_limits import Drawing, at_angles
+from plans.linkage.assembly_limits import RedrawnPlans, at_angles
 from plans.linkage.drafts import Drafts, near_edge
 from plans.linkage.motion_plans import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy, obstruction
@@ -95,7 +95,7 @@ class ForceDrafts:
         self.statics, self.drafts = statics, drafts
 
     @cached_property
-    def _below(self) -> tuple[PlanTemplate | Drawing, list[Any]]:
+    def _below(self) -> tuple[PlanTemplate | RedrawnPlans, list[Any]]:
         return self.drafts.follow(2)
 
     @cached_property
@@ -234,7 +234,7 @@ class Statics:
         self.made.setdefault("forces")
         one = self.study.drafts([0])
         pattern, _ = one.follow(2)
-        if isinstance(pattern, Drawing):
+        if isinstance(pattern, RedrawnPlans):
             return ForceDrawing(self.study.groups, self.machine)
         return ForcePattern(pattern, self.study.groups, self.machine, self.loading(one.motion(2)))
 

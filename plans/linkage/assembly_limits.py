@@ -16,7 +16,7 @@ import numpy.typing as npt
 from geometry.board import Mark
 from geometry.meet import UNBORNE, Sizes
 from plans.linkage.dyads import KINDS
-from plans.linkage.margin import SAME, Barrier, Edge, angle, margins, meeting, of_arcs, rate
+from plans.linkage.margin import SAME, Barrier, BarrierEdge, angle, margins, meeting, of_arcs, rate
 from plans.linkage.motion_plans import UNIT, PlanTemplate, accelerations, positions, resting, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
@@ -48,7 +48,7 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
     return found
 
 
-class Drawing:
+class RedrawnPlans:
     """Plans up to an order, drawn anew wherever they are asked for: no pattern fits sides that change."""
 
     def __init__(self, positions: Callable[[CrankPositions], Plan], groups: Sequence[Group], order: int) -> None:
@@ -141,11 +141,11 @@ class Sweep:
         sweep = self
         while True:
             met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE_POINT]
-            new = [one for one in met if not any(_alike(one, other) for other in sweep.passed)]
+            new = [point for point in met if not any(_alike(point, other) for other in sweep.passed)]
             if not new:
                 return sweep
-            first = [one for one in new if one.group == min(new).group]
-            kept = [one for one in sweep.passed if one.group < first[0].group]
+            first = [point for point in new if point.group == min(new).group]
+            kept = [point for point in sweep.passed if point.group < first[0].group]
             sweep = Sweep(self.mechanism, self.groups, self.sides, self.home, (*kept, *first))
 
     @cached_property
@@ -166,13 +166,13 @@ class Sweep:
         here = Passed(barrier.group, barrier.middle)
         return barrier.kind == CHANGE_POINT and any(_alike(here, other) for other in self.passed)
 
-    def pattern(self, order: int, varied: bool = False) -> PlanTemplate | Drawing:
+    def pattern(self, order: int, varied: bool = False) -> PlanTemplate | RedrawnPlans:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations.
 
         `varied`: of positions each of which has rates of its own.
         """
         if self.passed:
-            return Drawing(self.positions, self.groups, order)
+            return RedrawnPlans(self.positions, self.groups, order)
         if (order, varied) not in self._patterns:
             rates = UNIT if varied else None
             plans = [self.plan(np.zeros(1))]
@@ -276,15 +276,15 @@ class Sweep:
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
         if not missing.any():
             group = int(np.nanargmin(np.nanmin(field, axis=1)))
-            ends = [Edge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
+            ends = [BarrierEdge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
         ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
         misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if of_arcs(marks[g])]
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
 
-    def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
-        return Edge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, mark.name)
+    def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> BarrierEdge:
+        return BarrierEdge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, mark.name)
 
 
 def _least(before: float, middle: float, after: float) -> float:
@@ -293,6 +293,6 @@ def _least(before: float, middle: float, after: float) -> float:
     return middle - (after - before) ** 2 / (8 * bend) if bend > 0 else middle
 
 
-def _alike(one: Passed, other: Passed) -> bool:
+def _alike(first: Passed, second: Passed) -> bool:
     """Tell whether two change points are one: each is known to half the digits of an angle."""
-    return one.group == other.group and abs(np.angle(np.exp(1j * (one.phi - other.phi)))) < SAME
+    return first.group == second.group and abs(np.angle(np.exp(1j * (first.phi - second.phi)))) < SAME

@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
-from plans.linkage.assembly_limits import Drawing, Sweep
-from plans.linkage.margin import Barrier, Edge, bounding, crossing, margins, undefined
+from plans.linkage.assembly_limits import RedrawnPlans, Sweep
+from plans.linkage.margin import Barrier, BarrierEdge, bounding, crossing, margins, undefined
 from plans.linkage.motion_plans import PlanTemplate, accelerations, velocities
 from plans.linkage.plan import Plan
 from plans.linkage.primary import CrankPositions
@@ -82,7 +82,7 @@ def edges(barrier: Barrier) -> tuple[float, float]:
     return (barrier.start, barrier.end)
 
 
-def _blur(edge: Edge) -> float:
+def _blur(edge: BarrierEdge) -> float:
     return AT_CHANGE if edge.kind == CHANGE_POINT else ROUNDING
 
 
@@ -166,7 +166,7 @@ def _unshown(position: int, phi: float) -> Gap:
     return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, "", 0.0, message("gap.sketch"))
 
 
-def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:
+def _beyond(position: int, phi: float, edge: BarrierEdge | None) -> Gap:
     """Name a position that could be assembled, but not without passing a barrier."""
     where = edge.where if edge else ""
     if edge is not None and edge.kind == CHANGE_POINT:
@@ -262,9 +262,9 @@ class Drafts:
     def __init__(self, study: Drawable, turn: CrankPositions) -> None:
         self.study, self.turn = study, turn
         self._plans: list[Plan] = []
-        self._record: tuple[PlanTemplate | Drawing, list[Any]] | None = None
+        self._record: tuple[PlanTemplate | RedrawnPlans, list[Any]] | None = None
 
-    def follow(self, order: int) -> tuple[PlanTemplate | Drawing, list[Any]]:
+    def follow(self, order: int) -> tuple[PlanTemplate | RedrawnPlans, list[Any]]:
         """Work out the numbers of the plans up to an order by their pattern."""
         for asked in ORDERS[: order + 1]:
             self.study.made.setdefault(asked.plan)

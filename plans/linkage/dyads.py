@@ -10,7 +10,7 @@ import numpy as np
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage import leads
-from plans.linkage.leads import Kind
+from plans.linkage.leads import GroupKind
 from plans.linkage.plan import Plan, Vector
 from plans.linkage.slotted_dyads import RPP, RPR
 from plans.model.dyad import Dyad
@@ -18,7 +18,7 @@ from plans.model.motion import Floats
 from plans.words.words import because
 
 
-class Hinged(Kind[Dyad]):
+class Hinged(GroupKind[Dyad]):
     """Two leads that an inner hinge joins."""
 
     def meeting(self, plan: Plan, dyad: Dyad) -> Mark:
@@ -181,7 +181,7 @@ class PRP(Hinged):
         return leads.crossing(plan, dyad.slide(0), dyad.slide(1))
 
 
-KINDS: Mapping[str, Kind[Any]] = {"RRR": RRR(), "RRP": RRP(), "RPR": RPR(), "PRP": PRP(), "RPP": RPP()}
+KINDS: Mapping[str, GroupKind[Any]] = {"RRR": RRR(), "RRP": RRP(), "RPR": RPR(), "PRP": PRP(), "RPP": RPP()}
 
 
 def _met(plan: Plan, dyad: Dyad, lines: list[Mark]) -> Mark:

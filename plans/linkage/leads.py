@@ -20,7 +20,7 @@ from plans.words.words import because
 Of = TypeVar("Of")  # what groups of the kind are, such as dyads
 
 
-class Kind(ABC, Generic[Of]):
+class GroupKind(ABC, Generic[Of]):
     """What is special to one kind of group."""
 
     assemblies = 2  # that its position has: two, or one (сборки)
@@ -180,7 +180,7 @@ def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:
     """Give a guide's unit direction, or its image on a plan above; there None means that the guide does not turn."""
     name = key(slide)
     if name not in plan.units:
-        plan.units[name] = plan.vector(host, slide.way(host).direction, plan.written.own("u", host))
+        plan.units[name] = plan.vector(host, slide.way(host).direction, plan.written.of_link("u", host))
     return plan.units[name]
 
 

@@ -22,15 +22,19 @@ CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than
 
 def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
     """Give the direction of a link's own +x axis, rad in (-pi, pi], from one of its vectors that is `span` there."""
-    own = np.asarray(vector if span.imag == 0 < span.real else vector / span)
+    vectors = np.asarray(vector if span.imag == 0 < span.real else vector / span)
     # The first run tells most often enough that the others are not close either.
-    close = own.size >= RUN and own.size % RUN == 0 and abs(own[RUN // 2] - own[0]) <= CLOSE * abs(own[0])
-    found = _close(own.reshape(-1, RUN)) if close else None
-    return _turned(own) if found is None else found
+    close = (
+        vectors.size >= RUN
+        and vectors.size % RUN == 0
+        and abs(vectors[RUN // 2] - vectors[0]) <= CLOSE * abs(vectors[0])
+    )
+    found = _close(vectors.reshape(-1, RUN)) if close else None
+    return _turned(vectors) if found is None else found
 
 
-def _turned(own: Complexes) -> Floats:
-    turned = np.arctan2(own.imag, own.real)
+def _turned(vectors: Complexes) -> Floats:
+    turned = np.arctan2(vectors.imag, vectors.real)
     return (
         turned
         if np.minimum.reduce(turned, None, initial=np.inf) > -np.pi
@@ -84,7 +88,7 @@ def rate(plan: Plan, link: int) -> Floats:
 SAME = 1e-6  # rad: an edge that touches is known to half the digits of an angle
 
 
-class Edge(NamedTuple):
+class BarrierEdge(NamedTuple):
     """An edge of a barrier: its crank angle, rad, the first that is barred, and which group fails there, and how."""
 
     phi: float
@@ -97,7 +101,7 @@ class Edge(NamedTuple):
 class Barrier(NamedTuple):
     """A part of the turn that the crank cannot pass, from one edge counter-clockwise to the other."""
 
-    edges: tuple[Edge, Edge]
+    edges: tuple[BarrierEdge, BarrierEdge]
     miss: float  # m, the largest miss seen
 
     @property
@@ -131,7 +135,7 @@ class Barrier(NamedTuple):
         return (self.start + self.end) / 2
 
 
-def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Edge | None:
+def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> BarrierEdge | None:
     """Give the edge that keeps the crank from an angle, rad: of the two that bound its way from home, the nearer."""
     if not barriers:
         return None

@@ -86,16 +86,16 @@ def _image(study: LinkageStudy, drafts: Drafts, name: str) -> Mark | None:
     """Find a point or a mass centre: where it is, its velocity or its acceleration."""
     points, centres = letters(study), unnamed(study.scene, study.mechanism.links)
     for order, symbol in enumerate(("", "v_", "a_")):
-        own = name.removeprefix(symbol) if name.startswith(symbol) else ""
-        if own in points:
-            return drafts.plan(order).point(own)
-        if own in centres:
-            return _centre(drafts.plan(order), own, *centres[own])
+        letter = name.removeprefix(symbol) if name.startswith(symbol) else ""
+        if letter in points:
+            return drafts.plan(order).point(letter)
+        if letter in centres:
+            return _centre(drafts.plan(order), letter, *centres[letter])
     return None
 
 
-def _centre(plan: Plan, letter: str, link: int, own: complex) -> Mark:
-    return plan.place(link, own, plan.letter(letter))
+def _centre(plan: Plan, letter: str, link: int, place: complex) -> Mark:
+    return plan.place(link, place, plan.letter(letter))
 
 
 def _turning(drafts: Drafts, symbol: str, link: int, name: str) -> Reading:
@@ -117,9 +117,9 @@ def _ends(study: LinkageStudy, drafts: Drafts, name: str) -> tuple[Mark, ...]:
 
 
 def _lettered(plan: Plan, centres: Masses, name: str) -> Mark | None:
-    own = next((letter for letter in centres if plan.letter(letter) == name), None)
-    if own is not None:
-        return _centre(plan, own, *centres[own])
+    centre = next((letter for letter in centres if plan.letter(letter) == name), None)
+    if centre is not None:
+        return _centre(plan, centre, *centres[centre])
     written = (letter for letter in (name, name.replace("_", "")) if letter in plan.board)  # a3 is written a_3
     return next((plan.board[letter] for letter in written), None)
 

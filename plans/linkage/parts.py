@@ -16,7 +16,7 @@ from geometry.precision import errors
 from geometry.steps import Span
 from plans.linkage.drafts import Drafts
 from plans.linkage.dyads import KINDS
-from plans.linkage.plan import NONE, Letters, Masses, Plan, Sliding, Slotted, Turning, Vector, unnamed
+from plans.linkage.plan import NONE, Masses, Plan, PlanLetters, Sliding, Slotted, Turning, Vector, unnamed
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.quantities import MotionComparison, with_analysis
 from plans.linkage.study import LinkageStudy
@@ -32,10 +32,10 @@ if TYPE_CHECKING:
 Arrow = tuple[str, str, str]
 
 
-class Expected:
+class AnalysedVectors:
     """The vectors of the plans of one position, from the motion by analysis; the relative-motion formulas are M3.1."""
 
-    def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: Letters) -> None:
+    def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: PlanLetters) -> None:
         self.mechanism, self.motion, self.k, self.letters = mechanism, motion, position, letters
 
     def arrows(self, groups: Sequence[Group]) -> dict[Arrow, complex]:
@@ -77,10 +77,10 @@ class Expected:
         """Acceleration of a point, m/s2."""
         return complex(self.motion.points[name].a[self.k])
 
-    def centre(self, link: int, own: complex, order: int) -> complex:
+    def centre(self, link: int, place: complex, order: int) -> complex:
         """Velocity (order 1) or acceleration (2) of a place of a link, by that of its first point (M3.1)."""
         name, first = next(iter(self.mechanism.links[link].points.items()))
-        turned, rates = (own - first) * np.exp(1j * self.motion.links[link].angle[self.k]), self.motion.links[link]
+        turned, rates = (place - first) * np.exp(1j * self.motion.links[link].angle[self.k]), self.motion.links[link]
         omega, epsilon = float(rates.omega[self.k]), float(rates.epsilon[self.k])
         spun = 1j * omega if order == 1 else 1j * epsilon - omega**2
         return complex(self.motion.points[name][order][self.k] + spun * turned)
@@ -120,7 +120,7 @@ class Expected:
 NORMAL, TANGENTIAL, CORIOLIS, RELATIVE = "n", "t", "k", "r"
 
 
-class Part(NamedTuple):
+class VectorPart(NamedTuple):
     """A vector of a plan beside those of its points: its letters, where the plan shows it, its value by analysis."""
 
     order: Order
@@ -151,9 +151,9 @@ def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses =
     for part in parts:
         ours = np.where(gone, np.nan, between(*part.span))
         theirs = np.where(gone, np.nan, part.analysis)
-        own = sum((bounds[mark].place for mark in part.span), np.zeros(1))
+        drawn_error = sum((bounds[mark].place for mark in part.span), np.zeros(1))
         largest = comparison.of(part.order.plan)[0].largest
-        allowed = with_analysis(own, part.order.number, comparison.kappa, largest)
+        allowed = with_analysis(drawn_error, part.order.number, comparison.kappa, largest)
         named = part.order.plan, part.name, part.order.point.unit
         told.append(Quantity.of(named, (ours, theirs), allowed, largest, part.span))
     return tuple(told)
@@ -173,10 +173,10 @@ def alike(told: Iterable[Quantity], mechanism: Mechanism, masses: Masses = NONE)
     carried = {name: link for name, (link, _) in masses.items() if turning[link] == FRAME}
     carried |= {name: n for n, link in mechanism.links.items() if turning[n] == FRAME for name in link.points}
     found: dict[tuple[str, object], list[Quantity]] = {}
-    for one in told:
-        symbol, _, index = one.name.partition("_")
+    for finding in told:
+        symbol, _, index = finding.name.partition("_")
         rate = symbol in (VELOCITIES.link.symbol, ACCELERATIONS.link.symbol)
-        found.setdefault((symbol, turning[int(index)] if rate else carried.get(index, index)), []).append(one)
+        found.setdefault((symbol, turning[int(index)] if rate else carried.get(index, index)), []).append(finding)
     return [tuple(same) for same in found.values()]
 
 
@@ -193,7 +193,7 @@ class _Parts(NamedTuple):
     motion: Motion
     masses: Masses
 
-    def all(self) -> list[Part]:
+    def all(self) -> list[VectorPart]:
         """List the parts, each once, in the order in which the plans are drawn."""
         mechanism = self.study.mechanism
         vectors = list(PRIMARIES[mechanism.drive.kind].vectors(mechanism))
@@ -202,17 +202,19 @@ class _Parts(NamedTuple):
         told = [*self._centres(), *(part for vector in vectors for part in self._of(vector))]
         return list({part.name: part for part in told}.values())
 
-    def _centres(self) -> Iterator[Part]:
+    def _centres(self) -> Iterator[VectorPart]:
         """Tell mass centres by the first point of their link."""
         for order in ORDERS[1:]:
             plan = self.drafts.plan(order.number)
-            for name, (link, own) in self.masses.items():
-                span = Span(plan.pole, plan.place(link, own, plan.letter(name)))
+            for name, (link, place) in self.masses.items():
+                span = Span(plan.pole, plan.place(link, place, plan.letter(name)))
                 origin, first = next(iter(self.study.mechanism.links[link].points.items()))
-                turned = (own - first) * np.exp(1j * self._rate(link, 0))
-                yield Part(order, f"{order.point.symbol}_{name}", span, self._over(link, origin, turned, order.number))
+                turned = (place - first) * np.exp(1j * self._rate(link, 0))
+                yield VectorPart(
+                    order, f"{order.point.symbol}_{name}", span, self._over(link, origin, turned, order.number)
+                )
 
-    def _of(self, vector: Vector) -> Iterator[Part]:
+    def _of(self, vector: Vector) -> Iterator[VectorPart]:
         match vector:
             case Turning():
                 yield from self._turning(vector)
@@ -221,7 +223,7 @@ class _Parts(NamedTuple):
             case _:
                 yield from self._sliding(vector)
 
-    def _turning(self, vector: Turning) -> Iterator[Part]:
+    def _turning(self, vector: Turning) -> Iterator[VectorPart]:
         """Tell a tip about its start: by omega and epsilon of their link over the arm between them."""
         speeds, plan = self.drafts.velocities, self.drafts.accelerations
         arm = self._at(vector.tip, 0) - self._at(vector.start, 0)
@@ -229,17 +231,17 @@ class _Parts(NamedTuple):
         over = vector.tip if self._still(vector.start) else vector.tip + vector.start
         if not self._still(vector.start):
             span = Span(speeds.point(vector.start), speeds.point(vector.tip))
-            yield Part(VELOCITIES, f"v_{over}", span, 1j * self._rate(vector.link, 1) * arm)
+            yield VectorPart(VELOCITIES, f"v_{over}", span, 1j * self._rate(vector.link, 1) * arm)
         yield from self._about(vector.link, arm, (over, plan.point(vector.start), n, plan.point(vector.tip)))
 
-    def _about(self, link: int, arm: Complexes, told: tuple[str, Mark, Mark, Mark]) -> Iterator[Part]:
+    def _about(self, link: int, arm: Complexes, told: tuple[str, Mark, Mark, Mark]) -> Iterator[VectorPart]:
         """Tell the normal and the tangential part of an acceleration about a point of a link."""
         over, start, normal, end = told
         omega, epsilon = self._rate(link, 1), self._rate(link, 2)
-        yield Part(ACCELERATIONS, f"a^{NORMAL}_{over}", Span(start, normal), -(omega**2) * arm)
-        yield Part(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
+        yield VectorPart(ACCELERATIONS, f"a^{NORMAL}_{over}", Span(start, normal), -(omega**2) * arm)
+        yield VectorPart(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
 
-    def _slotted(self, vector: Slotted) -> Iterator[Part]:
+    def _slotted(self, vector: Slotted) -> Iterator[VectorPart]:
         """Tell the point of a slotted link that lies under the pin."""
         link, pivot, pin = vector
         speeds, plan = self.drafts.velocities, self.drafts.accelerations
@@ -247,27 +249,29 @@ class _Parts(NamedTuple):
         arm = self._at(pin, 0) - self._at(pivot, 0)
         over = letter if self._still(pivot) else letter + pivot
         speed = 1j * self._rate(link, 1) * arm
-        yield Part(VELOCITIES, f"v_{over}", Span(speeds.point(pivot), speeds.board[under]), speed)
+        yield VectorPart(VELOCITIES, f"v_{over}", Span(speeds.point(pivot), speeds.board[under]), speed)
         if not self._still(pivot):
-            yield Part(VELOCITIES, f"v_{letter}", Span(speeds.pole, speeds.board[under]), self._carried(link, pin, 1))
+            yield VectorPart(
+                VELOCITIES, f"v_{letter}", Span(speeds.pole, speeds.board[under]), self._carried(link, pin, 1)
+            )
         whole = Span(plan.pole, plan.board[under])
-        yield Part(ACCELERATIONS, f"a_{letter}", whole, self._carried(link, pin, 2))
+        yield VectorPart(ACCELERATIONS, f"a_{letter}", whole, self._carried(link, pin, 2))
         normal = plan.board[plan.written.normal(under.upper())]
         yield from self._about(link, arm, (over, plan.point(pivot), normal, plan.board[under]))
 
-    def _sliding(self, vector: Sliding) -> Iterator[Part]:
+    def _sliding(self, vector: Sliding) -> Iterator[VectorPart]:
         """Tell a pin over the point of a moving guide that lies under it, or that point over the pin."""
         host, pin, sense = vector.host, vector.pin, -1.0 if vector.held else 1.0
         letters = (self._under(pin, host), pin)
         over = "".join(letters if vector.held else reversed(letters))
         speed, whole = (sense * (self._at(pin, k) - self._carried(host, pin, k)) for k in (1, 2))
         span, _ = self._slip(self.drafts.velocities, vector)
-        yield Part(VELOCITIES, f"v_{over}", span, speed)
+        yield VectorPart(VELOCITIES, f"v_{over}", span, speed)
         turned = 2j * self._rate(host, 1) * speed
         span, coriolis = self._slip(self.drafts.accelerations, vector)
         if coriolis is not None:
-            yield Part(ACCELERATIONS, f"a^{CORIOLIS}_{over}", coriolis, turned)
-        yield Part(ACCELERATIONS, f"a^{RELATIVE}_{over}", span, whole - turned)
+            yield VectorPart(ACCELERATIONS, f"a^{CORIOLIS}_{over}", coriolis, turned)
+        yield VectorPart(ACCELERATIONS, f"a^{RELATIVE}_{over}", span, whole - turned)
 
     def _slip(self, plan: Plan, vector: Sliding) -> tuple[Span, Span | None]:
         """Find the vector along the guide in the line it was drawn by, and the Coriolis part on which that stands."""

@@ -17,7 +17,7 @@ POLES = {"positions": "datum", "velocities": "p", "accelerations": "π"}
 SlidingPair = tuple[int, int]  # a sliding pair by its two links
 
 
-class Letters:
+class PlanLetters:
     """How the plans of a mechanism letter its points, those that lie under them, and ends of normal and Coriolis parts.
 
     A letter that another point or a pole has gets a prime.
@@ -54,12 +54,12 @@ class Letters:
 
         What slides there in a later pair, as a yoke's point under the pin does, has a prime: k_A3'.
         """
-        several = sum(one == pin and FRAME not in other for other, (one, _) in self.pins.items()) > 1
-        alike = [other for other, own in self.pins.items() if own == (pin, host)]
+        several = sum(letter == pin and FRAME not in other for other, (letter, _) in self.pins.items()) > 1
+        alike = [other for other, slid in self.pins.items() if slid == (pin, host)]
         primes = "'" * (alike.index(pair) if pair in alike else 0)
         return apart(f"k_{pin}{host}" if several else f"k_{pin}", self._taken) + primes
 
-    def own(self, symbol: str, link: int) -> str:
+    def of_link(self, symbol: str, link: int) -> str:
         """Name a point that a link has besides its named ones, such as n3."""
         lettered = {self.small(point) + str(link) for point in self._small}
         return f"{symbol}_({link})" if f"{symbol}{link}" in lettered | self._taken else f"{symbol}{link}"
@@ -164,7 +164,7 @@ class Plan:
         self.units: dict[tuple[int, int], Mark | None] = {}  # sliding line of (slider, owner): image of its direction
         self.slips: dict[tuple[int, int], Mark] = {}  # velocity of the pin along that line
         self.reaches: dict[tuple[int, int], Mark] = {}  # vector from the pivot of a slotted group to its pin
-        self.written: Letters = below[0].written if below else Letters(mechanism)
+        self.written: PlanLetters = below[0].written if below else PlanLetters(mechanism)
         self.pole = self.board.given(POLES[subject], 0j, _POLE_WHY[subject])
 
     @property

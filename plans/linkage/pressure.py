@@ -14,7 +14,7 @@ from plans.model.dyad import Group
 from plans.model.motion import Floats
 
 
-class Interval(NamedTuple):
+class PressureInterval(NamedTuple):
     """The interval of a group's pressure angle over the turn, rad, and the crank angles of its ends."""
 
     low: float
@@ -24,7 +24,7 @@ class Interval(NamedTuple):
 
 
 # The intervals of a sweep's groups over the nodes last asked for: the sheet and the report both tell them.
-_FOUND: WeakKeyDictionary[Sweep, tuple[Floats | None, list[Interval]]] = WeakKeyDictionary()
+_FOUND: WeakKeyDictionary[Sweep, tuple[Floats | None, list[PressureInterval]]] = WeakKeyDictionary()
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside
@@ -36,7 +36,7 @@ def pressure(plan: Plan, group: Group) -> Floats:
     return KINDS[group.kind].pressure(plan, group)
 
 
-def interval(sweep: Sweep, group: Group, nodes: Floats | None = None) -> Interval:
+def interval(sweep: Sweep, group: Group, nodes: Floats | None = None) -> PressureInterval:
     """Find the interval of a group's pressure angle (M1.3) over crank angles close to each other, or over a turn."""
     known = _FOUND.get(sweep)
     if known is None or known[0] is not nodes:
@@ -45,7 +45,7 @@ def interval(sweep: Sweep, group: Group, nodes: Floats | None = None) -> Interva
     return known[1][sweep.groups.index(group)]
 
 
-def _intervals(sweep: Sweep, nodes: Floats) -> list[Interval]:
+def _intervals(sweep: Sweep, nodes: Floats) -> list[PressureInterval]:
     """Find the intervals of all groups at once: each look draws one plan of positions for all their ends."""
 
     def seen(angles: Floats) -> Floats:
@@ -54,7 +54,7 @@ def _intervals(sweep: Sweep, nodes: Floats) -> list[Interval]:
         return np.asarray(np.repeat(found, 2, axis=0) * np.tile((1.0, -1.0), len(found))[:, None])
 
     if not nodes.size:
-        return [Interval(*4 * (float("nan"),))] * len(sweep.groups)
+        return [PressureInterval(*4 * (float("nan"),))] * len(sweep.groups)
     ends = [_Least(nodes, values) for values in seen(nodes)]
     for _ in range(LOOKS):
         fans = np.array([np.linspace(end.low, end.high, FAN) for end in ends])
@@ -62,7 +62,8 @@ def _intervals(sweep: Sweep, nodes: Floats) -> list[Interval]:
         for k, end in enumerate(ends):
             end.look(fans[k], values[k, k])
     return [
-        Interval(low.least, -high.least, low.where, high.where) for low, high in zip(ends[::2], ends[1::2], strict=True)
+        PressureInterval(low.least, -high.least, low.where, high.where)
+        for low, high in zip(ends[::2], ends[1::2], strict=True)
     ]
 
 

@@ -252,8 +252,8 @@ class Slider(Primary):
             start = board.lay_off(f"K{link}'", start, step, because("line_offset"))
         ways = board.given(self.free, self.values(mechanism, turn), because("stroke_ways"))
         end = plan.name(slide.point, board.lay_off(slide.point, start, ways, because("stroke_divided")))
-        own = mechanism.links[link].points[slide.point]
-        plan.images[link] = Image(end, along, own, slide.way(link).direction)
+        pin = mechanism.links[link].points[slide.point]
+        plan.images[link] = Image(end, along, pin, slide.way(link).direction)
         return plan
 
     def velocities(self, plan: Plan, rates: Rates) -> None:

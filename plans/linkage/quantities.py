@@ -137,7 +137,7 @@ def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> Motio
     told = ours or theirs
     if told is None:
         return comparison
-    values = [np.full(4, np.nan) if one is None else _told(one) for one in (ours, theirs)]
+    values = [np.full(4, np.nan) if road is None else _told(road) for road in (ours, theirs)]
     size = max(abs(reach) for reach in told.reach) if told.sliding else np.pi
     largest = np.array([2 * np.pi, 2 * np.pi, max(size, told.stroke), 2 * np.pi])
     # An extreme's crank angle is where a velocity is zero: its rounding is the velocity's over the acceleration's.
@@ -181,8 +181,8 @@ def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Flo
     for number, (ours, theirs) in pairs.items():
         allowed = with_analysis(_turn_bound(drafts, order, number), order, kappa, largest)
         named, read = (told.plan, f"{told.link.symbol}_{number}", told.link.unit), drafts.plan(order).readings
-        one = Quantity.of(named, (ours, theirs), allowed, largest, read.get(number))
-        yield one if order else one._replace(difference=np.abs(np.angle(np.exp(1j * (ours - theirs)))))
+        quantity = Quantity.of(named, (ours, theirs), allowed, largest, read.get(number))
+        yield quantity if order else quantity._replace(difference=np.abs(np.angle(np.exp(1j * (ours - theirs)))))
 
 
 def _slowest(drawn: Motion, order: int) -> float:
@@ -210,9 +210,9 @@ def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
     return np.asarray((bounds[turning].place + part / size * bounds[arm].place) / size + 4 * EPS * part / size)
 
 
-def with_analysis(own: Floats, order: int, kappa: Floats, largest: float) -> Floats:
+def with_analysis(drawn: Floats, order: int, kappa: Floats, largest: float) -> Floats:
     """Add the analytic road's share: kappa once for the position and once more for every derivative."""
-    return np.asarray(own + ANALYSIS * EPS * kappa ** (order + 1) * largest)
+    return np.asarray(drawn + ANALYSIS * EPS * kappa ** (order + 1) * largest)
 
 
 def largest_of(sizes: Sequence[Floats]) -> float:
@@ -268,7 +268,7 @@ def _extremes(extremes: Extremes) -> dict[str, Any]:
     turns = 0.0 if extremes.sliding else 2 * np.pi * np.round(extremes.reach[0] / (2 * np.pi))
     return {
         "phi": list(extremes.phi),
-        "reach": [float(one - turns) for one in extremes.reach],
+        "reach": [float(angle - turns) for angle in extremes.reach],
         "stroke": extremes.stroke,
         "overlap": extremes.overlap,
         "ratio": extremes.ratio,

@@ -142,7 +142,7 @@ class Between:
 class Triangle:
     """A cylinder that a triangle holds: its fixed point, the crank's hinge and a point of the crank.
 
-    `own` is the vector from the hinge to that point in shares of the crank's unit direction, m.
+    `arm_vector` is that from the hinge to that point in shares of the crank's unit direction, m.
     """
 
     def __init__(self, mechanism: Mechanism) -> None:
@@ -151,16 +151,16 @@ class Triangle:
         points = mechanism.links[drive.link].points
         end = points[drive.end] - points[drive.pivot]
         self.fixed, self.hinge = frame[self.ram.foot], frame[drive.pivot]
-        self.own = (points[self.ram.point] - points[drive.pivot]) * abs(end) / end
+        self.arm_vector = (points[self.ram.point] - points[drive.pivot]) * abs(end) / end
 
     @property
     def arm(self) -> float:
         """The crank's arm m that the cylinder turns."""
-        return abs(self.own)
+        return abs(self.arm_vector)
 
     def _span(self, phi: Floats) -> Complexes:
         """Give the vector from the fixed point to the crank's, (N,) m, at crank angles rad."""
-        return np.asarray(self.hinge + self.own * np.exp(1j * phi) - self.fixed)
+        return np.asarray(self.hinge + self.arm_vector * np.exp(1j * phi) - self.fixed)
 
     def positions(self, ways: Floats) -> CrankPositions:
         """Notch the crank's point by the cylinder's lengths, (N,) m, and give the crank's positions there."""
@@ -168,10 +168,10 @@ class Triangle:
         fixed = board.given(ram.foot, self.fixed, because("fixed"))
         hinge = board.given(pivot, self.hinge, because("drive_hinge"))
         lengths = board.arc(f"{ram.foot}{ram.point}", fixed, ways, because("ram_lengths"))
-        crank = board.arc(f"{pivot}{ram.point}", hinge, abs(self.own), because("crank_circle"))
+        crank = board.arc(f"{pivot}{ram.point}", hinge, abs(self.arm_vector), because("crank_circle"))
         why = because("notched", point=ram.point, start=fixed.name, end=hinge.name)
         met = board.meet(ram.point, lengths, crank, ram.side, why)
-        directions = np.asarray((met.point - self.hinge) / self.own)
+        directions = np.asarray((met.point - self.hinge) / self.arm_vector)
         directions = directions / np.abs(directions)
         return CrankPositions(np.unwrap(np.angle(directions)), directions)
 
@@ -181,7 +181,7 @@ class Triangle:
 
     def pace(self, phi: Floats) -> Rates:
         """Give the crank's rates at its angles: its point goes along the cylinder as fast as that lengthens."""
-        arm, span = self.own * np.exp(1j * phi), self._span(phi)
+        arm, span = self.arm_vector * np.exp(1j * phi), self._span(phi)
         length = np.abs(span)
         speed, acceleration = stroke_rates(self.mechanism.drive, length, self.ram.speed, self.ram.acceleration)
         arms = arm * np.conj(span / length)  # along the cylinder, and square to it

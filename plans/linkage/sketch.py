@@ -40,7 +40,7 @@ class Assembly(NamedTuple):
     phi: float | None
 
 
-class Choice(NamedTuple):
+class SideChoice(NamedTuple):
     """For one group, over some crank angles: the side nearer to the sketch, how clearly, and the misfit in m2."""
 
     side: Floats
@@ -73,7 +73,7 @@ def assembly(
     return Assembly(_crossed(mechanism, groups, _shown_sides(_choices(mechanism, groups, shown)), shown), None)
 
 
-def _shown_sides(choices: Sequence[Choice]) -> list[float]:
+def _shown_sides(choices: Sequence[SideChoice]) -> list[float]:
     """Give the sides of the sketch where most groups can be joined to those before them; 1 of what cannot."""
     joined = np.isfinite([choice.misfit for choice in choices])
     best = int(np.argmax(joined.sum(axis=0)))
@@ -92,7 +92,7 @@ def _crossed(
 
 
 def _out_of_reach(
-    mechanism: Mechanism, groups: Sequence[Group], choices: Sequence[Choice], first: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Group], choices: Sequence[SideChoice], first: CrankPositions
 ) -> None:
     """See that a first position without places is out of reach, and not one at which a group has no one place."""
     plan = positions(mechanism, groups, [choice.side for choice in choices], first)
@@ -104,7 +104,7 @@ def _out_of_reach(
             raise SketchError(message("sketch.nowhere", group=group.label, point=mark.name), ())
 
 
-def _choices(mechanism: Mechanism, groups: Sequence[Group], turn: CrankPositions) -> list[Choice]:
+def _choices(mechanism: Mechanism, groups: Sequence[Group], turn: CrankPositions) -> list[SideChoice]:
     plan, choices = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn), []
     for group in groups:
         kind, shown = KINDS[group.kind], _shown(mechanism, group)
@@ -141,10 +141,10 @@ def untold(mechanism: Mechanism, group: Group) -> float | None:
     return 1.0 if group.links[-1] in slots else -1.0
 
 
-def _given(plan: Plan, side: float, count: int) -> Choice:
+def _given(plan: Plan, side: float, count: int) -> SideChoice:
     """Take a side that is given: it is clear, and fits any sketch."""
     places = _places(plan, [], count)[0]
-    return Choice(np.full(count, side), np.ones(count), np.where(np.isfinite(places), 0.0, np.nan))
+    return SideChoice(np.full(count, side), np.ones(count), np.where(np.isfinite(places), 0.0, np.nan))
 
 
 def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
@@ -155,19 +155,19 @@ def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
     return np.array([np.broadcast_to(np.asarray(plan.point(point).point), count) for point in shown])
 
 
-def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> Choice:
+def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> SideChoice:
     if not shown:
         finite = np.where(np.isfinite(places[0][0]), 0.0, np.nan)
-        return Choice(np.ones(count), np.zeros(count), finite)
+        return SideChoice(np.ones(count), np.zeros(count), finite)
     rough = np.array([[mechanism.sketch[point]] for point in shown])
     misfits = [np.sum(np.abs(place - rough) ** 2, axis=0) for place in places]
     apart = np.sum(np.abs(places[0] - places[1]) ** 2, axis=0)
     with np.errstate(invalid="ignore", divide="ignore"):
         clarity = np.where(apart > 0, np.abs(misfits[0] - misfits[1]) / apart, 0.0)
-    return Choice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
+    return SideChoice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
 
 
-def _decided(mechanism: Mechanism, group: Group, choice: Choice, position: int) -> float:
+def _decided(mechanism: Mechanism, group: Group, choice: SideChoice, position: int) -> float:
     if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
         points = sorted({point for link in group.links for point in mechanism.links[link].points})
         free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)

@@ -10,7 +10,7 @@ from geometry.board import Mark
 from geometry.meet import Sizes
 from geometry.steps import Reading
 from plans.linkage import leads
-from plans.linkage.leads import Kind
+from plans.linkage.leads import GroupKind
 from plans.linkage.plan import Image, Plan, Sliding, Slotted, Vector
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Way
@@ -18,7 +18,7 @@ from plans.model.motion import Floats
 from plans.words.words import because
 
 
-class RPR(Kind[Dyad]):
+class RPR(GroupKind[Dyad]):
     """Dyad of kind 3, RPR (ВПВ): a stone in a slotted link; the shaper's slotted lever (book figures 6.9, 6.12)."""
 
     pivoted = True
@@ -28,7 +28,7 @@ class RPR(Kind[Dyad]):
         (a, c), slide = leads.outer_hinges(plan, dyad), dyad.slide()
         left = [leads.offset(plan, slide, dyad.links[end], dyad.hinge(end)).left for end in (0, 1)]
         slot = plan.board.tangent(
-            plan.written.own("u", slide.owner),
+            plan.written.of_link("u", slide.owner),
             c,
             a,
             left[0] - left[1],
@@ -110,7 +110,7 @@ class RPR(Kind[Dyad]):
         return marks
 
 
-class RPP(Kind[Dyad]):
+class RPP(GroupKind[Dyad]):
     """Dyad of kind 5, RPP (ВПП): a stone in a slot whose link slides; the sine mechanism's yoke (book figure 6.12)."""
 
     assemblies = 1
@@ -121,12 +121,12 @@ class RPP(Kind[Dyad]):
         inner, outer = dyad.slide(), dyad.slide(1)
         guided = leads.direction(plan, outer, dyad.hosts[1])
         angle = inner.way(yoke).direction / outer.way(yoke).direction
-        slot = board.turn(plan.written.own("u", yoke), guided, angle, because("slot_angle"))
+        slot = board.turn(plan.written.of_link("u", yoke), guided, angle, because("slot_angle"))
         plan.units[leads.key(inner)] = slot
         left = leads.offset(plan, inner, stone, dyad.hinge(0)).left
         through = leads.shift(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
-        local, own = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
-        name = next((point for point, place in own.items() if place == local), f"N{yoke}")
+        local, points = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
+        name = next((point for point, place in points.items() if place == local), f"N{yoke}")
         n = board.meet(name, through, leads.line(plan, outer, dyad.hosts[1], 0.0), why=because("slot_crosses"))
         plan.images[stone] = Image(
             a, slot, plan.mechanism.links[stone].points[dyad.hinge(0)], inner.way(stone).direction
@@ -200,9 +200,9 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
         carried = board.similar(
             f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=because("turns", link=yoke)
         )
-        n = board.lay_off(plan.written.own("n", yoke), under, carried, because("similar", point="N", link=yoke))
+        n = board.lay_off(plan.written.of_link("n", yoke), under, carried, because("similar", point="N", link=yoke))
         slot = board.turn(
-            plan.written.own("u", yoke),
+            plan.written.of_link("u", yoke),
             turned,
             inner.way(yoke).direction / outer.way(yoke).direction,
             because("slot_turns"),

@@ -295,12 +295,12 @@ class LinkageStudy:
 
     def _table(self, order: int) -> Motion:
         """Rule the table of a long motion; what is the same at all positions takes no room."""
-        phi, one = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
+        phi, first = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
 
         def room(row: npt.NDArray[Any]) -> npt.NDArray[Any]:
             return np.empty(phi.shape, row.dtype) if row.flags.writeable else np.broadcast_to(row[:1], phi.shape)
 
-        return one.made(phi, room)
+        return first.made(phi, room)
 
     def _with_gaps(self, drawn: Motion, lost: Flags, blunt: Flags, clear: bool) -> Motion:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""

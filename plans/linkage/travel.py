@@ -49,7 +49,7 @@ def frame_slide(mechanism: Mechanism, link: int) -> Slide | None:
     return next((s for s in mechanism.slides if {s.slider, s.owner} == {link, FRAME}), None)
 
 
-class Travel:
+class OutputTravel:
     """The output's coordinate and velocity over the crank angle: along the frame's guide, or the output link's turn.
 
     Of an output that parts from another point it is the way between them along a line of points.
@@ -85,15 +85,15 @@ class Travel:
         if self.slide is None:
             return tuple(seen.links[self.out.link])
         way, (place, *rates) = self.slide.way(FRAME), seen.points[self._pin(self.slide)]
-        return tuple(np.asarray(dot(way.direction, one)) for one in (place - way.through, *rates))
+        return tuple(np.asarray(dot(way.direction, row)) for row in (place - way.through, *rates))
 
     def _parting(self, parting: Parting, seen: Motion) -> tuple[PointMotion, Complexes]:
         """Give place and velocity of the output's point from the other, and the unit direction of their line."""
-        own, far = (seen.points[name] for name in (self.out.point or "", parting.other))
+        near, far = (seen.points[name] for name in (self.out.point or "", parting.other))
         start, end = (seen.points[name].r for name in parting.line)
         with np.errstate(invalid="ignore"):  # a gap is NaN
             along = (end - start) / np.abs(end - start)
-        return PointMotion(one - other for one, other in zip(own, far, strict=False)), along
+        return PointMotion(place - other for place, other in zip(near, far, strict=False)), along
 
     def _pin(self, slide: Slide) -> str:
         return self.out.point or slide.point
@@ -202,7 +202,7 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     turns = out.link == sweep.mechanism.drive.link and out.parting is None
     if turns or not sweep.mechanism.drive.turns or sweep.barred:
         return None
-    travel = Travel(_resting(sweep), out)
+    travel = OutputTravel(_resting(sweep), out)
     rests = travel.rests()
     if len(rests) < 2 or travel.turns_fully:
         return None
@@ -250,7 +250,7 @@ def _notched(drawn: tuple[Plan, list[Mark]] | None, rest: float) -> tuple[comple
     return complex(np.exp(1j * rest)), False
 
 
-def _reaches(travel: Travel, turn: CrankPositions) -> Floats:
+def _reaches(travel: OutputTravel, turn: CrankPositions) -> Floats:
     """Give the output's coordinate at some crank positions, angles unwrapped along the turn."""
     reach = travel.coordinate(turn)
     if travel.sliding:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from plans.linkage.leads import key
-from plans.linkage.plan import Letters, Turning
+from plans.linkage.plan import PlanLetters, Turning
 from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion
@@ -58,7 +58,7 @@ class VectorSums(NamedTuple):
     mechanism: Mechanism
     motion: Motion
     position: int
-    letters: Letters
+    letters: PlanLetters
 
     def of(self, dyad: Dyad) -> tuple[VectorSum, VectorSum]:
         """Give the two equations from which the plans find a group's inner point."""
@@ -83,9 +83,9 @@ class VectorSums(NamedTuple):
     def _lead(self, dyad: Dyad, end: int) -> VectorSum:
         if isinstance(dyad.outer[end], str):
             return self.turning(Turning(dyad.links[end], dyad.hinge(end), dyad.pin))
-        host, own = dyad.hosts[end], self.letters.small(dyad.pin)
+        host, image = dyad.hosts[end], self.letters.small(dyad.pin)
         base, place = self.carried(host, self._place(dyad.pin)), dyad.slide(end).label
-        images = self.letters.under(dyad.pin, host), self.letters.coriolis(dyad.pin, host, key(dyad.slide(end))), own
+        images = self.letters.under(dyad.pin, host), self.letters.coriolis(dyad.pin, host, key(dyad.slide(end))), image
         letters = dyad.pin, under(dyad.pin, host)
         return self._slid(letters, (host, place), (base, self.rates(dyad.pin)), images)
 

@@ -10,8 +10,8 @@ import pytest
 from drawings.forces.lever import hanging
 from drawings.linkage.vector_plan import diagram
 from plans.forces.quantities import compare_forces
-from plans.linkage.parts import Expected
-from plans.linkage.plan import Letters
+from plans.linkage.parts import AnalysedVectors
+from plans.linkage.plan import PlanLetters
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
@@ -69,7 +69,7 @@ def wrong(one: Loaded) -> list[str]:
     findings = (*comparison.motion.findings, *comparison.findings)
     found = [finding.name for finding in findings if not (finding.excess <= 1).all()]
     drafts, plans = one.study.drafts(), statics.drafts().plans
-    expected = Expected(one.mechanism, comparison.motion.analysis, 0, drafts.velocities.written)
+    expected = AnalysedVectors(one.mechanism, comparison.motion.analysis, 0, drafts.velocities.written)
     arrows = expected.arrows(one.study.groups)
     for plan in (drafts.velocities, drafts.accelerations):
         drawn = diagram(plan, 0).arrows
@@ -96,20 +96,20 @@ def test_any_letter_may_name_a_point(mechanism: str, point: str) -> None:
 
 
 def test_a_point_named_as_the_pole_has_a_primed_letter() -> None:
-    letters = Letters(called(MECHANISMS["slider-crank"], "B", "P").mechanism)
+    letters = PlanLetters(called(MECHANISMS["slider-crank"], "B", "P").mechanism)
     assert (letters.small("P"), letters.under("P", 3), letters.small("A")) == ("p'", "p'3", "a")
 
 
 def test_no_two_points_share_a_letter() -> None:
     points = dict.fromkeys(("P", "P'", "p", "B", "b", "Π", "A3"), 0j)
-    letters = Letters(linkages.mechanism("", {0: points}, (), linkages.shaper().drive, {}, None))
+    letters = PlanLetters(linkages.mechanism("", {0: points}, (), linkages.shaper().drive, {}, None))
     small = {point: letters.small(point) for point in (*points, "S2")}
     assert (small["b"], small["p"], small["A3"]) == ("b", "p'", "a3")
     assert len({*small.values(), "p", "π"}) == len(small) + 2
 
 
 def test_two_coriolis_parts_of_a_pin_over_one_link_have_letters_of_their_own() -> None:
-    letters = Letters(linkages.shaper())
+    letters = PlanLetters(linkages.shaper())
     for pair in ((2, 3), (5, 4), (3, 4)):
         letters.slides(pair, "A", 3 if 3 in pair else 4)
     assert [letters.coriolis("A", 3, pair) for pair in ((2, 3), (3, 4))] == ["k_A3", "k_A3'"]

@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.calculus import Derivative
-from plans.diagrams.study import Chords, DiagramsStudy
+from plans.diagrams.study import ChordCurves, DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import Axis, Diagrams, axis_of, chord_error
 from plans.model.motion import Floats, Rates
@@ -214,11 +214,11 @@ def test_a_crank_that_is_not_even_and_a_drive_over_a_stroke_have_none() -> None:
 
 
 def test_chords_that_are_out_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    true = Chords._growth
+    true = ChordCurves._growth
 
-    def off(self: Chords, k: int, run: slice) -> Derivative | None:
+    def off(self: ChordCurves, k: int, run: slice) -> Derivative | None:
         return true(replace(self, omega=self.omega * (1 + 1e-6)), k, run)
 
-    monkeypatch.setattr(Chords, "_growth", off)
+    monkeypatch.setattr(ChordCurves, "_growth", off)
     comparison = study_of("slider").comparison("diagrams")
     assert [one.name for one in comparison.findings if np.nanmax(one.excess) > 1] == ["a chords"]

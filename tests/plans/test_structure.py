@@ -15,9 +15,9 @@ from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.forces.equilibrium import LinkForce, balances
 from plans.linkage.dyads import KINDS
-from plans.linkage.leads import Kind
-from plans.linkage.parts import Expected, findings
-from plans.linkage.plan import Letters, Plan, Vector
+from plans.linkage.leads import GroupKind
+from plans.linkage.parts import AnalysedVectors, findings
+from plans.linkage.plan import Plan, PlanLetters, Vector
 from plans.linkage.pressure import interval
 from plans.linkage.quantities import compare
 from plans.linkage.study import LinkageStudy
@@ -92,7 +92,7 @@ class Three(NamedTuple):
         return (*self.dyad.inner_pairs, Pair(self.dyad.links[1], self.plate, self.dyad.pin))
 
 
-class ThreeLinks(Kind[Three]):
+class ThreeLinks(GroupKind[Three]):
     """A dyad RRR, with a plate on its second link."""
 
     def positions(self, plan: Plan, group: Three, side: Sizes) -> None:
@@ -167,7 +167,7 @@ def test_its_class_its_pairs_and_its_vectors_are_told() -> None:
     assert mechanism_class(study.groups) == "III"
     keys = [pair.key for pair in pairs(study.mechanism, study.groups)]
     assert keys == ["0-1", "1-2", "0-3", "2-3", "3-4", "4-5", "0-6", "5-6"]
-    arrows = Expected(study.mechanism, study.motion(), 0, Letters(study.mechanism)).arrows(study.groups)
+    arrows = AnalysedVectors(study.mechanism, study.motion(), 0, PlanLetters(study.mechanism)).arrows(study.groups)
     assert ("velocities", "a", "b") in arrows and ("accelerations", "n_BA", "b") in arrows
     parts = [LinkForce(link, *5 * [np.zeros(24)]) for link in study.mechanism.links if link != FRAME]
     sums = balances(study.mechanism, study.groups, parts, np.zeros(24))

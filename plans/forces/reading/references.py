@@ -21,7 +21,7 @@ from plans.forces.reading.form import (
 )
 from plans.forces.reading.pressed import DiagramTable
 from plans.linkage.reading.linkage import check_numbers, mechanism_of
-from plans.linkage.reading.survey import Survey
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.scene.faults import Fault, Path
 from plans.scene.notes import HUNDREDS
@@ -32,9 +32,9 @@ HINGE, SLIDE = "a hinge", "a sliding pair"
 ALONE = {"radius": HINGE, "length": SLIDE}  # which kind of pair alone has it
 
 
-def survey_of(meaning: Meaning) -> Survey:
+def survey_of(meaning: Meaning) -> LinkageSurvey:
     """See that masses, loads, friction and the sheet name links, points, pairs and positions that exist."""
-    linkage: Survey = meaning["linkage"]
+    linkage: LinkageSurvey = meaning["linkage"]
     survey, form = replace(linkage, faults=[]), meaning.scene.of(ForceForm)
     _check_masses(survey, form)
     if form.loads is not None:
@@ -62,7 +62,7 @@ def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) 
     return {f"{one}-{other}": found[one, other] for one, other in sorted(found)}
 
 
-def _check_masses(survey: Survey, form: ForceForm) -> None:
+def _check_masses(survey: LinkageSurvey, form: ForceForm) -> None:
     for link, mass in form.masses.items():
         path: Path = ("masses", str(link))
         if not survey.know_link(path, link) or not isinstance(mass.centre, str):
@@ -73,7 +73,7 @@ def _check_masses(survey: Survey, form: ForceForm) -> None:
             survey.report((*path, "centre"), "no_line", link=link)
 
 
-def _check_loads(survey: Survey, loads: LoadsTable) -> None:
+def _check_loads(survey: LinkageSurvey, loads: LoadsTable) -> None:
     for path, load in _loads(loads):
         _check_place(survey, path, load)
         if load.stroke is not None and survey.know((*path, "stroke"), (load.stroke,)):
@@ -87,7 +87,7 @@ def _loads(loads: LoadsTable) -> Iterator[tuple[Path, ForceTable | MomentTable]]
     yield from ((("loads", "moments", index), moment) for index, moment in enumerate(loads.moments))
 
 
-def _check_place(survey: Survey, path: Path, load: ForceTable | MomentTable) -> None:
+def _check_place(survey: LinkageSurvey, path: Path, load: ForceTable | MomentTable) -> None:
     """See that a load is on links and points that exist, and along a line of such points."""
     known = load.on is None or survey.know_link((*path, "on"), load.on)
     if isinstance(load, MomentTable):
@@ -100,12 +100,12 @@ def _check_place(survey: Survey, path: Path, load: ForceTable | MomentTable) -> 
         survey.know((*path, "direction"), load.direction)
 
 
-def _check_moves(survey: Survey, path: Path, name: str) -> None:
+def _check_moves(survey: LinkageSurvey, path: Path, name: str) -> None:
     if survey.owners((name,))[:1] == [FRAME]:
         survey.report(path, "fixed_output", name=name)
 
 
-def _check_ends(survey: Survey, path: Path, ends: Ends) -> None:
+def _check_ends(survey: LinkageSurvey, path: Path, ends: Ends) -> None:
     """See that each end is a point of one link, and that the links are two."""
     links = [_end(survey, (*path, "between", k), end) for k, end in enumerate(ends)]
     first, second = map(point_of, ends)
@@ -115,7 +115,7 @@ def _check_ends(survey: Survey, path: Path, ends: Ends) -> None:
         survey.report((*path, "between"), "one_hinge", name=first)
 
 
-def _end(survey: Survey, path: Path, end: str | EndTable) -> int | None:
+def _end(survey: LinkageSurvey, path: Path, end: str | EndTable) -> int | None:
     """Give the link that an end is of, or nothing where it is at fault."""
     if isinstance(end, EndTable):
         moving = end.on != FRAME
@@ -129,7 +129,7 @@ def _end(survey: Survey, path: Path, end: str | EndTable) -> int | None:
     return found[0] if len(found) == 1 else None
 
 
-def _check_pairs(survey: Survey, form: ForceForm, known: Mapping[str, str]) -> None:
+def _check_pairs(survey: LinkageSurvey, form: ForceForm, known: Mapping[str, str]) -> None:
     """See that friction and hodographs name pairs of the mechanism, and that a hinge has no length of contact."""
     if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
         return
@@ -141,20 +141,20 @@ def _check_pairs(survey: Survey, form: ForceForm, known: Mapping[str, str]) -> N
         _know_pair(survey, ("sheet", "hodographs", index), name, known)
 
 
-def _know_pair(survey: Survey, path: Path, name: str, known: Mapping[str, str]) -> bool:
+def _know_pair(survey: LinkageSurvey, path: Path, name: str, known: Mapping[str, str]) -> bool:
     if name not in known:
         advice = message("advice.pairs", pairs=", ".join(known))
         survey.report(path, "unknown_pair", name=name, suggestion=advice)
     return name in known
 
 
-def _check_form(survey: Survey, path: Path, pair: PairTable, kind: str) -> None:
+def _check_form(survey: LinkageSurvey, path: Path, pair: PairTable, kind: str) -> None:
     for name, alone in ALONE.items():
         if name in pair.given and kind != alone:
             survey.report((*path, name), "pair_form", thing=alone, name=name, pair=path[-1])
 
 
-def _check_acting(survey: Survey, form: ForceForm) -> None:
+def _check_acting(survey: LinkageSurvey, form: ForceForm) -> None:
     """See that something acts on the mechanism where its forces are wanted; masses without weights have inertia."""
     loads = form.loads
     if FORCES not in survey.scene.sheets or survey.doubtful(("masses",), ("loads",)):

@@ -14,7 +14,7 @@ from plans.linkage.ram import cylinder, passage
 from plans.linkage.reading.fields import LineTable, StrokeTable
 from plans.linkage.reading.form import SlideTable
 from plans.linkage.reading.guides import Spot, plain
-from plans.linkage.reading.survey import Survey
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.linkage.sketch import SketchError
 from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Mechanism, Ram, Slide, StructureError
 from plans.scene.faults import Path
@@ -25,7 +25,7 @@ BETWEEN: Path = ("drive", "stroke", "between")
 
 
 def by_ram(
-    survey: Survey, ends: tuple[str, str], links: Mapping[int, Link], sketch: Mapping[str, complex]
+    survey: LinkageSurvey, ends: tuple[str, str], links: Mapping[int, Link], sketch: Mapping[str, complex]
 ) -> Drive | None:
     """Make the drive of a crank that a cylinder turns; its rates are those at the first length, from rest halfway.
 
@@ -53,7 +53,7 @@ def by_ram(
     return _begun(whole, found)
 
 
-def between_links(survey: Survey, mechanism: Mechanism) -> Mechanism | None:
+def between_links(survey: LinkageSurvey, mechanism: Mechanism) -> Mechanism | None:
     """Give a linkage that a cylinder between two of its links drives the rates that its crank has at the first length.
 
     What has no structure or no one assembly is left as it is: the study of it says so.
@@ -88,7 +88,7 @@ def _begun(whole: Mechanism, found: Ram) -> Drive:
     return whole.drive._replace(omega=omega, epsilon=epsilon)
 
 
-def _points(survey: Survey, ends: tuple[str, str]) -> tuple[str, str] | None:
+def _points(survey: LinkageSurvey, ends: tuple[str, str]) -> tuple[str, str] | None:
     """Give the two points that a cylinder acts between, a fixed one first: no link has both."""
     stroke = survey.form.drive.stroke
     assert stroke is not None and stroke.between is not None  # it is a cylinder's
@@ -101,13 +101,13 @@ def _points(survey: Survey, ends: tuple[str, str]) -> tuple[str, str] | None:
     return first, second
 
 
-def _on_crank(survey: Survey, points: tuple[str, str], ends: tuple[str, str]) -> bool:
+def _on_crank(survey: LinkageSurvey, points: tuple[str, str], ends: tuple[str, str]) -> bool:
     """Tell whether the triangle of a fixed point, the crank's hinge and its point holds the cylinder."""
-    own, fixed = survey.points_of[survey.form.drive.link], survey.points_of[FRAME]
-    return points[0] in fixed and points[0] != ends[0] and points[1] in own
+    crank, fixed = survey.points_of[survey.form.drive.link], survey.points_of[FRAME]
+    return points[0] in fixed and points[0] != ends[0] and points[1] in crank
 
 
-def _moves(survey: Survey) -> bool:
+def _moves(survey: LinkageSurvey) -> bool:
     """See that the cylinder has a speed."""
     stroke = survey.form.drive.stroke
     assert stroke is not None  # it is a cylinder's
@@ -116,12 +116,12 @@ def _moves(survey: Survey) -> bool:
     return bool(stroke.rates[0])
 
 
-def _reached(survey: Survey, points: tuple[str, str], links: Mapping[int, Link], ends: tuple[str, str]) -> bool:
+def _reached(survey: LinkageSurvey, points: tuple[str, str], links: Mapping[int, Link], ends: tuple[str, str]) -> bool:
     """See that the triangle closes over the whole stroke, and is no line at either end: no speed is borne there."""
     stroke = survey.form.drive.stroke
     assert stroke is not None  # it is a cylinder's
-    own, frame = links[survey.form.drive.link].points, links[FRAME].points
-    base, arm = abs(frame[points[0]] - frame[ends[0]]), abs(own[points[1]] - own[ends[0]])
+    crank, frame = links[survey.form.drive.link].points, links[FRAME].points
+    base, arm = abs(frame[points[0]] - frame[ends[0]]), abs(crank[points[1]] - crank[ends[0]])
     least, most = abs(base - arm), base + arm
     for name, way in (("from", stroke.from_), ("to", stroke.to)):
         if not least < float(way) < most:
@@ -139,7 +139,7 @@ ORIGIN: Spot = (Decimal(0), Decimal(0))
 LINK: Path = ("drive", "link")
 
 
-def drive_ends(survey: Survey) -> tuple[str, str] | None:
+def drive_ends(survey: LinkageSurvey) -> tuple[str, str] | None:
     """Find the drive's fixed hinge and its far end; of a link that is pushed along its named point is both."""
     if not survey.know_link(LINK, survey.form.drive.link):
         return None
@@ -149,7 +149,7 @@ def drive_ends(survey: Survey) -> tuple[str, str] | None:
     return _pushed_ends(survey) if stroke is not None and stroke.between is None else _crank_ends(survey)
 
 
-def _crank_ends(survey: Survey) -> tuple[str, str] | None:
+def _crank_ends(survey: LinkageSurvey) -> tuple[str, str] | None:
     link = survey.form.drive.link
     points = survey.points_of[link]
     fixed = [name for name in points if name in survey.points_of[FRAME]]
@@ -169,7 +169,7 @@ def _crank_ends(survey: Survey) -> tuple[str, str] | None:
     return (fixed[0], free[0]) if fixed and free else None
 
 
-def _report_pushed(survey: Survey) -> None:
+def _report_pushed(survey: LinkageSurvey) -> None:
     """Say that a link that slides on the frame is no crank: neither a speed nor a cylinder turns it."""
     link = survey.form.drive.link
     if survey.form.drive.stroke is not None:
@@ -178,7 +178,7 @@ def _report_pushed(survey: Survey) -> None:
         survey.report(LINK, "stroke_needed", (("drive", "speed"),), link=link)
 
 
-def _pushed_ends(survey: Survey) -> tuple[str, str] | None:
+def _pushed_ends(survey: LinkageSurvey) -> tuple[str, str] | None:
     table, link = _pushed(survey), survey.form.drive.link
     if table is None:
         if not survey.doubtful(LINK, ("mechanism", "slides"), ("mechanism", "frame"), BETWEEN):
@@ -188,7 +188,7 @@ def _pushed_ends(survey: Survey) -> tuple[str, str] | None:
     return point, point
 
 
-def _check_turnless(survey: Survey) -> None:
+def _check_turnless(survey: LinkageSurvey) -> None:
     """See that nothing is asked for that a drive without a turn has not."""
     scene = survey.scene
     for name in scene.techniques:
@@ -200,18 +200,18 @@ def _check_turnless(survey: Survey) -> None:
             survey.report(("drive", name), "turn_alone", name=name)
 
 
-def _pushed(survey: Survey) -> SlideTable | None:
+def _pushed(survey: LinkageSurvey) -> SlideTable | None:
     """Give the slide on the frame of the drive's link."""
     frame, link = survey.points_of[FRAME], survey.form.drive.link
-    own = (table for table in survey.form.mechanism.slides if table.link == link)
-    return next((one for one in own if _on_frame(one.along, frame)), None)
+    tables = (table for table in survey.form.mechanism.slides if table.link == link)
+    return next((table for table in tables if _on_frame(table.along, frame)), None)
 
 
 def _on_frame(along: tuple[str, ...] | LineTable, frame: Collection[str]) -> bool:
     return along.link == FRAME if isinstance(along, LineTable) else all(name in frame for name in along)
 
 
-def datum_of(survey: Survey, ends: tuple[str, str] | None) -> Spot:
+def datum_of(survey: LinkageSurvey, ends: tuple[str, str] | None) -> Spot:
     """Give the point that coordinates are measured from: the drive's fixed hinge, or the point of its guide."""
     frame = survey.form.mechanism.frame
     if ends is None:
@@ -225,7 +225,7 @@ def datum_of(survey: Survey, ends: tuple[str, str] | None) -> Spot:
 
 
 def drive_of(
-    survey: Survey, ends: tuple[str, str], links: Mapping[int, Link], sketch: Mapping[str, complex]
+    survey: LinkageSurvey, ends: tuple[str, str], links: Mapping[int, Link], sketch: Mapping[str, complex]
 ) -> Drive | None:
     """Make the drive of a scene; a stroke is counted in a power of two metres, near the largest length there is."""
     form = survey.form.drive

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from geometry.meet import cross
 from plans.linkage.reading.fields import LineTable, split_letters
 from plans.linkage.reading.form import SlideTable
-from plans.linkage.reading.survey import Survey
+from plans.linkage.reading.survey import LinkageSurvey
 from plans.model.mechanism import FRAME, Slide, Way
 from plans.scene.faults import Path, suggestion
 from plans.scene.units import EXACT, WORKING
@@ -23,7 +23,7 @@ Spot = tuple[Decimal, Decimal]  # a place in a link's own frame, or measured fro
 class Shaper(NamedTuple):
     """Gives links their shapes; `places` are the rough places at the first position, measured from the datum."""
 
-    survey: Survey
+    survey: LinkageSurvey
     places: dict[str, complex]
 
     def shape(self, link: int) -> dict[str, Spot]:
@@ -170,7 +170,7 @@ def from_datum(place: Spot, datum: Spot) -> Spot:
 class Guides(NamedTuple):
     """Makes the slides (направляющие) of a scene from its links' shapes."""
 
-    survey: Survey
+    survey: LinkageSurvey
     shapes: Mapping[int, Mapping[str, Spot]]
     datum: Spot
 

@@ -11,7 +11,7 @@ from plans.linkage.reading.driving import between_links, datum_of, drive_ends, d
 from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.guides import Guides, Shaper, Spot, as_complex, direction, from_datum, line_name
-from plans.linkage.reading.survey import RATIO_LIMIT, Survey, natural, spread
+from plans.linkage.reading.survey import RATIO_LIMIT, LinkageSurvey, natural, spread
 from plans.model.mechanism import FRAME, SLOWER, Link, Mechanism, Output, Slide, StructureError
 from plans.scene.faults import Path, SceneError, suggestion
 from plans.scene.scene import Meaning, Scene
@@ -21,7 +21,7 @@ from plans.words.words import Message, message
 COMMAS = re.compile(r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]")
 
 
-def check_positions(survey: Survey) -> None:
+def check_positions(survey: LinkageSurvey) -> None:
     """See that the sheet names positions that there are, and that their list has no decimal commas."""
     sheet = survey.form.sheet
     check_numbers(survey, {("sheet", "plans", index): number for index, number in enumerate(sheet.plans)})
@@ -29,7 +29,7 @@ def check_positions(survey: Survey) -> None:
     _check_commas(survey)
 
 
-def check_numbers(survey: Survey, numbers: Mapping[Path, int]) -> None:
+def check_numbers(survey: LinkageSurvey, numbers: Mapping[Path, int]) -> None:
     """See that there are positions of some numbers, each told at a key."""
     count = survey.form.drive.count
     if survey.doubtful(("drive", "positions")):
@@ -39,7 +39,7 @@ def check_numbers(survey: Survey, numbers: Mapping[Path, int]) -> None:
             survey.report(path, "position_number", most=count - 1, count=count)
 
 
-def _check_commas(survey: Survey) -> None:
+def _check_commas(survey: LinkageSurvey) -> None:
     """See that a list of crank angles is none of numbers with decimal commas: [0,5, 30,2] reads as four numbers."""
     path: Path = ("drive", "positions")
     given = survey.form.drive.positions
@@ -58,7 +58,7 @@ def _one_way(angles: Sequence[Decimal]) -> bool:
     return all(steps) or not any(steps)
 
 
-def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:
+def check_joining(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> None:
     """See that every link is joined to the frame, if only through others, that none is loose, and no two are one."""
     if len(slides) < len(survey.form.mechanism.slides):
         return  # a faulty slide may be the very connection that is missing
@@ -82,7 +82,7 @@ def _link(number: int) -> Path:
     return "mechanism", "links", str(number)
 
 
-def _islands(survey: Survey, slides: tuple[Slide, ...]) -> set[int]:
+def _islands(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> set[int]:
     """Give the links that nothing joins to the frame."""
     joined, points = {FRAME}, set(survey.points_of[FRAME])
     pairs = [(slide.slider, slide.owner) for slide in slides]
@@ -98,7 +98,7 @@ def _islands(survey: Survey, slides: tuple[Slide, ...]) -> set[int]:
     return waiting
 
 
-def _doubled(survey: Survey, slides: tuple[Slide, ...]) -> Iterator[tuple[int, int, str | Message]]:
+def _doubled(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> Iterator[tuple[int, int, str | Message]]:
     """Give moving links that two pairs hold in one place: two hinges, or a hinge and a slide."""
     for first, second in combinations(survey.form.mechanism.links, 2):
         common = [name for name in survey.points_of[first] if name in survey.points_of[second]]
@@ -120,14 +120,14 @@ def mechanism_of(scene: Scene) -> Mechanism:
     return mechanism
 
 
-def survey_of(meaning: Meaning) -> Survey:
+def survey_of(meaning: Meaning) -> LinkageSurvey:
     """Examine what a scene says of its linkage, and make the mechanism of it."""
-    survey = Survey(meaning.scene, set(meaning.doubts))
+    survey = LinkageSurvey(meaning.scene, set(meaning.doubts))
     survey.mechanism = _build(survey)
     return survey
 
 
-def _build(survey: Survey) -> Mechanism | None:
+def _build(survey: LinkageSurvey) -> Mechanism | None:
     form = survey.form
     ends = drive_ends(survey)
     datum = datum_of(survey, ends)
@@ -157,7 +157,7 @@ def _build(survey: Survey) -> Mechanism | None:
     return between_links(survey, whole)
 
 
-def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
+def _sketch(survey: LinkageSurvey, datum: Spot) -> dict[str, complex]:
     sketch: dict[str, complex] = {}
     for name, place in sorted(survey.form.mechanism.sketch.items(), key=lambda item: natural(item[0])):
         path: Path = ("mechanism", "sketch", name)
@@ -168,7 +168,7 @@ def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
     return sketch
 
 
-def _with_crank(survey: Survey, ends: tuple[str, str] | None, places: dict[str, complex]) -> dict[str, complex]:
+def _with_crank(survey: LinkageSurvey, ends: tuple[str, str] | None, places: dict[str, complex]) -> dict[str, complex]:
     """Add the place of the crank's end, where the first crank angle gives it better than no sketch."""
     first = survey.form.drive.first
     if not ends or ends[1] in places or first is None or survey.form.drive.stroke:
@@ -177,7 +177,7 @@ def _with_crank(survey: Survey, ends: tuple[str, str] | None, places: dict[str, 
     return places if size is None else {**places, ends[1]: float(size) * direction(first)}
 
 
-def _check_points(survey: Survey) -> None:
+def _check_points(survey: LinkageSurvey) -> None:
     """See that [mechanism.points] and [mechanism.lengths] say things once, of links that exist."""
     form = survey.form.mechanism
     for name, placed in form.points.items():
@@ -195,14 +195,14 @@ def _check_points(survey: Survey) -> None:
         survey.report(("mechanism", "lengths", apart.longest), "ratio", most=f"{RATIO_LIMIT:.0e}", **details)
 
 
-def _check_places(survey: Survey) -> None:
+def _check_places(survey: LinkageSurvey) -> None:
     """See that no point of a link bears the letter of a fixed one."""
     form = survey.form.mechanism
     for name in sorted(form.points.keys() & form.frame.keys(), key=natural):
         survey.report(("mechanism", "points", name), "two_places", name=name, link=form.points[name].on)
 
 
-def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:
+def _check_length(survey: LinkageSurvey, pair: frozenset[str], path: Path) -> None:
     first, second = split_line(str(path[2]))
     owners = survey.owners(pair)
     moving = [link for link in owners if link != FRAME]
@@ -222,13 +222,13 @@ def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:
         survey.report(path, "spare_length", needed=needed)
 
 
-def _by_place(survey: Survey, link: int, pair: frozenset[str]) -> bool:
+def _by_place(survey: LinkageSurvey, link: int, pair: frozenset[str]) -> bool:
     placed = survey.form.mechanism.points
     letters = survey.form.mechanism.links[link][:2]
     return any(name in placed and placed[name].on == link and name not in letters for name in pair)
 
 
-def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
+def _output(survey: LinkageSurvey, slides: tuple[Slide, ...]) -> Output | None:
     """Give the output link: named, or that of the named point, of several the one that slides, else the last."""
     wanted = survey.form.output
     if wanted is None or (wanted.link is None and wanted.point is None):

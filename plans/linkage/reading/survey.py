@@ -25,7 +25,7 @@ Pair = frozenset[str]
 
 
 @dataclass
-class Survey:
+class LinkageSurvey:
     """A scene under examination; `doubts` are paths already at fault, of which nothing more is said."""
 
     scene: Scene
