@@ -10,11 +10,12 @@ from drawings.grading.allowance import Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.dynamics_figures import CHORDS
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts
-from drawings.grading.curves.figure_records import BEARINGS, LENGTHS, ORDINATES, FigureAsked, Sizes, Values
+from drawings.grading.curves.figure_records import BEARINGS, LENGTHS, ORDINATES, FigureAsked
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.verdict import Verdict
 from geometry.board import Board
 from geometry.calculus import integral
+from plans.model.motion import Complexes, Floats
 from tests.draughtsman import Draughtsman, copies
 
 NOWHERE = Arrow(0j, 0j)
@@ -23,7 +24,7 @@ NOWHERE = Arrow(0j, 0j)
 def graded_by_hand(figures: tuple[FigureAsked, ...], slip: float, seed: int) -> tuple[Verdict, ...]:
     """Grade a drawing of all figures by a hand that slips by so many mm."""
     hand = _Hand(slip, np.random.default_rng(seed))
-    own: dict[str, Values] = {}
+    own: dict[str, Complexes] = {}
     drawn: dict[str, list[DrawnFigure]] = {}
     for one in figures:
         own[one.key] = hand.values(one, own)
@@ -38,7 +39,7 @@ class _Hand:
     def __init__(self, slip: float, chance: np.random.Generator) -> None:
         self.slip, self.chance = slip, chance
 
-    def values(self, asked: FigureAsked, own: dict[str, Values]) -> Values:
+    def values(self, asked: FigureAsked, own: dict[str, Complexes]) -> Complexes:
         """Draw a figure: by its course from what is measured of those before it, or as it is known."""
         if asked.course is None or not set(asked.behind) <= own.keys():
             return asked.true + self._pricked(asked)
@@ -50,7 +51,7 @@ class _Hand:
 
     known: tuple[FigureAsked, ...] = ()
 
-    def _pricked(self, asked: FigureAsked) -> Values:
+    def _pricked(self, asked: FigureAsked) -> Complexes:
         """Give by how much what lies between two pricked points is out, true units; between marks as at these."""
         x, y = self.chance.uniform(-self.slip, self.slip, (2, 2, len(asked.true))).sum(axis=1) * asked.scale
         places = np.sort(asked.places)
@@ -62,7 +63,7 @@ class _Hand:
             return np.asarray(unit * (1j * x if asked.kind == BEARINGS else x))
         return np.asarray(x + 1j * y)
 
-    def _chords(self, asked: FigureAsked) -> Sizes:
+    def _chords(self, asked: FigureAsked) -> Floats:
         """Give by how much a curve is out whose chords are ruled one after another, true units."""
         assert asked.paper is not None  # of every graph
         wide = np.abs(np.diff(asked.paper.feet))

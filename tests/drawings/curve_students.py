@@ -10,11 +10,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, Values, figures_asked
+from drawings.grading.curves.figure_records import ORDINATES, FigureAsked, figures_asked
 from drawings.grading.curves.radial_figures import arm_at
 from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.redrawn.originals import Original, Originals
+from plans.model.motion import Complexes
 from tests.drawings.students import task
 
 Keep = Callable[[Stroke], Stroke | None]
@@ -40,7 +41,7 @@ def curve_task(scene: str) -> CurveTask:
     return CurveTask(originals, figures_asked(originals))
 
 
-def gone_on(task: CurveTask, key: str, values: Values) -> dict[str, Values]:
+def gone_on(task: CurveTask, key: str, values: Complexes) -> dict[str, Complexes]:
     """Give all figures of a sheet where one is drawn otherwise and those that rest on it go on from there."""
     sheet = task.figure(key).sheet
     own = [one for one in task.figures if one.sheet == sheet]
@@ -55,7 +56,7 @@ def gone_on(task: CurveTask, key: str, values: Values) -> dict[str, Values]:
 
 
 def drawn(
-    task: CurveTask, sheet: Original, values: Mapping[str, Values], keep: Keep = lambda one: one, along: float = 0.0
+    task: CurveTask, sheet: Original, values: Mapping[str, Complexes], keep: Keep = lambda one: one, along: float = 0.0
 ) -> bytes:
     """Draw a sheet with the values of some figures otherwise; `along` moves their ordinates along the axis, mm."""
     leaf = sheet.leaf
@@ -68,7 +69,7 @@ def drawn(
     return svg(leaf._replace(groups=tuple(one for one in kept if isinstance(one, Group))))
 
 
-def _moves(asked: FigureAsked, values: Values) -> Values:
+def _moves(asked: FigureAsked, values: Complexes) -> Complexes:
     """Give by how much each value moves on paper, mm."""
     return np.asarray(np.nan_to_num(values - asked.true) / asked.scale)
 
@@ -80,7 +81,7 @@ def _kept(one: Stroke, keep: Keep) -> Stroke | None:
     return keep(one)
 
 
-def _group(group: Group, asked: FigureAsked, moves: Values, along: float, within: bool = False) -> Group:
+def _group(group: Group, asked: FigureAsked, moves: Complexes, along: float, within: bool = False) -> Group:
     """Draw a group of the figure otherwise: its marks, its curve, which may stand in a group of what it states."""
     places = {(one.name, "" if one.position is None else str(one.position)): one.place for one in asked.items}
     own = group.data.get("name", ""), group.data.get("position", "")
@@ -97,7 +98,7 @@ def _group(group: Group, asked: FigureAsked, moves: Values, along: float, within
     return group._replace(strokes=tuple(_curve(one, asked, moves, along) if curved else one for one in parts))
 
 
-def _arms(group: Group, asked: FigureAsked, moves: Values) -> Group:
+def _arms(group: Group, asked: FigureAsked, moves: Complexes) -> Group:
     """Move masses with their arms and letters."""
     whole = Leaf(0.0, 0.0, (group,))
     for letter, by in zip(asked.arms, moves.tolist(), strict=True):
@@ -123,7 +124,7 @@ def _carried(group: Group, mass: complex, letter: str, by: complex) -> Group:
     return group._replace(strokes=tuple(map(moved, group.strokes)))
 
 
-def _ring(group: Group, asked: FigureAsked, moves: Values) -> Group:
+def _ring(group: Group, asked: FigureAsked, moves: Complexes) -> Group:
     """Turn the rays of a ring about its centre."""
     own = iter(np.flatnonzero(np.array(asked.rings) == int(group.name[5:]) + 1).tolist())
     centre = next(one.centre for one in group.strokes if isinstance(one, Arc))
@@ -152,7 +153,7 @@ def _along(asked: FigureAsked) -> complex:
     return (end - start) / abs(end - start)
 
 
-def _curve(one: Stroke, asked: FigureAsked, moves: Values, along: float) -> Stroke:
+def _curve(one: Stroke, asked: FigureAsked, moves: Complexes, along: float) -> Stroke:
     """Move the corners of a curve with its ordinates; lines that are straight over the turn stay."""
     if not isinstance(one, Polyline) or len(one.points) < 3:
         return one
@@ -181,16 +182,16 @@ def made(task: CurveTask, row: Mapping[str, Any]) -> bytes:
     return drawn(task, task.sheet(asked.sheet), later)
 
 
-def _mistaken(asked: FigureAsked, row: Mapping[str, Any], at: list[int], by: float) -> Values:
+def _mistaken(asked: FigureAsked, row: Mapping[str, Any], at: list[int], by: float) -> Complexes:
     """Give a figure as a mistake has it."""
     values, way = asked.true.copy(), asked.way if asked.kind == ORDINATES else 1 + 0j
-    every: dict[str, Callable[[], Values]] = {
+    every: dict[str, Callable[[], Complexes]] = {
         "back": lambda: -values,
         "times": lambda: np.asarray(by * values),
         "level": lambda: np.asarray(values + way * by * asked.scale),
         "mistake": lambda: _named(asked, row["kind"], by),
     }
-    some: dict[str, Callable[[Values], Values]] = {
+    some: dict[str, Callable[[Complexes], Complexes]] = {
         "moved": lambda own: np.asarray(own + way * by * asked.scale),
         "turned": lambda own: np.asarray(own * cmath.rect(1, math.radians(by))),
         "one back": lambda own: -own,
@@ -202,7 +203,7 @@ def _mistaken(asked: FigureAsked, row: Mapping[str, Any], at: list[int], by: flo
     return values
 
 
-def _named(asked: FigureAsked, kind: str, by: float) -> Values:
+def _named(asked: FigureAsked, kind: str, by: float) -> Complexes:
     """Give a figure with the mistake of a name; of several that by which it is out most."""
     found = [one for one in asked.mistakes if one.kind == kind]
     one = max(found, key=lambda one: float(np.abs(one.values - asked.true).max()))

@@ -17,8 +17,8 @@ from drawings.form.form import form_of
 from drawings.grading.allowance import EXACT, Allowance, Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure
 from drawings.grading.curves.figure_judge import allowed_of, figure_verdicts
-from drawings.grading.curves.figure_records import Values, figures_asked
-from drawings.grading.curves.form_figure import axes
+from drawings.grading.curves.figure_records import figures_asked
+from drawings.grading.curves.form_figure import every_axes
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.feedback import lines
 from drawings.grading.graded import PASS, UNREAD, grade
@@ -28,6 +28,7 @@ from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
 from drawings.reading.sheet import see
 from drawings.redrawn.originals import Originals
+from plans.model.motion import Complexes
 from tests.drawings.curve_students import CurveTask, curve_task, made
 from tests.mistakes import mistakes
 
@@ -78,7 +79,7 @@ def on_form(own: CurveTask, heights: dict[str, float], scaled: bool = True) -> b
     source = blank_file(leaf)
     seen, parts = see(source), []
     for one, times in zip(figures, heights.values(), strict=True):
-        blank = axes(seen, one.plan)
+        blank = every_axes(seen)[one.plan]
         assert blank is not None and one.paper is not None
         step = (blank.ticks[-1] - blank.ticks[0]) / (len(blank.ticks) - 1)
         across = blank.origin.real + one.paper.along / (2 * np.pi) * len(blank.ticks) * step
@@ -109,7 +110,7 @@ def test_a_graph_on_the_axes_of_a_form_is_read() -> None:
     assert {one.kind for one in lost} == {"missing"}
 
 
-def line_on_form(own: CurveTask, key: str, values: Values) -> bytes:
+def line_on_form(own: CurveTask, key: str, values: Complexes) -> bytes:
     """Draw a line through the values of a figure in its place on a form, as an editor does."""
     asked = own.figure(key)
     leaf = blank_leaf(own.originals.path.stem, asked.plan)
@@ -163,7 +164,7 @@ def load_on_form(own: CurveTask, way: float) -> bytes:
     """Draw the load diagram on its axes on a form, both branches by their corners, 60 mm long and 40 mm high."""
     asked, leaf = own.figure("load_diagram-F_g"), blank_leaf("slider-crank", "load_diagram-F_g")
     source = blank_file(leaf)
-    blank = axes(see(source), asked.plan)
+    blank = every_axes(see(source))[asked.plan]
     assert blank is not None and asked.paper is not None
     across, up = 60 / asked.paper.along.max(), 40 / np.abs(asked.true).max()
     x, y = blank.origin.real, leaf.height - blank.origin.imag
@@ -192,11 +193,11 @@ def test_a_loop_on_its_axes_on_a_form_is_read() -> None:
         assert of("loop", said(own, loop_on_form(own, values))) == due
 
 
-def loop_on_form(own: CurveTask, values: Values, reduced: float = 0.25) -> bytes:
+def loop_on_form(own: CurveTask, values: Complexes, reduced: float = 0.25) -> bytes:
     """Draw a loop on its axes on a form, so much smaller than on our own sheet, with its scales."""
     asked, leaf = own.figure("loop"), blank_leaf(own.originals.path.stem, "loop")
     source = blank_file(leaf)
-    blank = axes(see(source), "loop")
+    blank = every_axes(see(source))["loop"]
     assert blank is not None
     spots = (blank.origin + reduced * values).tolist()
     points = " ".join(f"{spot.real:.3f},{leaf.height - spot.imag:.3f}" for spot in spots)

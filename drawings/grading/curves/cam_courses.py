@@ -9,21 +9,20 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawCourse
-from drawings.grading.curves.figure_records import Sizes, Values
+from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
 from drawings.grading.curves.run_figures import moved_means
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
-from plans.analytic.cam.sizes import LimitLine, least, sides_of, sizes
+from plans.analytic.cam.sizes import Side, least, sides_of, sizes
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import Contour
-from plans.model.cam_motion import Sizes as MainSizes
+from plans.model.cam_motion import Contour, Sizes
+from plans.model.motion import Complexes, Floats
 
 
-def ruled(cam: Cam, sizes: MainSizes, drawn: tuple[Sizes, Sizes], true: tuple[Sizes, Sizes]) -> complex:
+def ruled(cam: Cam, sizes: Sizes, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> complex:
     """Give A as it is seen from O, where S' and S at some places are drawn otherwise than they are.
 
-    Sizes that are given stay where they are, and so do all where rulers leave no room for O.
+    Floats that are given stay where they are, and so do all where rulers leave no room for O.
     """
     offset, level = sizes.offset, math.sqrt(max(sizes.base**2 - sizes.offset**2, 0.0))
     if cam.given.base is None and cam.given.offset is None and not cam.translates:
@@ -33,7 +32,7 @@ def ruled(cam: Cam, sizes: MainSizes, drawn: tuple[Sizes, Sizes], true: tuple[Si
     return complex(cam.sense * offset, level)
 
 
-def _moved(one: LimitLine, drawn: tuple[Sizes, Sizes], true: tuple[Sizes, Sizes]) -> float:
+def _moved(one: Side, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> float:
     """Give by how much a ruler has moved along the axis of S', m: at the point that it touches then and now."""
     touches = [float((one.sign * velocity - one.tangent * way).max()) for velocity, way in (drawn, true)]
     return touches[0] - touches[1]
@@ -49,7 +48,7 @@ class CamCourses:
     expected: CamValues
 
     @property
-    def rows(self) -> Mapping[str, LawCourse]:
+    def rows(self) -> Mapping[str, LawRow]:
         """The diagrams of the law by their names."""
         return self.expected.rows
 
@@ -59,7 +58,7 @@ class CamCourses:
         return self.expected.cam
 
     @property
-    def turned(self) -> Sizes:
+    def turned(self) -> Floats:
         """The turns of the numbered positions, rad."""
         return self.expected.contour.turned
 
@@ -68,22 +67,22 @@ class CamCourses:
         """Which edge of the strips each numbered position is."""
         return np.asarray(np.abs(self.expected.edges[:, None] - self.turned).argmin(axis=0))
 
-    def velocity(self, own: Mapping[str, Values]) -> Values:
+    def velocity(self, own: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas under the analogue of acceleration."""
         return self._added(own, ACCELERATION, VELOCITY)
 
-    def travel(self, own: Mapping[str, Values]) -> Values:
+    def travel(self, own: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas under the analogue of velocity."""
         return self._added(own, VELOCITY, TRAVEL)
 
-    def _added(self, own: Mapping[str, Values], name: str, sum_: str) -> Values:
+    def _added(self, own: Mapping[str, Complexes], name: str, sum_: str) -> Complexes:
         row, true = self.rows[name], self.expected.means(name)
         moved = moved_means(own[name].imag, row.after, row.before, true) - true
         areas = np.concatenate(([0.0], np.cumsum(moved * np.diff(self.expected.edges))))
         return np.asarray(1j * (self.rows[sum_].after + areas))
 
     @cached_property
-    def ends(self) -> Values:
+    def ends(self) -> Complexes:
         """The places of the diagram: D at the numbered positions, O, the end of R0, the end of L."""
         known = self.expected
         aside = np.array([-known.zero, self.base(known.zero, self.expected.sizes.base), known.zero])
@@ -96,7 +95,7 @@ class CamCourses:
         lever = complex(self.expected.contour.lever[0])
         return lever * self.expected.turned_back * size if self.cam.rocks else 1j * size
 
-    def sizes_points(self, own: Mapping[str, Values]) -> Values:
+    def sizes_points(self, own: Mapping[str, Complexes]) -> Complexes:
         """Lay D off by S and S', of a flat face by S and S''; O is where the rulers to them meet."""
         found, count = self.ends.copy(), len(self.turned)
         velocity, way = (own[name].imag[self.numbered] for name in (VELOCITY, TRAVEL))
@@ -113,7 +112,7 @@ class CamCourses:
             found[count], found[count + 1] = -zero, self.base(zero, abs(zero))
         return found
 
-    def sizes_of(self, points: Values) -> MainSizes:
+    def sizes_of(self, points: Complexes) -> Sizes:
         """Give the main sizes from where O stands on a diagram."""
         zero, own = -points[len(self.turned)], self.expected.sizes
         if self.cam.rocks:
@@ -122,7 +121,7 @@ class CamCourses:
             return own._replace(base=zero.imag)
         return own._replace(base=abs(zero), offset=self.cam.sense * zero.real)
 
-    def pressure(self, own: Mapping[str, Values]) -> Values:
+    def pressure(self, own: Mapping[str, Complexes]) -> Complexes:
         """Give the pressure angles by the diagram of the sizes, degrees: where OD shows."""
         points, count = own[DIAGRAM], len(self.turned)
         lever = points[:count] - points[count]
@@ -133,22 +132,22 @@ class CamCourses:
         return np.asarray(1j * (self.angles + np.concatenate((turn, turn[at]))))
 
     @cached_property
-    def angles(self) -> Sizes:
+    def angles(self) -> Floats:
         """The pressure angles at the numbered positions and the largest ones, degrees."""
         found = self.expected.found.pressure.values()
         return np.degrees(np.concatenate((self.expected.contour.pressure, [one.value for one in found])))
 
-    def profile(self, own: Mapping[str, Values]) -> Values:
+    def profile(self, own: Mapping[str, Complexes]) -> Complexes:
         """Give the points of the profile, or of the roller's centre, by the sizes of the diagram and by S."""
         way = own[TRAVEL].imag[self.numbered] - self.rows[TRAVEL].after[self.numbered]
         found = self.inverted(self.sizes_of(own[DIAGRAM])).pitch
         return np.asarray(found + (0 if self.cam.rocks else self.expected.ways(np.asarray(1j * way), self.turned)))
 
-    def inverted(self, own: MainSizes, cam: Cam | None = None) -> Contour:
+    def inverted(self, own: Sizes, cam: Cam | None = None) -> Contour:
         """Give the profile at the numbered positions, of other sizes or another law."""
         return contour(cam or self.cam, own, self.expected.found.roller, self.turned)
 
-    def turned_with(self, points: Values) -> Values:
+    def turned_with(self, points: Complexes) -> Complexes:
         """Give places in the cam if the follower is turned with it, and not against it."""
         sense = self.cam.sense
         if self.cam.translates:
@@ -156,7 +155,7 @@ class CamCourses:
         return np.asarray(points * np.exp(2j * sense * self.turned))
 
     @property
-    def other_side(self) -> MainSizes | None:
+    def other_side(self) -> Sizes | None:
         """The sizes with the offset to the other side; None where there is none, or none is to be seen."""
         own = self.expected.sizes
         return None if self.cam.rocks or self.cam.flat or not own.offset else own._replace(offset=-own.offset)
@@ -177,14 +176,14 @@ class CamCourses:
         return replace(self.cam, phases=tuple(phases), angles=())
 
     @property
-    def limits_swapped(self) -> MainSizes | None:
+    def limits_swapped(self) -> Sizes | None:
         """The sizes with the limits of rise and return in each other's place; None where that says nothing."""
         own = self.cam.limits
         if self.cam.rocks or self.cam.flat or own.rise is None or own.back is None or own.rise == own.back:
             return None
         return sizes(replace(self.cam, limits=own._replace(rise=own.back, back=own.rise)))
 
-    def law(self, cam: Cam, name: str) -> Sizes:
+    def law(self, cam: Cam, name: str) -> Floats:
         """Give a diagram of the law of another cam at the edges of the strips."""
         found = travel(cam, self.expected.edges)
         return {ACCELERATION: found.bend, VELOCITY: found.slope, TRAVEL: found.s}[name]

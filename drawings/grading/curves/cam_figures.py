@@ -26,10 +26,10 @@ from drawings.grading.curves.figure_records import (
     FigureAsked,
     Mistake,
     OwnSheet,
-    Sizes,
     by_number,
 )
 from plans.cyclogram.rows import EVERY
+from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import because
 
@@ -95,7 +95,7 @@ class _Sheet:
         if other is not None:
             yield Mistake(verdict.PHASES, np.asarray(1j * self.cam.law(other, key)))
 
-    def _error(self, key: str) -> Sizes:
+    def _error(self, key: str) -> Floats:
         """Give how far a diagram is out that is drawn by chords, mm a mm of slip."""
         edges, plain = self.expected.edges, np.full(len(self.expected.edges), PRICKED)
         above = law_named(self.expected.cam, ABOVE.get(key, ""))
@@ -107,7 +107,7 @@ class _Sheet:
         angle = float((edges[-1] - edges[0]) / wide.sum())
         return chords_by_hand(wide, self.cam_means(ABOVE[key]) / high, mu / (high * angle))
 
-    def cam_means(self, key: str) -> Sizes:
+    def cam_means(self, key: str) -> Floats:
         """Give the mean ordinates of the strips of a diagram."""
         row = self.cam.rows[key]
         return np.asarray((row.after[:-1] + row.before[1:]) / 2)
@@ -133,7 +133,7 @@ class _Sheet:
             curved=tuple(range(len(self.cam.turned))),
         )  # fmt: skip
 
-    def _laid_by_hand(self, plan: str, *laws: str) -> Sizes:
+    def _laid_by_hand(self, plan: str, *laws: str) -> Floats:
         """Give how far points are out that are laid off as they are measured on diagrams of the law, mm.
 
         To the profile the sizes are carried over too.
@@ -158,7 +158,7 @@ class _Sheet:
             bare = set(np.flatnonzero(np.abs(values) > SHORT * mu).tolist()) - marks.keys()
             yield mu * float(np.hypot(1.0, np.sqrt(np.diff(error**2).max()) / PRICKED if bare else 0.0))
 
-    def _sized(self) -> Sizes:
+    def _sized(self) -> Floats:
         """Give by how much D is out that is laid off by the chords of the law."""
         off = [
             self.cam.rows[key].after - exact
@@ -193,7 +193,7 @@ class _Sheet:
             error=self._angles_by_hand(),
         )  # fmt: skip
 
-    def _angles_by_hand(self) -> Sizes:
+    def _angles_by_hand(self) -> Floats:
         """Give how far angles are out that are measured off the diagram of the sizes, mm of their graph."""
         seen, count = self.own.marks(SIZES), len(self.cam.turned)
         angles = self.own.vectors(ANGLES)

@@ -28,8 +28,6 @@ from drawings.grading.curves.figure_records import (
     Item,
     Mistake,
     OwnSheet,
-    Sizes,
-    Values,
     by_number,
 )
 from drawings.grading.curves.radial_figures import arm_at, written
@@ -43,6 +41,7 @@ from plans.model.balance.bank import Compensator
 from plans.model.cyclogram import Row
 from plans.model.diagrams import TURN
 from plans.model.machine import Force, Moment
+from plans.model.motion import Complexes, Floats
 from plans.study import Study
 from plans.words.words import because
 
@@ -91,7 +90,7 @@ def _corners(
 
     due = [of(one) for one in drawn]
     shares, long = np.array([one.share for one in due]), whole.value.real
-    feet: Values = np.asarray(complex(whole.start.real, first.start.imag) + shares * step)
+    feet: Complexes = np.asarray(complex(whole.start.real, first.start.imag) + shares * step)
     yield from own.figure(
         first.plan, first.plan, {(one.name, None): k for k, one in enumerate(drawn)},
         1j * np.array([one.size for one in due]), kind=ORDINATES, returns=True, why=because("load"),
@@ -150,7 +149,7 @@ def _above(key: str) -> str | None:
     return KEYS[k - 1] if k else None
 
 
-def _slack(row: ExpectedRow) -> Sizes:
+def _slack(row: ExpectedRow) -> Floats:
     """Give by how much a value at a position is out that is read off the curve by chords."""
     if row.key == KEYS[0]:  # which alone is not drawn by chords
         return np.zeros(len(row.at))
@@ -162,12 +161,12 @@ class Slope:
     """A diagram as the slope of the one above it, which a student may have drawn otherwise."""
 
     above: str
-    risen: Sizes  # the true one above
-    true: Sizes
-    times: Sizes  # s
+    risen: Floats  # the true one above
+    true: Floats
+    times: Floats  # s
     whole: bool  # whether the last position is the first again
 
-    def __call__(self, own: Mapping[str, Values]) -> Values:
+    def __call__(self, own: Mapping[str, Complexes]) -> Complexes:
         """Give the derivative."""
         moved, times = own[self.above].imag - self.risen, self.times
         if self.whole:
@@ -201,7 +200,7 @@ def rings(own: OwnSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAske
 
 
 def _unset(
-    rows: Sequence[Row], places: np.ndarray[tuple[int, ...], np.dtype[np.intp]], true: Values, sense: int
+    rows: Sequence[Row], places: np.ndarray[tuple[int, ...], np.dtype[np.intp]], true: Complexes, sense: int
 ) -> Iterator[Mistake]:
     """Give the rings with a row that is not turned by its setting angle, and with all that are not."""
     turns = np.array([np.exp(-1j * sense * (row.setting or 0.0)) for row in rows])[places - 1]
@@ -231,7 +230,7 @@ def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:
     names = list(true)
     for one, other in pairwise(names):
         if one.partition(".")[0] == other.partition(".")[0]:
-            values: Values = np.array(list(true.values()))
+            values: Complexes = np.array(list(true.values()))
             k, m = names.index(one), names.index(other)
             values[k], values[m] = complex(true[other].real, true[one].imag), complex(true[one].real, true[other].imag)
             yield Mistake(verdict.EXCHANGED, values)
@@ -282,7 +281,7 @@ class _Layout:
         start, end = drawn[body.name] or (0j, 1 + 0j)
         return abs(end - start)
 
-    def _course(self, names: tuple[str, ...], true: Values) -> Against:
+    def _course(self, names: tuple[str, ...], true: Complexes) -> Against:
         harmonic = self.expected.analysis.forces[self.found.asked.order]
         turn = self.expected.turn
         forces = np.array([(harmonic.back if "-" in name else harmonic.ahead) * turn for name in names])
@@ -294,9 +293,9 @@ class Against:
     """The arms of masses against the forces of an order, as these are drawn."""
 
     names: tuple[str, ...]
-    forces: Values
-    true: Values
+    forces: Complexes
+    true: Complexes
 
-    def __call__(self, own: Mapping[str, Values]) -> Values:
+    def __call__(self, own: Mapping[str, Complexes]) -> Complexes:
         """Lay each arm off against its force."""
         return np.asarray(self.true * np.array([own[name][0] for name in self.names]) / self.forces)

@@ -22,21 +22,20 @@ from drawings.grading.curves.figure_records import (
     FigureAsked,
     Mistake,
     OwnSheet,
-    Sizes,
-    Values,
     by_number,
 )
 from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
 from geometry.board import Board
 from geometry.calculus import integral
 from geometry.hand_error import SlippingHand, slopes
+from plans.model.motion import Complexes, Floats
 from plans.study import Study
 from plans.words.words import Message, because
 
 CHORDS = "chords"
 
 
-def chords_by_hand(wide: Sizes, high: Sizes, pole: float) -> Sizes:
+def chords_by_hand(wide: Floats, high: Floats, pole: float) -> Floats:
     """Give how far each ordinate of an integral curve is out, mm (standard deviation), if the hand slips by a mm.
 
     The strips are so wide and their mean ordinates so high, mm, and the pole is so far away, mm.
@@ -88,7 +87,7 @@ class _Sheet:
         name: str,
         behind: tuple[str, ...] = (),
         course: Course | None = None,
-        error: Sizes | None = None,
+        error: Floats | None = None,
         mistakes: tuple[Mistake, ...] = (),
     ) -> Iterator[FigureAsked]:
         marks = self.own.vectors(name)
@@ -108,7 +107,7 @@ class _Sheet:
         return next((one.scale for one in self.own.vectors(name).values()), 1.0)
 
     @property
-    def _works_by_hand(self) -> Sizes:
+    def _works_by_hand(self) -> Floats:
         """Give how far works are out that are drawn by chords, mm."""
         paper = self.own.paper(WORKS, self.expected.cycle.turned)
         if paper is None or not self.own.vectors(MOMENTS):
@@ -119,7 +118,7 @@ class _Sheet:
         return chords_by_hand(wide, high, self.scale(WORKS) / (self.scale(MOMENTS) * areas))
 
     @property
-    def _surplus_by_hand(self) -> Sizes:
+    def _surplus_by_hand(self) -> Floats:
         """Give how far the surplus is out that is measured off the works, mm."""
         measured = PRICKED * self.scale(WORKS) / self.scale(SURPLUS) if self.own.vectors(WORKS) else 0.0
         return np.full(len(self.expected.cycle.turned), np.hypot(PRICKED, measured))
@@ -187,6 +186,6 @@ class _Sheet:
             error=ruled, slack=np.abs(cuts - off), behind=(LOOP, BEARING), course=turn.cuts,
         )  # fmt: skip
 
-    def _aside(self, key: str, names: Sequence[str], true: Values, **how: Any) -> Iterator[FigureAsked]:
+    def _aside(self, key: str, names: Sequence[str], true: Complexes, **how: Any) -> Iterator[FigureAsked]:
         """Give what stands beside the loop."""
         yield from self.own.figure(key, LOOP, {(name, None): k for k, name in enumerate(names)}, true, **how)

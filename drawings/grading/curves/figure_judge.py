@@ -11,11 +11,12 @@ import numpy as np
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
 from drawings.grading.curves.drawn_figure import DrawnFigure, from_marks
-from drawings.grading.curves.figure_records import BEARINGS, ORDINATES, FigureAsked, Item, Mistake, Sizes, Values
-from drawings.grading.curves.form_figure import from_form, line_on_form
+from drawings.grading.curves.figure_records import BEARINGS, ORDINATES, FigureAsked, Item, Mistake
+from drawings.grading.curves.form_figure import from_form
 from drawings.grading.curves.radial_figures import from_arms, from_rings
 from drawings.grading.verdict import Verdict
 from drawings.reading.sheet import SeenSheet
+from plans.model.motion import Complexes, Floats
 
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 ROUNDS = 8  # of fitting to a line, each of which leaves a share of what is left: that of the lean of line to way
@@ -27,8 +28,8 @@ Truths = np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
 class Drawn:
     """What a student has drawn of the figures so far, at all their places, and by what factor a whole one is out."""
 
-    values: dict[str, Values] = field(default_factory=dict)
-    wholes: dict[str, Values] = field(default_factory=dict)
+    values: dict[str, Complexes] = field(default_factory=dict)
+    wholes: dict[str, Complexes] = field(default_factory=dict)
     factors: dict[str, float] = field(default_factory=dict)
     right: set[str] = field(default_factory=set)
 
@@ -40,7 +41,7 @@ class FigureJudge:
         known = {name: np.array([value]) for name, value in vectors.items()}
         self.own = Drawn(values={one.key: one.true for one in asked} | known, right={one.key for one in asked})
 
-    def verdicts(self, drawn: DrawnFigure, allowed: Sizes) -> Iterator[Verdict]:
+    def verdicts(self, drawn: DrawnFigure, allowed: Floats) -> Iterator[Verdict]:
         """Judge one figure, and keep it for those that go on from it."""
         told = _Told(drawn, allowed, self._going_on(drawn.asked), self._whole_right(drawn.asked))
         yield from told.verdicts()
@@ -57,7 +58,7 @@ class FigureJudge:
     def _whole_right(self, asked: FigureAsked) -> bool:
         return set(asked.behind) <= self.own.right
 
-    def _going_on(self, asked: FigureAsked) -> list[Values]:
+    def _going_on(self, asked: FigureAsked) -> list[Complexes]:
         """Give what a figure is if it is drawn on from those before it as they are, or as their mistakes say."""
         if asked.course is None or not set(asked.behind) <= self.own.values.keys():
             return []  # what it goes on from is on another sheet
@@ -80,7 +81,7 @@ class FigureJudge:
 class _Told:
     """What is said of one figure."""
 
-    def __init__(self, drawn: DrawnFigure, allowed: Sizes, going_on: Sequence[Values], rightly: bool) -> None:
+    def __init__(self, drawn: DrawnFigure, allowed: Floats, going_on: Sequence[Complexes], rightly: bool) -> None:
         self.drawn, self.asked, self.allowed = drawn, drawn.asked, allowed
         self.going_on, self.rightly = going_on, rightly
         self.near = self._fits(self.asked.true)
@@ -94,11 +95,11 @@ class _Told:
         """Which places have a value that is asked for."""
         return np.asarray(self.drawn.there & np.isin(np.arange(len(self.drawn.values)), self.asked.places))
 
-    def fits(self, due: Values) -> bool:
+    def fits(self, due: Complexes) -> bool:
         """Tell whether all values are as they are due."""
         return bool(self._fits(due)[self.marked].all())
 
-    def _fits(self, due: Values) -> Truths:
+    def _fits(self, due: Complexes) -> Truths:
         """Tell which values are as they are due; one that is not there is none."""
         with np.errstate(invalid="ignore"):
             near = np.asarray(self.drawn.off(due) <= self.allowed)
@@ -110,7 +111,7 @@ class _Told:
             last = k if near[k] else last
         return near
 
-    def _stepped(self, start: int, end: int, due: Values) -> bool:
+    def _stepped(self, start: int, end: int, due: Complexes) -> bool:
         """Tell whether the step from one place to another is as it is due."""
         drawn = self.drawn.values
         begun = drawn[start] if self.drawn.there[start] else due[start]
@@ -124,7 +125,7 @@ class _Told:
         return bool(fine[self.asked.places].all()) and self.drawn.shift == 0.0
 
     @property
-    def whole_values(self) -> Values:
+    def whole_values(self) -> Complexes:
         """The values at all places: by what they all fit, or between those that are marked out as these are."""
         true, there = self.asked.true, self.drawn.there
         if not there.any():
@@ -168,7 +169,7 @@ class _Told:
             mistake = mistake.fitted(self.drawn.nearest(mistake.values))
         return mistake
 
-    def _generals(self, base: Values) -> Iterator[tuple[Mistake, float | None]]:
+    def _generals(self, base: Complexes) -> Iterator[tuple[Mistake, float | None]]:
         """Give what may be wrong with any figure: all the other way, by one factor, from another zero line."""
         there, asked = self.marked, self.asked
         drawn = self.drawn.values[there]
@@ -183,7 +184,7 @@ class _Told:
             away = asked.way * float(np.median(((drawn - base[there]) / asked.way).real))
             yield Mistake(verdict.LEVEL, base + away), None
 
-    def _larger(self, base: Values) -> float:
+    def _larger(self, base: Complexes) -> float:
         """Give by what factor drawn lines reach farther than what is due."""
         return max(float(np.abs(line).max()) for line in self.drawn.lines) / float(np.abs(base).max())
 
@@ -258,7 +259,7 @@ def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tu
 def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     if asked.rings or asked.arms:
         return from_rings(asked, seen) if asked.rings else from_arms(asked, seen)
-    return from_marks(asked, seen) or from_form(asked, seen) or line_on_form(asked, seen)
+    return from_marks(asked, seen) or from_form(asked, seen)
 
 
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
@@ -272,7 +273,7 @@ def figure_verdicts(
     asked: Sequence[FigureAsked],
     sheets: Collection[str],
     marked: Collection[str],
-    allowed: Callable[[FigureAsked], Sizes],
+    allowed: Callable[[FigureAsked], Floats],
     vectors: Mapping[str, complex] = MappingProxyType({}),
     empty: Collection[str] = (),
 ) -> Iterator[Verdict]:
@@ -308,7 +309,7 @@ def _missing(asked: FigureAsked) -> Iterator[Verdict]:
         yield Verdict(asked.plan, None, one.called, verdict.MISSING, unit=asked.unit, letters=("", one.name))
 
 
-def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Sizes:
+def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Floats:
     """Give what each value of a figure may be out, true units."""
     found = np.array(_allowed(asked, by.by, coarse))
     for one in asked.items:
@@ -316,7 +317,7 @@ def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Sizes:
     return found
 
 
-def _allowed(asked: FigureAsked, by: Allowance, coarse: float) -> Sizes:
+def _allowed(asked: FigureAsked, by: Allowance, coarse: float) -> Floats:
     if by.share is not None:
         return np.full(len(asked.true), by.share * asked.largest) + asked.slack
     return asked.allowed(max(by.slip, coarse), DEVIATIONS)

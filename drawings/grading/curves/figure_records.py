@@ -25,13 +25,12 @@ from drawings.reading.measure import Measured
 from drawings.redrawn.originals import Originals
 from geometry.hand_error import EVEN
 from plans.model.dynamics import TURN
+from plans.model.motion import Complexes, Floats
 from plans.techniques import named, technique_of
 from plans.words.words import Message
 
-Values: TypeAlias = npt.NDArray[np.complex128]
-Sizes: TypeAlias = npt.NDArray[np.float64]
 # Of what a student has drawn of the figures before it to what this figure is if it is drawn on from there.
-Course: TypeAlias = Callable[[Mapping[str, Values]], Values]
+Course: TypeAlias = Callable[[Mapping[str, Complexes]], Complexes]
 
 # Of a slip of a mm: how far an ordinate is out, both of whose ends are pricked (standard deviation, mm).
 PRICKED = float(EVEN * np.sqrt(2))
@@ -57,10 +56,10 @@ class Mistake(NamedTuple):
     """A mistake that has a name, and what the figure is with it; each value may go on by one size, `along`."""
 
     kind: str
-    values: Values
-    along: Values | None = None
+    values: Complexes
+    along: Complexes | None = None
 
-    def fitted(self, drawn: Values) -> Mistake:
+    def fitted(self, drawn: Complexes) -> Mistake:
         """Give the mistake by the size that a drawn figure has it by."""
         there = ~np.isnan(drawn)
         if self.along is None or not there.any():
@@ -77,8 +76,8 @@ class Paper(NamedTuple):
     """
 
     axis: tuple[complex, complex]
-    feet: Values
-    along: Sizes
+    feet: Complexes
+    along: Floats
     turn: float | None = TURN
 
 
@@ -96,9 +95,9 @@ class FigureAsked:
     unit: str
     scales: Mapping[str, float]  # true units a mm, by the letters that they are written with; across, then up
     items: tuple[Item, ...]
-    true: Values
-    slack: Sizes
-    error: Sizes
+    true: Complexes
+    slack: Floats
+    error: Floats
     kind: str = POINTS
     way: complex = 1j  # of the ordinates on paper
     paper: Paper | None = None
@@ -137,7 +136,7 @@ class FigureAsked:
         """The places that are asked for."""
         return np.array([one.place for one in self.items], dtype=np.intp)
 
-    def off(self, drawn: Values, due: Values) -> Sizes:
+    def off(self, drawn: Complexes, due: Complexes) -> Floats:
         """Give how far drawn values are from what they should be, true units; of a bearing across it."""
         apart = drawn - due
         if self.kind == ORDINATES:
@@ -150,7 +149,7 @@ class FigureAsked:
             return np.asarray(np.where(ahead, np.abs((drawn * due.conj()).imag) / long, np.abs(drawn) + np.abs(due)))
         return np.abs(apart)
 
-    def allowed(self, slip: float, deviations: float) -> Sizes:
+    def allowed(self, slip: float, deviations: float) -> Floats:
         """Give what each value may be out, true units, of a hand that slips by so many mm."""
         return np.asarray(deviations * slip * self.scale * self.error + self.slack)
 
@@ -176,7 +175,7 @@ class OwnSheet(NamedTuple):
         return {(one.name, one.position): one for one in self.measured.marks if one.plan == plan}
 
     def figure(
-        self, key: str, plan: str, places: Mapping[Any, int] | None = None, true: Values | None = None, **how: Any
+        self, key: str, plan: str, places: Mapping[Any, int] | None = None, true: Complexes | None = None, **how: Any
     ) -> Iterator[FigureAsked]:
         """Ask for those marks of a plan that have places in a figure, or for all: they must be what is due.
 
@@ -213,7 +212,7 @@ class OwnSheet(NamedTuple):
         found = (letter for letter, own in self.scales(plan).items() if abs(own - mu) <= WRITTEN * mu)
         return next(found, "")
 
-    def paper(self, plan: str, abscissas: Sizes, places: Mapping[int, int] | None = None) -> Paper | None:
+    def paper(self, plan: str, abscissas: Floats, places: Mapping[int, int] | None = None) -> Paper | None:
         """Give where a graph lies, whose places are at some abscissas; None where two ordinates do not tell it.
 
         The places of its marks are their positions, or what `places` says of these.
@@ -225,19 +224,19 @@ class OwnSheet(NamedTuple):
         step = (other.start - one.start) / (abscissas[last] - abscissas[first])
         return self.over(plan, np.asarray(one.start + step * (abscissas - abscissas[first])), abscissas)
 
-    def over(self, plan: str, feet: Values, abscissas: Sizes) -> Paper | None:
+    def over(self, plan: str, feet: Complexes, abscissas: Floats) -> Paper | None:
         """Give where a graph lies whose ordinates have some feet; None where they stand on no line of it."""
         axis = self._axis(plan, feet)
         return None if axis is None else Paper(axis, feet, abscissas)
 
-    def ruled(self, plan: str, feet: Values) -> Paper | None:
+    def ruled(self, plan: str, feet: Complexes) -> Paper | None:
         """Give where bars lie that begin at some places: the longest line of their figure is their axis."""
         group = group_named(self.leaf.groups, plan)
         lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
         longest = max(lines, key=lambda one: abs(one.end - one.start), default=None)
         return None if longest is None else Paper((longest.start, longest.end), feet, np.zeros(len(feet)))
 
-    def _axis(self, plan: str, feet: Values) -> tuple[complex, complex] | None:
+    def _axis(self, plan: str, feet: Complexes) -> tuple[complex, complex] | None:
         """Give the longest line that all feet of a graph stand on."""
         group = group_named(self.leaf.groups, plan)
         lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
@@ -249,7 +248,7 @@ class OwnSheet(NamedTuple):
 WRITTEN = 1e-3  # of a scale: three digits are written at the least
 
 
-def _through(line: Line, feet: Values) -> bool:
+def _through(line: Line, feet: Complexes) -> bool:
     along = (line.end - line.start) / abs(line.end - line.start)
     return bool((np.abs(((feet - line.start) / along).imag) <= FLUSH).all())
 

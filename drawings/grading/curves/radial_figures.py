@@ -12,7 +12,6 @@ from drawings.grading.curves.drawn_figure import PLACED, THROUGH, DrawnFigure, s
 from drawings.grading.curves.figure_records import (
     BEARINGS,
     FigureAsked,
-    Values,
 )
 from drawings.grading.drawn_plan import Arrow
 from drawings.grading.plans_on_form import paired
@@ -20,6 +19,7 @@ from drawings.lettering.vector_letters import lowered_bank
 from drawings.paper.strokes import Circle, Leaf, Line, Text
 from drawings.paper.walk import flat, group_named
 from drawings.reading.sheet import SeenSheet
+from plans.model.motion import Complexes
 
 OPPOSITE = 2.0  # how far ways are apart that lead to opposite sides: no ray is farther from any
 
@@ -84,7 +84,7 @@ def _radial(near: complex, far: complex) -> bool:
     return bool(abs((near / way).imag) <= THROUGH and (near / way).real >= -THROUGH)
 
 
-def _paired(rays: Values, dues: Sequence[Values]) -> Values:
+def _paired(rays: Complexes, dues: Sequence[Complexes]) -> Complexes:
     """Give each bearing that is due the ray that is its: all together as near as they can be; NaN for none.
 
     >>> _paired(np.array([1j, 1 + 0j]), [np.array([2 + 0.1j, 2j])]).tolist()

@@ -20,19 +20,18 @@ from drawings.grading.curves.figure_records import (
     Item,
     Mistake,
     OwnSheet,
-    Sizes,
-    Values,
     by_number,
 )
 from plans.analytic.dynamics.speeds import energy_at
 from plans.model.dynamics import TURN, Flywheel, Speeds, settled
+from plans.model.motion import Complexes, Floats
 from plans.model.run import STEADY, Run
 from plans.words.words import because
 
 ALIKE = 0.05  # by how much the factors at both edges of a strip may differ that are taken for one: a fair hand's do
 
 
-def moved_means(drawn: Sizes, after: Sizes, before: Sizes, means: Sizes) -> Sizes:
+def moved_means(drawn: Floats, after: Floats, before: Floats, means: Floats) -> Floats:
     """Give the means of the strips by the values behind their edges, where the true ones are known.
 
     A strip whose edges are out by one factor is out by it, any other by how far both are; a jump keeps its share.
@@ -68,27 +67,27 @@ class Turned(NamedTuple):
     scales: tuple[float, float] = (1.0, 1.0)  # of the loop: kg*m2 and J a mm
 
     @property
-    def turned(self) -> Sizes:
+    def turned(self) -> Floats:
         """The edges of the strips, rad."""
         return self.expected.cycle.turned
 
-    def works(self, own: Mapping[str, Values]) -> Values:
+    def works(self, own: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas of the strips under a graph of moments, whose means are out as their edges are."""
         after, before = self.expected.graphs[MOMENTS], self.expected.before
         means = moved_means(own[MOMENTS].imag, after, before, -self.expected.cycle.means)
         return np.asarray(1j * np.concatenate(([0.0], np.cumsum(means * np.diff(self.turned)))))
 
-    def surplus(self, own: Mapping[str, Values]) -> Values:
+    def surplus(self, own: Mapping[str, Complexes]) -> Complexes:
         """Take the works of the loads from those of the drive, which gives as much over the turn."""
         works = own[WORKS].imag
         return np.asarray(1j * (works[0] + (works[-1] - works[0]) * self.turned / TURN - works))
 
-    def loop(self, own: Mapping[str, Values]) -> Values:
+    def loop(self, own: Mapping[str, Complexes]) -> Complexes:
         """Lay the surplus off over the inertia, mm."""
         inertia, energy = self.scales
         return np.asarray(own[INERTIA].real / inertia + 1j * own[SURPLUS].imag / energy)
 
-    def cuts(self, own: Mapping[str, Values]) -> Values:
+    def cuts(self, own: Mapping[str, Complexes]) -> Complexes:
         """Give what tangents of some bearings cut off the axis of energy, J: o1l, o1k."""
         points, (low, high) = own[LOOP], (one.imag / one.real for one in own[BEARING])
         energy = self.scales[1]
@@ -96,7 +95,7 @@ class Turned(NamedTuple):
         most = (points.imag - high * points.real).max() * energy
         return np.array([1j * least, 1j * most])
 
-    def speeds(self, own: Mapping[str, Values]) -> Values:
+    def speeds(self, own: Mapping[str, Complexes]) -> Complexes:
         """Give the speeds above their mean from energies, inertias and what the tangents cut off, rad/s."""
         low, high = self.wheel.slopes
         least, most = own[CUT].imag
@@ -113,14 +112,14 @@ class Turned(NamedTuple):
         return self.expected.wheel
 
     @property
-    def true(self) -> dict[str, Values]:
+    def true(self) -> dict[str, Complexes]:
         """The graphs by analysis."""
         return {
             name: np.asarray((1 if name == INERTIA else 1j) * row, dtype=np.complex128)
             for name, row in self.expected.graphs.items()
         }
 
-    def speed_slips(self, scales: Mapping[str, float]) -> Sizes:
+    def speed_slips(self, scales: Mapping[str, float]) -> Floats:
         """Give how far a hand that slips by a mm is out in the speeds that it reckons from what it measures, rad/s."""
         true = {**self.true, CUT: np.array([1j * cut for cut in self.wheel.cuts])}
         rise = {SURPLUS: 1j * scales[SURPLUS], INERTIA: scales[INERTIA], CUT: 1j * self.scales[1]}
@@ -177,13 +176,13 @@ def _instants(run: Run) -> Iterator[tuple[str, float]]:
         yield f"t_{k}", end
 
 
-def _rising(run: Run) -> tuple[Sizes, Sizes]:
+def _rising(run: Run) -> tuple[Floats, Floats]:
     """Give the instants of a run with their speeds, one of both where two stages meet."""
     kept = np.append(np.diff(run.t) > 0, True)
     return run.t[kept], run.omega[kept]
 
 
-def _straight(run: Run, names: list[str], t: Sizes) -> Iterator[Mistake]:
+def _straight(run: Run, names: list[str], t: Floats) -> Iterator[Mistake]:
     """Give a tachogram whose stages are straight, as if their moments were constant."""
     at = [k for k, name in enumerate(names) if _ends(name)]
     ends = np.concatenate(([0.0], t[at]))
@@ -214,7 +213,7 @@ class Bare:
 
     true: Speeds
 
-    def __call__(self, own: Mapping[str, Values]) -> Values:
+    def __call__(self, own: Mapping[str, Complexes]) -> Complexes:
         """Find the energy at which the mean of the least and the greatest speed is what it must be."""
         surplus, inertia = own[SURPLUS].imag, own[INERTIA].real + self.true.inertia
         due = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
