@@ -55,9 +55,11 @@ def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
     findings = together(comparisons)
     wide = plan_width((finding.plan for finding in findings), language)
     heads = [word(language, f"table.{head}") for head in ("plan", "quantity", "of_plan", "difference", "allowed_short")]
-    named = max([NAMED, *(len(quantity(one.name, language)) for one in findings)])
+    named = max([NAMED, *(len(quantity(finding.name, language)) for finding in findings)])
     yield f"{heads[0]:<{wide}} {heads[1]:<{named}} {heads[2]:>14} {heads[3]:>17} {'%':>10} {heads[4]:>11}"
-    yield from (f"{term(language, 'plan', one.plan):<{wide}} {_line(one, named, language)}" for one in findings)
+    yield from (
+        f"{term(language, 'plan', finding.plan):<{wide}} {_line(finding, named, language)}" for finding in findings
+    )
     yield from left_out(comparisons, language)
     for lone in (lone for comparison in comparisons for lone in comparison.alone):
         parts = {"position": lone.gap.position, "plan": lone.gap.plan, "reason": lone.gap.reason}

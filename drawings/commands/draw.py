@@ -152,7 +152,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
             wrong |= {path: enclosure_wrongs(beside[path], one) for path, one in enclosures.items()}
             told = tuple(fault for one in seen.values() for fault in obscured(one))
             told += tuple(cramped(name) for _, leaf in sheets.values() for name in leaf.cramped)
-        withheld = {path: own for path, own in wrong.items() if own}
+        withheld = {path: said for path, said in wrong.items() if said}
         right = {path: content for path, content in contents.items() if path not in withheld}
         if sheets.keys() <= withheld.keys():
             raise SelfCheckFailed(message("check.sheet", marks=first(chain(*withheld.values()))))
@@ -177,9 +177,9 @@ def _held(
     groups: dict[tuple[str, str], dict[Path, verify.Written]] = {}
     for path, one in seen.items():
         groups.setdefault((sheets[path][0], subject(one.leaf)), {})[path] = one
-    for (kind, _), own in groups.items():
-        due = {row.key: row for row in named(SHEETS[kind].due)(study, [one.leaf for one in own.values()])}
-        wrong |= zip(own, verify.wrongs([*own.values()], due, study.scene.sheet), strict=True)
+    for (kind, _), group in groups.items():
+        due = {row.key: row for row in named(SHEETS[kind].due)(study, [one.leaf for one in group.values()])}
+        wrong |= zip(group, verify.wrongs([*group.values()], due, study.scene.sheet), strict=True)
         rows |= due
     for path, one in seen.items():
         wrong[path] += verify.scale_wrongs(one, SHEETS[sheets[path][0]].scales, study.scene.sheet)

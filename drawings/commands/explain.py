@@ -106,24 +106,28 @@ def _quantity(study: Study, name: str) -> Quantity | None:
     """Find a quantity that the tables tell, whether or not it was drawn: R_0 of the first cam, K2:R_0 of K2."""
     of, _, own = name.rpartition(":")
     cams = study.comparison("cam").analysis.cams if of and "cam" in study.techniques else ()
-    wanted = {name, f"Σ{name}", f"{own} {of}", *(own for one in cams if [one.cam.name] == [of] and len(cams) == 1)}
-    told = [(one.name.translate(SIGNS), one) for row in reversed(study.techniques) for one in study.quantities(row)]
+    wanted = {name, f"Σ{name}", f"{own} {of}", *(own for cam in cams if [cam.cam.name] == [of] and len(cams) == 1)}
+    told = [
+        (quantity.name.translate(SIGNS), quantity)
+        for row in reversed(study.techniques)
+        for quantity in study.quantities(row)
+    ]
     exact = (one for letters, one in told if letters in wanted)
     return next(exact, next((one for letters, one in told if letters.partition(" ")[0] == name), None))
 
 
-def _told(one: Quantity, name: str, position: int) -> Explanation:
+def _told(quantity: Quantity, name: str, position: int) -> Explanation:
     """Tell a quantity in a position by both roads, after the steps behind what shows it."""
-    count = len(one.construction)
+    count = len(quantity.construction)
     if not 0 <= position < count and count > 1:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
     position = position if count > 1 else 0
-    shown = one.shown if isinstance(one.shown, Span | Reading) else filter(None, (one.shown,))
-    ours, theirs = (f"{_size(row[position]):.10g}" for row in (one.construction, one.analysis))
-    value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=one.unit)
+    shown = quantity.shown if isinstance(quantity.shown, Span | Reading) else filter(None, (quantity.shown,))
+    ours, theirs = (f"{_size(row[position]):.10g}" for row in (quantity.construction, quantity.analysis))
+    value = message("explain.roads", mark=name, ours=ours, theirs=theirs, unit=quantity.unit)
     title = message("explain.at", mark=name, position=position) if count > 1 else message("explain.name", mark=name)
     steps = in_position(behind(*shown), position, count)
-    units = {order.plan: order.point.unit for order in ORDERS} | {one.plan: one.unit}
+    units = {order.plan: order.point.unit for order in ORDERS} | {quantity.plan: quantity.unit}
     return Explanation(title, steps, units, (value,), POSITIONS.plan)
 
 

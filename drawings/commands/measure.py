@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
     astray = _astray(measured, options) if options.scene else {}
     if options.json:
         plain = {"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")}
-        profiles = [_plain_profile(one) for one in measured.profiles]
+        profiles = [_plain_profile(profile) for profile in measured.profiles]
         print_json(
             plain | {"profiles": profiles} | {how: [one._asdict() for one in own] for how, own in astray.items()}
         )
@@ -129,7 +129,7 @@ WIDTH = 14  # letters of the column of plans, at the least
 
 def lines(measured: Measured, off: Collection[MarkKey], language: str) -> Iterator[str]:
     """Give a line of each mark in true units, of each profile, and of all that is left aside; `off` differ."""
-    names = {one.plan: plan_name(one.plan, language) for one in (*measured.marks, *measured.profiles)}
+    names = {mark.plan: plan_name(mark.plan, language) for mark in (*measured.marks, *measured.profiles)}
     wide = max((WIDTH, *map(len, names.values())))
     for mark in measured.marks:
         value = word(language, "measure.value", x=f"{mark.value.real:.6g}", y=f"{mark.value.imag:.6g}")
@@ -137,11 +137,11 @@ def lines(measured: Measured, off: Collection[MarkKey], language: str) -> Iterat
         name, unit = mark_name(mark.name, language), term(language, "text_unit", mark.unit)
         sign = _sign(mark.key, off, language)
         yield f"{names[mark.plan]:<{wide}} {position:>4}  {name:<10} {value:<26} {unit:<6} {sign}".rstrip()
-    for one in measured.profiles:
-        within, to = f"{one.deviation:.2g}", f"{one.quantum:.1g}"
-        told = word(language, "measure.profile", count=len(one.pieces), within=within, to=to)
-        sign = _sign(one.key, off, language)
-        yield f"{names[one.plan]:<{wide}} {'':>4}  {mark_name(one.name, language):<10} {told}  {sign}".rstrip()
+    for profile in measured.profiles:
+        within, to = f"{profile.deviation:.2g}", f"{profile.quantum:.1g}"
+        told = word(language, "measure.profile", count=len(profile.pieces), within=within, to=to)
+        sign = _sign(profile.key, off, language)
+        yield f"{names[profile.plan]:<{wide}} {'':>4}  {mark_name(profile.name, language):<10} {told}  {sign}".rstrip()
     yield from (message("aside.note", note=note).worded(language) for note in measured.notes)
 
 

@@ -54,23 +54,23 @@ def see_blank(source: bytes, study: Study) -> None:
 def _marks(seen: SeenSheet, study: Study) -> Iterator[str]:
     """Name the vectors, the points that the scene does not fix, and those that are not drawn where they are."""
     yield from (f"{miss.key.plan} {miss.key.name}" for miss in check(seen.measured))
-    yield from (f"{one.plan} {one.name}" for one in (*seen.measured.vectors, *seen.measured.profiles))
+    yield from (f"{vector.plan} {vector.name}" for vector in (*seen.measured.vectors, *seen.measured.profiles))
     own = study.of(LinkageStudy).mechanism.links[FRAME].points if "linkage" in study.scene.techniques else {}
-    for one in seen.measured.points:
-        if one.name not in own or abs(one.stated - own[one.name]) > NEAR * abs(one.stated):
-            yield f"{one.plan} {one.name}"
+    for point in seen.measured.points:
+        if point.name not in own or abs(point.stated - own[point.name]) > NEAR * abs(point.stated):
+            yield f"{point.plan} {point.name}"
 
 
 def _bent(leaf: Leaf) -> Iterator[str]:
     """Name the groups that have any curve, beside the page itself."""
-    for group in groups(one for one in leaf.groups if one.name not in PAGE):
+    for group in groups(group for group in leaf.groups if group.name not in PAGE):
         if any(isinstance(stroke, BENT) for stroke in group.strokes):
             yield group.name or group.title or type(group.strokes[0]).__name__
 
 
 def _astray(leaf: Leaf) -> Iterator[str]:
     """Name the groups with lines that are no place, no axes and no table, beside the page itself."""
-    for group in (one for one in leaf.groups if one.name not in PAGE):
+    for group in (group for group in leaf.groups if group.name not in PAGE):
         known = group.data.get("kind") in LINED or any(table_of(kind, group.name) for kind in TABLES)
         if not known and any(isinstance(stroke, STRAIGHT) for stroke in flat(group.strokes)):
             yield group.name or group.title or Line.__name__
@@ -78,7 +78,7 @@ def _astray(leaf: Leaf) -> Iterator[str]:
 
 def _numbers(leaf: Leaf, known: Given) -> Iterator[str]:
     """Give the lettering, beside that of the page itself, that writes a number which is no scale and not given."""
-    strokes: Iterator[Stroke] = flat(one for one in leaf.groups if one.name not in PAGE)
-    for text in (one for one in strokes if isinstance(one, Text)):
+    strokes: Iterator[Stroke] = flat(group for group in leaf.groups if group.name not in PAGE)
+    for text in (stroke for stroke in strokes if isinstance(stroke, Text)):
         if not known.says(RATIO.sub("", SCALE.sub("", text.plain))):
             yield text.plain

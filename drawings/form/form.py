@@ -266,14 +266,14 @@ class _Task(NamedTuple):
         """Give a draft for each position or cam that a kind has sheets of its own for."""
         for _, leaves in groupby(self.sheets[kind], lambda leaf: [leaf.metadata.get(key) for key in APART]):
             own = tuple(leaves)
-            places = {one.name: one for leaf in own for one in figures(leaf, kind, self.known, parts)}
-            bands = [one for leaf in own for one in tables(leaf, kind, self.known)]
+            places = {figure.name: figure for leaf in own for figure in figures(leaf, kind, self.known, parts)}
+            bands = [table for leaf in own for table in tables(leaf, kind, self.known)]
             title = own[0].title.removeprefix(f"{self.scene.heading(self.scene.sheet.language)}: ")
             yield self._draft(kind, title, tuple(places.values()), bands)
 
     def _draft(self, kind: str, title: str, places: Sequence[LaidFigure], bands: Sequence[LaidTable]) -> Draft:
         drafting = drafting_of(self.scene)
-        shows = tuple(_exhibit(kind, one, self.own, self.scene, drafting) for one in places)
+        shows = tuple(_exhibit(kind, place, self.own, self.scene, drafting) for place in places)
         return Draft(kind, title, shows, blank(bands, drafting), tuple(data(self.scene)), _facts)
 
 

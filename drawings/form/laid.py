@@ -222,7 +222,7 @@ def _heading(group: Group) -> Heading | None:
 
 def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[LaidFigure]:
     marks = [one for one in groups(group.strokes) if "scale" in one.data]
-    poles = [one for one in marks if one.data["kind"] == "pole"]
+    poles = [mark for mark in marks if mark.data["kind"] == "pole"]
     scale = SCALE.search(heading.under)
     ink = [stroke for stroke in flat(group.strokes) if not isinstance(stroke, Text)]
     if not ink or not marks or scale is None:
@@ -238,7 +238,9 @@ def _figure(group: Group, what: str, heading: Heading, parts: int) -> Iterator[L
 
 def _loose(group: Group) -> list[Text]:
     """Give the letters of a figure that stand in its own groups, the headings left out."""
-    own = [one for one in group.strokes if isinstance(one, Group) and not one.data and _heading(one) is None]
+    own = [
+        stroke for stroke in group.strokes if isinstance(stroke, Group) and not stroke.data and _heading(stroke) is None
+    ]
     return [text for one in own for text in one.strokes if isinstance(text, Text)]
 
 

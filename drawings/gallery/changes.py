@@ -161,8 +161,8 @@ def statements(edits: Iterable[Edit]) -> Iterator[str]:
             yield f"{edit.what} {edit.name} on {edit.figure or 'the sheet'}: {_change(edit)}"
         else:
             strokes[edit.figure].append(edit)
-    for figure, own in strokes.items():
-        yield f"strokes of {figure or 'the sheet'}: {_counts(own)}"
+    for figure, stroke in strokes.items():
+        yield f"strokes of {figure or 'the sheet'}: {_counts(stroke)}"
 
 
 def _change(edit: Edit) -> str:

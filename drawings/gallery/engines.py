@@ -43,10 +43,10 @@ def row(engine: Engine) -> str:
 def _angles(engine: Engine) -> Iterator[str]:
     """Write the angles of the cranks and of the guides along the shaft, those at one place together."""
     places: dict[Fraction, list[Member]] = {}
-    for one in engine.members:
-        places.setdefault(one.place, []).append(one)
-    yield ", ".join(_together(one.crank for one in own) for own in places.values())
-    yield ", ".join(dict.fromkeys(_together(one.axis for one in own) for own in places.values()))
+    for member in engine.members:
+        places.setdefault(member.place, []).append(member)
+    yield ", ".join(_together(one.crank for one in place) for place in places.values())
+    yield ", ".join(dict.fromkeys(_together(one.axis for one in place) for place in places.values()))
 
 
 def _together(angles: Iterable[Fraction]) -> str:

@@ -25,7 +25,7 @@ from plans.words.words import message
 
 def grade_own(originals: Originals, task: SheetTask, by: Allowances) -> Graded:
     """Grade the scene's own sheets; the first that is not right is told."""
-    every = [grade(originals.drawn(one), task, by) for one in originals.sheets if one.name in task.sheets]
+    every = [grade(originals.drawn(sheet), task, by) for sheet in originals.sheets if sheet.name in task.sheets]
     return next((one for one in every if one.outcome != PASS), Graded(PASS if every else UNREAD))
 
 

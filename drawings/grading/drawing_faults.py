@@ -32,7 +32,7 @@ def written_scale(seen: SeenSheet, asked: PlanAsked) -> float | None:
 
     The headings of the plan's own group go first, then what the mark itself states where it is written anywhere.
     """
-    marks = [one for one in seen.measured.marks if (one.plan, one.position) == asked.place]
+    marks = [mark for mark in seen.measured.marks if (mark.plan, mark.position) == asked.place]
     here = [one for group in _around(seen.leaf, asked) for one in _scales((group,), asked)]
     anywhere = _scales(seen.leaf.groups, asked)
     stated = marks[0].scale if marks else math.nan
@@ -90,7 +90,7 @@ def _open(plan: DrawnPlan) -> Iterator[Verdict]:
             ends.setdefault(start, []).append(arrow.start)
             ends.setdefault(end, []).append(arrow.end)
     for letter, spots in ends.items():
-        if letter and max(abs(one - plan.places[letter]) for one in spots) > CLOSED:
+        if letter and max(abs(spot - plan.places[letter]) for spot in spots) > CLOSED:
             yield _of(plan, verdict.OPEN, letter)
 
 
@@ -108,15 +108,19 @@ class _Bearer(NamedTuple):
 
 def _letters(labels: Mapping[str, Sequence[Label]], plan: DrawnPlan) -> Iterator[Verdict]:
     """Name the letters that stand at the place of another, and those that are missing."""
-    titles = {one.end: one.title for one in plan.asked.vectors if not one.start and one.title}
+    titles = {vector.end: vector.title for vector in plan.asked.vectors if not vector.start and vector.title}
     places = plan.places.items()
     ends = [_Bearer(letter, spelled(titles.get(letter, letter)), [spot]) for letter, spot in places if letter]
-    free = [(one, plan.arrows[one.letters]) for one in plan.asked.vectors if one.letter and one.letters in plan.arrows]
+    free = [
+        (vector, plan.arrows[vector.letters])
+        for vector in plan.asked.vectors
+        if vector.letter and vector.letters in plan.arrows
+    ]
     seen = [(one, arrow) for one, arrow in free if abs(arrow.vector) > 2 * SEEN]
-    for own in (ends, [_Bearer(one.name, spelled(one.letter), along(*arrow)) for one, arrow in seen]):
-        for one in own:
+    for end in (ends, [_Bearer(one.name, spelled(one.letter), along(*arrow)) for one, arrow in seen]):
+        for one in end:
             away = one.away(labels, one.letter)
-            if away > CLOSED and any(_takes(labels, one, other) for other in own):
+            if away > CLOSED and any(_takes(labels, one, other) for other in end):
                 yield _of(plan, verdict.SWAPPED, one.name, one.spots)
             elif away > NEAR:
                 yield _of(plan, verdict.UNLETTERED, one.name, one.spots)

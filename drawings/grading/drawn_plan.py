@@ -49,21 +49,21 @@ class DrawnPlan:
     @property
     def lacking(self) -> list[Asked]:
         """The vectors that are asked for and not on it."""
-        return [one for one in self.asked.vectors if one.letters not in self.arrows]
+        return [vector for vector in self.asked.vectors if vector.letters not in self.arrows]
 
     @property
     def arrowed(self) -> bool:
         """Whether an arrow is on it, and not points alone."""
-        return any(one.start or one.letter for one in self.asked.vectors if one.letters in self.arrows)
+        return any(vector.start or vector.letter for vector in self.asked.vectors if vector.letters in self.arrows)
 
     @property
     def whole(self) -> bool:
         """Whether each vector that is asked for is on it."""
         return not self.lacking
 
-    def is_small(self, one: Asked) -> bool:
+    def is_small(self, vector: Asked) -> bool:
         """Tell whether a vector is too short on paper to be found by its letter."""
-        return self.lettered and bool(one.letter) and abs(one.true) < 2 * SEEN * self.scale
+        return self.lettered and bool(vector.letter) and abs(vector.true) < 2 * SEEN * self.scale
 
     @property
     def unread(self) -> Verdict | None:
@@ -77,7 +77,9 @@ class DrawnPlan:
     def fitted(self) -> float:
         """The scale by which it is nearest to what is asked for: of a plan on which none is written."""
         pairs = [
-            (one.true, self.arrows[one.letters].vector) for one in self.asked.vectors if one.letters in self.arrows
+            (vector.true, self.arrows[vector.letters].vector)
+            for vector in self.asked.vectors
+            if vector.letters in self.arrows
         ]
         size = sum(abs(vector) ** 2 for _, vector in pairs)
         return abs(sum(true * vector.conjugate() for true, vector in pairs)) / size if size else 1.0
@@ -85,7 +87,7 @@ class DrawnPlan:
     @property
     def bare(self) -> DrawnPlan:
         """The plan without the record of what is asked for, which takes long to send from process to process."""
-        asked = self.asked._replace(vectors=tuple(one._replace(found=None) for one in self.asked.vectors))
+        asked = self.asked._replace(vectors=tuple(vector._replace(found=None) for vector in self.asked.vectors))
         return replace(self, asked=asked)
 
     def value(self, letters: tuple[str, str]) -> complex | None:
@@ -110,7 +112,7 @@ def places_of(arrows: Mapping[tuple[str, str], Arrow]) -> dict[str, complex]:
 
 
 def _middle(ends: list[complex]) -> complex:
-    return complex(median(one.real for one in ends), median(one.imag for one in ends))
+    return complex(median(end.real for end in ends), median(end.imag for end in ends))
 
 
 def from_marks(asked: PlanAsked, measured: Measured, scale: float | None) -> DrawnPlan | None:
@@ -151,7 +153,7 @@ class _Side(NamedTuple):
 
     def gaps(self, spots: Mapping[str, complex]) -> list[complex]:
         """Give how far its ends are from the corners that are placed."""
-        return [spots[one] - end for one, end in zip(self.corners, self.arrow, strict=True) if one in spots]
+        return [spots[corner] - end for corner, end in zip(self.corners, self.arrow, strict=True) if corner in spots]
 
     def fits(self, gaps: Sequence[complex], near: float) -> bool:
         """Tell whether it ends in its corners, or in a lane square to it beside them."""
@@ -165,9 +167,9 @@ class _Side(NamedTuple):
 def open_sides(plan: DrawnPlan, near: float) -> Iterator[Verdict]:
     """Tell of a polygon whose sides do not meet, by more than a hand's slips, `near` mm."""
     sides = [
-        _Side(plan.arrows[one.letters], one.corners)
-        for one in plan.asked.vectors
-        if one.corners is not None and one.letters in plan.arrows and not one.diagonal
+        _Side(plan.arrows[vector.letters], vector.corners)
+        for vector in plan.asked.vectors
+        if vector.corners is not None and vector.letters in plan.arrows and not vector.diagonal
     ]
     side = next(_apart(sides, near), None)
     if side is not None and not _chained(sides, near):
@@ -177,7 +179,7 @@ def open_sides(plan: DrawnPlan, near: float) -> Iterator[Verdict]:
 
 def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
     """Lay the sides one to another, the longest first; give those that do not fit."""
-    left, spots = sorted(sides, key=lambda one: -one.length), dict[str, complex]()
+    left, spots = sorted(sides, key=lambda side: -side.length), dict[str, complex]()
     while left:
         side = next((one for one in left if not spots.keys().isdisjoint(one.corners)), left[0])
         left.remove(side)
@@ -195,7 +197,7 @@ def _apart(sides: Sequence[_Side], near: float) -> Iterator[_Side]:
 
 def _chained(sides: Sequence[_Side], near: float) -> bool:
     """Tell whether the sides go round in some order: where one ends, another begins, or beside it in a lane."""
-    return all(any(_joined(one, other, near) for other in sides if other is not one) for one in sides)
+    return all(any(_joined(side, other, near) for other in sides if other is not side) for side in sides)
 
 
 def _joined(one: _Side, other: _Side, near: float) -> bool:
@@ -207,13 +209,13 @@ def own_places(plans: Iterable[DrawnPlan]) -> dict[Mark, complex]:
     """Give where a student has the marks of the record, from the poles, true units."""
     found: dict[Mark, complex] = {}
     for plan in plans:
-        for one in plan.asked.vectors:
-            if one.found is not None and one.letter:
-                value = plan.value(one.letters)
-                found |= {} if value is None else {one.found.span.end: value}
-            elif one.found is not None:
-                found |= _of(plan, one.found.span.start, one.start)
-                found |= _of(plan, one.found.span.end, one.end)
+        for vector in plan.asked.vectors:
+            if vector.found is not None and vector.letter:
+                value = plan.value(vector.letters)
+                found |= {} if value is None else {vector.found.span.end: value}
+            elif vector.found is not None:
+                found |= _of(plan, vector.found.span.start, vector.start)
+                found |= _of(plan, vector.found.span.end, vector.end)
     return found
 
 

@@ -51,12 +51,12 @@ class Graded(NamedTuple):
     @property
     def wrong(self) -> tuple[Verdict, ...]:
         """What loses something."""
-        return tuple(one for one in self.verdicts if one.kind not in (*verdict.GOOD, *verdict.UNGRADED))
+        return tuple(said for said in self.verdicts if said.kind not in (*verdict.GOOD, *verdict.UNGRADED))
 
     @property
     def unseen(self) -> tuple[Verdict, ...]:
         """What is due and is not read: somebody has to look at it himself."""
-        return tuple(one for one in self.verdicts if one.kind in verdict.UNSEEN)
+        return tuple(said for said in self.verdicts if said.kind in verdict.UNSEEN)
 
 
 class _Found(NamedTuple):
@@ -130,7 +130,7 @@ def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -
     allowed = partial(allowed_of, by=by, coarse=seen.measured.quantum)
     vectors, empty = dict(_vectors(read)), empty_axes(seen) if task.curves else frozenset()
     yield from figure_verdicts(found.figures, task.curves, sheets, marked, allowed, vectors, empty)
-    own = [one for figures in found.figures.values() for one in figures]
+    own = [figure for figures in found.figures.values() for figure in figures]
     shown = Shown(read, own, sheets)
     yield from table_verdicts(found.tables, task.tables, shown, by, seen)
 
@@ -138,21 +138,21 @@ def _verdicts(seen: SeenSheet, found: _Found, task: SheetTask, by: Allowances) -
 def _vectors(plans: Sequence[DrawnPlan]) -> Iterator[tuple[str, complex]]:
     """Give the vectors of plans that are of no position, by their names."""
     for plan in plans:
-        for one in plan.asked.vectors if plan.asked.position is None else ():
-            value = plan.value(one.letters)
+        for vector in plan.asked.vectors if plan.asked.position is None else ():
+            value = plan.value(vector.letters)
             if value is not None:
-                yield one.name, value
+                yield vector.name, value
 
 
 def _missing(plan: PlanAsked) -> Iterator[Verdict]:
     """Name the vectors of a plan that is not drawn at all."""
-    for one in plan.vectors:
-        yield Verdict(plan.plan, plan.position, one.name, verdict.MISSING, unit=plan.unit, letters=one.letters)
+    for vector in plan.vectors:
+        yield Verdict(plan.plan, plan.position, vector.name, verdict.MISSING, unit=plan.unit, letters=vector.letters)
 
 
 def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked]) -> tuple[DrawnPlan, ...]:
     """Find the plans that are asked for on a sheet: by its marks, or by their places on our form."""
-    found = (from_marks(one, seen.measured, written_scale(seen, one)) for one in plans)
+    found = (from_marks(plan, seen.measured, written_scale(seen, plan)) for plan in plans)
     marked = [one for one in found if one is not None]
     if len(marked) == len(plans) and all(plan.whole for plan in marked):
         return tuple(marked)
@@ -161,7 +161,7 @@ def plans_drawn(seen: SeenSheet, onlooker: Onlooker, plans: Sequence[PlanAsked])
     if not places or any(plan.arrowed for plan in marked):  # data that are left in one plan are left in all
         return whole
     here, there = {plan.asked.sheet for plan in marked}, {plan.asked.place for plan in marked}
-    left = [one for one in plans if one.place not in there and (not here or one.sheet in here)]
+    left = [plan for plan in plans if plan.place not in there and (not here or plan.sheet in here)]
     by = seen.measured.moved.p
     upright = abs(by) / by
     labels, words = spelled_labels(seen.leaf.groups), list(texts(seen.leaf.groups))

@@ -119,125 +119,125 @@ class Judge:
         if whole is not None:
             kind, times = whole
             yield self._said(kind)
-            yield from (self._within(one, times) for one in self.drawn.asked.vectors)
+            yield from (self._within(vector, times) for vector in self.drawn.asked.vectors)
         else:
             yield from self._each()
 
     def _each(self) -> Iterator[Verdict]:
         """Judge vector by vector: a place that is wrong costs once, at the first arrow that ends there."""
         blamed = set[str]()
-        for one in self.drawn.asked.vectors:
-            said = self._one(one)
+        for vector in self.drawn.asked.vectors:
+            said = self._one(vector)
             if not said.good and said.kind not in (verdict.MISSING, *verdict.UNGRADED):
-                places = self._places(one)
+                places = self._places(vector)
                 if places & blamed:
                     said = said._replace(kind=verdict.FOLLOWS)
                 blamed |= places
             yield said
 
-    def _places(self, one: Asked) -> set[str]:
+    def _places(self, vector: Asked) -> set[str]:
         """Give the places that a wrong arrow may have from another: its end, or where the sides that close meet."""
-        if one.letter:
-            side = one.found.side if one.found is not None else None
+        if vector.letter:
+            side = vector.found.side if vector.found is not None else None
             return {corner.name for corner in side or () if corner.step.op == "meet"}
-        return {one.end} if self._joined(one) else set()
+        return {vector.end} if self._joined(vector) else set()
 
-    def _joined(self, one: Asked) -> bool:
+    def _joined(self, vector: Asked) -> bool:
         """Tell whether an arrow is drawn between the places of its letters, as its plan has them."""
-        there, value = self.drawn.between(*one.letters), self.drawn.value(one.letters)
-        return there is not None and value is not None and abs(there - value) <= self.allowed[one.letters]
+        there, value = self.drawn.between(*vector.letters), self.drawn.value(vector.letters)
+        return there is not None and value is not None and abs(there - value) <= self.allowed[vector.letters]
 
-    def _within(self, one: Asked, times: Callable[[complex], complex]) -> Verdict:
+    def _within(self, vector: Asked, times: Callable[[complex], complex]) -> Verdict:
         """Judge a vector of a plan that is out as a whole: what fits with the others loses nothing more."""
-        value = self.drawn.value(one.letters)
-        if value is not None and self._near(one, times(value)):
-            return self._said(verdict.FOLLOWS, one)
-        return self._one(one)
+        value = self.drawn.value(vector.letters)
+        if value is not None and self._near(vector, times(value)):
+            return self._said(verdict.FOLLOWS, vector)
+        return self._one(vector)
 
-    def _one(self, one: Asked) -> Verdict:
-        value, allowed = self.drawn.value(one.letters), self.allowed[one.letters]
+    def _one(self, vector: Asked) -> Verdict:
+        value, allowed = self.drawn.value(vector.letters), self.allowed[vector.letters]
         if not math.isfinite(allowed):
-            return self._said(verdict.DEAD, one)
+            return self._said(verdict.DEAD, vector)
         if value is None:
-            return self._said(verdict.SMALL if self.drawn.is_small(one) else verdict.MISSING, one)
-        off = abs(value - one.true)
-        if self._near(one, value):
-            return self._said(verdict.RIGHT, one, off)
-        if self._follows(one, value):
-            return self._said(verdict.FOLLOWS, one, off)
-        slip = self._nearest(one, value, one.found.slips) if one.found is not None else None
-        if slip is None and one.found is not None:
+            return self._said(verdict.SMALL if self.drawn.is_small(vector) else verdict.MISSING, vector)
+        off = abs(value - vector.true)
+        if self._near(vector, value):
+            return self._said(verdict.RIGHT, vector, off)
+        if self._follows(vector, value):
+            return self._said(verdict.FOLLOWS, vector, off)
+        slip = self._nearest(vector, value, vector.found.slips) if vector.found is not None else None
+        if slip is None and vector.found is not None:
             # What is simply turned round may lie near one of them: it is that one only where it is twice as near.
-            than = abs(value + one.true) / 2 if self._near(one, -value) else math.inf
-            slip = self._nearest(one, value, tuple(mistaken(one.found.span.end, self.own)), than)
+            than = abs(value + vector.true) / 2 if self._near(vector, -value) else math.inf
+            slip = self._nearest(vector, value, tuple(mistaken(vector.found.span.end, self.own)), than)
         if slip is not None:
-            return self._said(slip.kind, one, off)._replace(of=slip.of)
-        return self._said(self._kind(one, value), one, off)
+            return self._said(slip.kind, vector, off)._replace(of=slip.of)
+        return self._said(self._kind(vector, value), vector, off)
 
-    def _nearest(self, one: Asked, value: complex, own: tuple[Slip, ...], than: float = math.inf) -> Slip | None:
+    def _nearest(self, vector: Asked, value: complex, own: tuple[Slip, ...], than: float = math.inf) -> Slip | None:
         """Give the mistake that a vector is drawn by, the nearest of those that are known of it and nearer `than`."""
-        near = [slip for slip in own if abs(value - slip.value) <= min(self.allowed[one.letters], than)]
+        near = [slip for slip in own if abs(value - slip.value) <= min(self.allowed[vector.letters], than)]
         return min(near, key=lambda slip: abs(value - slip.value), default=None)
 
-    def _kind(self, one: Asked, value: complex) -> str:
-        if self._near(one, -value):
-            back = "" if one.found is None else one.found.back
-            return back or PARTS.get(one.name.partition("_")[0], verdict.REVERSED)
-        if self._carried_mirrored(one, value):
+    def _kind(self, vector: Asked, value: complex) -> str:
+        if self._near(vector, -value):
+            back = "" if vector.found is None else vector.found.back
+            return back or PARTS.get(vector.name.partition("_")[0], verdict.REVERSED)
+        if self._carried_mirrored(vector, value):
             return verdict.SIMILAR
-        if self._turned_over(one, value):
+        if self._turned_over(vector, value):
             return verdict.BRANCH
-        return self._off(one, value)
+        return self._off(vector, value)
 
-    def _off(self, one: Asked, value: complex) -> str:
+    def _off(self, vector: Asked, value: complex) -> str:
         """Tell whether only the size or only the direction of a vector is wrong."""
-        allowed = self.allowed[one.letters]
-        if value and abs(one.true) > allowed and abs((value / one.true).imag) * abs(one.true) <= allowed:
-            return verdict.LONG if (value / one.true).real > 0 else verdict.WRONG
-        return verdict.TURNED if abs(abs(value) - abs(one.true)) <= allowed else verdict.WRONG
+        allowed = self.allowed[vector.letters]
+        if value and abs(vector.true) > allowed and abs((value / vector.true).imag) * abs(vector.true) <= allowed:
+            return verdict.LONG if (value / vector.true).real > 0 else verdict.WRONG
+        return verdict.TURNED if abs(abs(value) - abs(vector.true)) <= allowed else verdict.WRONG
 
-    def _near(self, one: Asked, value: complex) -> bool:
-        return abs(value - one.true) <= self.allowed[one.letters]
+    def _near(self, vector: Asked, value: complex) -> bool:
+        return abs(value - vector.true) <= self.allowed[vector.letters]
 
-    def _is_due(self, one: Asked, value: complex) -> bool:
+    def _is_due(self, vector: Asked, value: complex) -> bool:
         """Tell whether a vector is right, or what the student's other plans give; a free one also what his own give."""
-        if self._near(one, value) or one.letter:
-            return self._near(one, value) or self._follows(one, value)
-        here = {mark for own in self.drawn.asked.vectors if own.found is not None for mark in own.found.span}
+        if self._near(vector, value) or vector.letter:
+            return self._near(vector, value) or self._follows(vector, value)
+        here = {mark for vector in self.drawn.asked.vectors if vector.found is not None for mark in vector.found.span}
         before = {mark: place for mark, place in self.own.items() if mark not in here}
-        return any(abs(value - there) <= self.allowed[one.letters] for there in self._going_on(one, before))
+        return any(abs(value - there) <= self.allowed[vector.letters] for there in self._going_on(vector, before))
 
-    def _follows(self, one: Asked, value: complex) -> bool:
+    def _follows(self, vector: Asked, value: complex) -> bool:
         """Tell whether a vector is what its own construction gives from what the student drew before it."""
         ways = (self.own, {**self.own, **self.without}) if self.without else (self.own,)
-        gone = (there for own in ways for there in self._going_on(one, own))
-        return any(abs(value - there) <= self.allowed[one.letters] for there in gone)
+        gone = (there for own in ways for there in self._going_on(vector, own))
+        return any(abs(value - there) <= self.allowed[vector.letters] for there in gone)
 
-    def _going_on(self, one: Asked, own: Mapping[Mark, complex]) -> Iterator[complex]:
+    def _going_on(self, vector: Asked, own: Mapping[Mark, complex]) -> Iterator[complex]:
         """Give what a vector is where the later of its ends is found by its construction from the student's places."""
-        if one.found is None:
+        if vector.found is None:
             return
-        later, sign = max((one.found.span.start, -1), (one.found.span.end, 1), key=lambda end: end[0].number)
-        earlier = one.found.span.end if sign < 0 else one.found.span.start
+        later, sign = max((vector.found.span.start, -1), (vector.found.span.end, 1), key=lambda end: end[0].number)
+        earlier = vector.found.span.end if sign < 0 else vector.found.span.start
         there, begun = continued(later, own), own.get(earlier, complex(np.ravel(earlier.point)[0]))
         if there is not None:
             yield sign * (there - begun)
 
-    def _carried_mirrored(self, one: Asked, value: complex) -> bool:
-        if one.found is None:
+    def _carried_mirrored(self, vector: Asked, value: complex) -> bool:
+        if vector.found is None:
             return False
-        start, end = one.found.span
+        start, end = vector.found.span
         there = mirrored(end, self.own)
-        return there is not None and abs(value - (there - self.own.get(start, 0j))) <= self.allowed[one.letters]
+        return there is not None and abs(value - (there - self.own.get(start, 0j))) <= self.allowed[vector.letters]
 
-    def _turned_over(self, one: Asked, value: complex) -> bool:
+    def _turned_over(self, vector: Asked, value: complex) -> bool:
         """Tell whether a point is at the other of the two places where its loci meet."""
-        other = None if one.found is None else turned_over(one.found.span.end)
-        return one.start == "" and other is not None and abs(value - other) <= self.allowed[one.letters]
+        other = None if vector.found is None else turned_over(vector.found.span.end)
+        return vector.start == "" and other is not None and abs(value - other) <= self.allowed[vector.letters]
 
     def _whole(self) -> tuple[str, Callable[[complex], complex]] | None:
         """Tell in what a plan is out as a whole, and how its vectors become right then."""
-        pairs = [(one, value) for one in self.drawn.asked.vectors if (value := self.drawn.value(one.letters))]
+        pairs = [(vector, value) for vector in self.drawn.asked.vectors if (value := self.drawn.value(vector.letters))]
         if sum(not self._near(one, value) for one, value in pairs) < SEVERAL:
             return None
         for kind, times in _wholes([(one.true, value) for one, value in pairs]):

@@ -48,7 +48,7 @@ def spelled_labels(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
 
 def legible(leaf: Leaf) -> Leaf:
     """Give a leaf without texts in letters that no alphabet of ours has: none of them names a place of a plan."""
-    return without(leaf, [one for one in texts(leaf.groups) if not _known(one)])
+    return without(leaf, [text for text in texts(leaf.groups) if not _known(text)])
 
 
 def _known(text: Text) -> bool:
@@ -146,29 +146,31 @@ def segments(leaf: Leaf, heads: Mapping[int, Collection[str]]) -> list[Segment]:
     """
     own = list(flat(leaf.groups))
     tips = [spot for one in own for spot in _tips(one)]
-    unscaled = {id(one) for group in groups(leaf.groups) if group.data.get("kind") == FORCE for one in group.strokes}
+    unscaled = {
+        id(stroke) for group in groups(leaf.groups) if group.data.get("kind") == FORCE for stroke in group.strokes
+    }
     straight = [one for one in own if (isinstance(one, Line) or _straight(one)) and id(one) not in unscaled]
     double = [one for one in straight if {BEGIN, END} <= set(heads.get(id(one), ()))]
     back = (Segment(end, start, True) for start, end, _ in (_segment(one, heads, tips) for one in double))
     return [*(_segment(one, heads, tips) for one in straight), *back]
 
 
-def _straight(one: Stroke) -> bool:
-    return isinstance(one, Polyline) and len(one.points) == 2 and one.style.colour != "none"
+def _straight(stroke: Stroke) -> bool:
+    return isinstance(stroke, Polyline) and len(stroke.points) == 2 and stroke.style.colour != "none"
 
 
-def _tips(one: Stroke) -> Iterator[complex]:
+def _tips(stroke: Stroke) -> Iterator[complex]:
     """Give the corners of what may be an arrowhead: a small filled figure of three or four of them."""
-    points = one.points if isinstance(one, Fill | Polyline) else ()
-    if isinstance(one, Polyline) and one.style.fill == "none":
+    points = stroke.points if isinstance(stroke, Fill | Polyline) else ()
+    if isinstance(stroke, Polyline) and stroke.style.fill == "none":
         return
     if 3 <= len(points) <= 5 and max(abs(a - b) for a, b in pairwise((*points, points[0]))) <= HEAD:
         yield from points
 
 
-def _segment(one: Stroke, heads: Mapping[int, Collection[str]], tips: Sequence[complex]) -> Segment:
-    start, end = (one.start, one.end) if isinstance(one, Line) else one.points  # type: ignore[union-attr]
-    marked = heads.get(id(one), ())
+def _segment(stroke: Stroke, heads: Mapping[int, Collection[str]], tips: Sequence[complex]) -> Segment:
+    start, end = (stroke.start, stroke.end) if isinstance(stroke, Line) else stroke.points  # type: ignore[union-attr]
+    marked = heads.get(id(stroke), ())
     at_end = END in marked or _near(end, tips)
     at_start = BEGIN in marked or _near(start, tips)
     if at_start and not at_end:
@@ -190,5 +192,5 @@ def figures(own: Sequence[Segment]) -> list[list[Segment]]:
     return found
 
 
-def _touch(one: Segment, other: Segment) -> bool:
-    return any(abs(a - b) <= JOINED for a in (one.start, one.end) for b in (other.start, other.end))
+def _touch(segment: Segment, other: Segment) -> bool:
+    return any(abs(a - b) <= JOINED for a in (segment.start, segment.end) for b in (other.start, other.end))

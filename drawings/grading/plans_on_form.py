@@ -28,11 +28,11 @@ NONE: Final = 2 * FAR + UNSURE + BACKWARD  # mm: what an arrow costs that is not
 def redrawn(plan: DrawnPlan, lines: Sequence[Segment]) -> DrawnPlan:
     """Give a plan with arrows that were drawn anew between places of its letters, and so bear no data."""
     again = dict(plan.arrows)
-    for one in plan.asked.vectors:
-        start, end = plan.places.get(one.start), plan.places.get(one.end)
-        if one.letters not in again and start is not None and end is not None:
+    for vector in plan.asked.vectors:
+        start, end = plan.places.get(vector.start), plan.places.get(vector.end)
+        if vector.letters not in again and start is not None and end is not None:
             both = (line for line in lines if _joins(line, start, end) or _joins(line, end, start))
-            again |= ((one.letters, Arrow(line.start, line.end)) for line in both if line.headed)
+            again |= ((vector.letters, Arrow(line.start, line.end)) for line in both if line.headed)
     return replace(plan, arrows=again)
 
 
@@ -58,7 +58,7 @@ def plans_on_form(
     for here, arrows in own.items():
         plan = due[here.plan]
         drawn = _drawn(plan, arrows, texts, labels, here, turn)
-        free = all(one.letter for one in plan.vectors)
+        free = all(vector.letter for vector in plan.vectors)
         if len(drawn.arrows) >= (max(LEAST, len(plan.vectors) / 2) if free else 1):
             yield drawn
 
@@ -86,7 +86,7 @@ def _both_ways(
     told: Sequence[Segment], drawn: Mapping[tuple[str, str], Arrow], arrows: Sequence[Segment]
 ) -> Iterator[str]:
     """Name the vectors beside whose arrows others go back, one of which cannot be meant."""
-    left = [one for one in arrows if not any(one is other for other in told)]
+    left = [arrow for arrow in arrows if not any(arrow is other for other in told)]
     for letters, one in drawn.items():
         if abs(one.vector) > JOINED and any(_joins(other, one.end, one.start) for other in left):
             yield " ".join(filter(None, letters))
@@ -114,7 +114,7 @@ def _told(
     Where letters are as near to one arrow as to another, the one that is drawn rightly has it: nobody is marked down
     for a letter that can be read in two ways.
     """
-    named = [one for one in plan.vectors if one.corners or not one.letter]
+    named = [vector for vector in plan.vectors if vector.corners or not vector.letter]
     rows = [[_match(one, arrow, labels, scale) for arrow in arrows] for one in named]
     columns = paired([[match.away for match in row] + [NONE] * len(named) for row in rows])
     pairs = zip(named, rows, columns, strict=True)
@@ -232,7 +232,7 @@ class FormPlace(NamedTuple):
 
     def holds(self, spots: Sequence[complex]) -> bool:
         """Tell whether most of some spots lie within its corners."""
-        return 2 * sum(self.off(one) == 0 for one in spots) > len(spots)
+        return 2 * sum(self.off(spot) == 0 for spot in spots) > len(spots)
 
 
 def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
@@ -242,25 +242,27 @@ def form_places(leaf: Leaf) -> tuple[FormPlace, ...]:
 
 def place_of(spots: Sequence[complex], places: Sequence[FormPlace]) -> FormPlace | None:
     """Give the place in which arrows were drawn: at whose pole one ends, else within whose corners, or hard by them."""
-    begun = [(min(abs(one - place.pole) for one in spots), place) for place in places if place.pole is not None]
+    begun = [(min(abs(spot - place.pole) for spot in spots), place) for place in places if place.pole is not None]
     away, nearest = min(begun, key=lambda one: one[0], default=(JOINED + 1.0, None))
     if away <= JOINED:
         return nearest
     middle = sum(spots) / len(spots)
-    beside = min(places, key=lambda one: (not one.holds(spots), one.off(middle)), default=None)
+    beside = min(places, key=lambda place: (not place.holds(spots), place.off(middle)), default=None)
     return beside if beside is not None and (beside.holds(spots) or beside.off(middle) <= BESIDE) else None
 
 
 def _places(leaf: Leaf) -> Iterator[FormPlace]:
     for group in groups(leaf.groups):
-        lines = tuple(one for one in group.strokes if isinstance(one, Line))[:CORNERS]
+        lines = tuple(stroke for stroke in group.strokes if isinstance(stroke, Line))[:CORNERS]
         if group.data.get("kind") != KIND or not lines:
             continue
         left, low, right, high = bounds(Group(lines))
         poles = [one for one in groups(group.strokes) if one.data.get("kind") == "pole"]
         own = (poles[0] if poles else group).data
         plan = own.get("plan", ""), _position(own.get("position", ""))
-        pole = next((one.centre for one in (poles[0].strokes if poles else ()) if isinstance(one, Circle)), None)
+        pole = next(
+            (stroke.centre for stroke in (poles[0].strokes if poles else ()) if isinstance(stroke, Circle)), None
+        )
         scale = number(group.data.get("scale", "1"))
         yield FormPlace(plan, pole, complex(left, low), complex(right, high), scale)
 

@@ -64,7 +64,7 @@ def shown(source: bytes, box: str) -> bytes:
 
 def in_millimetres(leaf: Leaf) -> bool:
     """Tell of a page without a viewBox whether its units are mm: all drawn in pixels it would lie in a corner of it."""
-    own = [bounds(one) for one in flat(leaf.groups)]
+    own = [bounds(stroke) for stroke in flat(leaf.groups)]
     if not own:
         return False
     right, low = max(box[2] for box in own), min(box[1] for box in own)
@@ -221,8 +221,8 @@ def _parts(unit: str, sign: str) -> list[str]:
 
 def _products(factors: list[tuple[Unit, ...]]) -> Iterator[Unit]:
     found = [ONE]
-    for own in factors:
-        found = [one.times(other) for one in found for other in own]
+    for factor in factors:
+        found = [one.times(other) for one in found for other in factor]
     yield from found
 
 

@@ -170,7 +170,7 @@ def scales_of(text: Text, letter: str, unit: str) -> Iterator[float]:
             mu = value / under * _worth(found["rest"], unit, found["kind"] in "KК")
             yield 1 / mu if found["kind"] in "KК" else mu
     if letter == LENGTHS and (ratio := _RATIO.fullmatch(plain)):
-        paper, true = (float(one.replace(",", ".")) for one in ratio.groups())
+        paper, true = (float(group.replace(",", ".")) for group in ratio.groups())
         if paper and true:
             yield true / paper / METRE
 

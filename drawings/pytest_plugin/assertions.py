@@ -101,7 +101,7 @@ def assert_close_to_analysis(
     own = handed(sheet).of(scene)
     by = tolerated(tolerance)
     graded = _scene(own).graded(own.path, by)
-    wrong = [one for one in (*graded.wrong, *graded.unseen) if one.kind not in verdict.OF_DRAWING]
+    wrong = [said for said in (*graded.wrong, *graded.unseen) if said.kind not in verdict.OF_DRAWING]
     _assert_none(own, graded, wrong, message("accept.off", sheet=own.path.name, tolerance=by.told))
 
 
@@ -110,7 +110,7 @@ def assert_well_drawn(sheet: HandedSheet | FilePath, scene: Assignment | FilePat
     __tracebackhide__ = True
     own = handed(sheet).of(scene)
     graded = _scene(own).graded(own.path, Allowance())
-    wrong = [one for one in graded.wrong if one.kind in verdict.OF_DRAWING]
+    wrong = [said for said in graded.wrong if said.kind in verdict.OF_DRAWING]
     _assert_none(own, graded, wrong, message("accept.ill_drawn", sheet=own.path.name))
 
 
@@ -121,12 +121,12 @@ def assert_sheet_matches(sheet: HandedSheet | FilePath, scene: Assignment | File
     held = _scene(own).held(own.path)
     if not isinstance(held, OnPaper):
         raise AssertionError(_rejected(own, held))
-    wrong = [one for one in held.checked.findings if one.kind not in RESAVED]
+    wrong = [finding for finding in held.checked.findings if finding.kind not in RESAVED]
     if wrong:
-        edits = [one.edit for one in wrong if one.edit is not None]
+        edits = [said.edit for said in wrong if said.edit is not None]
         spots = [Spot(edit.told.worded(own.language), edit.at, edit.at) for edit in edits]
         head = message("accept.other", sheet=own.path.name, scene=_scene(own).originals.path.name)
-        raise AssertionError(_told(own, head, [one.told.worded(own.language) for one in wrong], held.paper, spots))
+        raise AssertionError(_told(own, head, [said.told.worded(own.language) for said in wrong], held.paper, spots))
 
 
 def _scene(own: HandedSheet) -> Assignment:
@@ -145,32 +145,32 @@ def _assert_none(own: HandedSheet, graded: Graded, wrong: Sequence[Verdict], hea
     if graded.reason is not None:
         raise AssertionError(_rejected(own, graded))
     if wrong:
-        lines = [line for one in gathered(wrong) for line in _lines(own, graded, one)]
+        lines = [line for said in gathered(wrong) for line in _lines(own, graded, said)]
         say = partial(without_values, hints={}, language=own.language)
-        spots = [Spot(say(one), *one.at) for one in wrong if one.at is not None]
+        spots = [Spot(say(said), *said.at) for said in wrong if said.at is not None]
         raise AssertionError(_told(own, head, lines, graded.paper, spots))
 
 
-def _lines(own: HandedSheet, graded: Graded, one: Verdict) -> Iterator[str]:
+def _lines(own: HandedSheet, graded: Graded, said: Verdict) -> Iterator[str]:
     """Tell of a verdict, and what is drawn and what the analysis gives."""
     hints = _scene(own).task.hints
-    yield (without_values if own.silent else with_values)(one, hints, own.language)
-    plan = next((plan for plan in graded.drawn if plan.asked.place == (one.plan, one.position)), None)
+    yield (without_values if own.silent else with_values)(said, hints, own.language)
+    plan = next((plan for plan in graded.drawn if plan.asked.place == (said.plan, said.position)), None)
     if own.silent or plan is None:
         return
-    drawn = plan.value(one.letters)
-    true = next((asked.true for asked in plan.asked.vectors if asked.letters == one.letters), None)
-    if drawn is not None and true is not None and one.name:
-        parts = {"drawn": _value(one, drawn), "true": _value(one, true)}
+    drawn = plan.value(said.letters)
+    true = next((asked.true for asked in plan.asked.vectors if asked.letters == said.letters), None)
+    if drawn is not None and true is not None and said.name:
+        parts = {"drawn": _value(said, drawn), "true": _value(said, true)}
         yield f"  {message('accept.values', **parts).worded(own.language)}"
 
 
-def _value(one: Verdict, value: complex) -> Message:
+def _value(said: Verdict, value: complex) -> Message:
     """Word a vector by its size and direction; a point by its coordinates."""
-    if one.letters[0] == "":
-        return message("accept.point", x=f"{value.real:.4g}", y=f"{value.imag:.4g}", unit=one.unit)
-    read = ReadVector(one.name, value, one.unit)
-    return message("accept.vector", size=f"{read.size:.4g}", angle=f"{read.angle:.1f}", unit=one.unit)
+    if said.letters[0] == "":
+        return message("accept.point", x=f"{value.real:.4g}", y=f"{value.imag:.4g}", unit=said.unit)
+    read = ReadVector(said.name, value, said.unit)
+    return message("accept.vector", size=f"{read.size:.4g}", angle=f"{read.angle:.1f}", unit=said.unit)
 
 
 def _told(

@@ -82,14 +82,16 @@ class ReadPlan:
         if value is None:
             value = self.drawn.between(start, end)
         if value is None:
-            there = tuple(f"{one.name}" for one in self.drawn.asked.vectors if one.letters in self.drawn.arrows)
+            there = tuple(
+                f"{vector.name}" for vector in self.drawn.asked.vectors if vector.letters in self.drawn.arrows
+            )
             where = plan_told(self.name, self.position)
             raise NotDrawnError(message("accept.no_vector", plan=where, name=name, names=there).worded(self.language))
         return ReadVector(name, value, self.drawn.asked.unit)
 
     def _letters(self, name: str) -> tuple[str, str]:
         """Give the letters of the ends of a vector."""
-        named = [one.letters for one in self.drawn.asked.vectors if one.name == name]
+        named = [vector.letters for vector in self.drawn.asked.vectors if vector.name == name]
         if named:
             return named[0]
         known = {spelled(letter): letter for letter in self.drawn.places}
@@ -134,7 +136,7 @@ def _told(plans: Iterable[DrawnPlan]) -> Iterator[Message]:
     positions: dict[str, list[str]] = {}
     for plan, position in (plan.asked.place for plan in plans):
         positions.setdefault(plan, []).extend([] if position is None else [str(position)])
-    yield from (plan_told(plan, ", ".join(own) if own else None) for plan, own in positions.items())
+    yield from (plan_told(plan, ", ".join(position) if position else None) for plan, position in positions.items())
 
 
 @dataclass(frozen=True)

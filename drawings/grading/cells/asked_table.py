@@ -146,7 +146,9 @@ def tables_asked(originals: Originals) -> tuple[TableAsked, ...]:
 
 def _of_sheet(originals: Originals, sheet: Original) -> Iterator[tuple[str, _Part]]:
     leaf, due = plain(sheet.leaf, sheet.leaf.lettering), originals.due(sheet)
-    bands = ((table_of(sheet.kind, one.name), next(texts((one,)), None)) for one in groups(leaf.groups) if one.name)
+    bands = (
+        (table_of(sheet.kind, group.name), next(texts((group,)), None)) for group in groups(leaf.groups) if group.name
+    )
     corners = [(text, name) for name, text in bands if name and text is not None]
     if not corners:
         return
@@ -250,7 +252,7 @@ class _Own:
     def _scales(self, sheet: Original) -> Iterator[tuple[str, float]]:
         """Give the coarsest scale of a sheet in each unit, as the sheet writes it."""
         if sheet.kind in READ_OFF:
-            for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda one: one.scale):
+            for mark in sorted(self.originals.seen(sheet).measured.marks, key=lambda mark: mark.scale):
                 yield folded(Text(0j, term(self.originals.language, "unit", mark.unit)).plain), mark.scale
 
 

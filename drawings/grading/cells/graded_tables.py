@@ -52,9 +52,9 @@ class Readings:
     def _sizes(self, cell: CellAsked) -> Iterator[tuple[float, float]]:
         """Give the sizes of the vectors that a cell is read off, and the scales of their plans."""
         for plan in self._of(cell.position) if cell.read else ():
-            for one in plan.asked.vectors:
-                value = plan.value(one.letters)
-                if value is not None and _seen(one.name, self.language) in cell.read:
+            for vector in plan.asked.vectors:
+                value = plan.value(vector.letters)
+                if value is not None and _seen(vector.name, self.language) in cell.read:
                     yield abs(value), plan.scale
 
     def _ordinates(self, cell: CellAsked, near: float) -> Iterator[tuple[float, float]]:
@@ -63,9 +63,9 @@ class Readings:
             asked = figure.asked
             if asked.kind != ORDINATES or folded(_written(asked.unit, self.language)) != folded(cell.unit):
                 continue
-            for one in asked.items:
-                true, value = ((values[one.place] / asked.way).real for values in (asked.true, figure.values))
-                if one.position == cell.position and abs(true - cell.true) <= near and not np.isnan(value):
+            for item in asked.items:
+                true, value = ((values[item.place] / asked.way).real for values in (asked.true, figure.values))
+                if item.position == cell.position and abs(true - cell.true) <= near and not np.isnan(value):
                     yield float(value), asked.scale
 
     def _rate(self, reading: Reading, position: int | None) -> float | None:

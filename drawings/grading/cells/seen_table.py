@@ -71,19 +71,19 @@ class Ruling(NamedTuple):
 
     def columns(self, height: float) -> list[float]:
         """Give where upright lines pass by a height, from left to right."""
-        return _once(one.at for one in self.uprights if one.passes(height))
+        return _once(rule.at for rule in self.uprights if rule.passes(height))
 
     def rows(self, along: float) -> list[float]:
         """Give where level lines pass by a place along the sheet, upward."""
-        return _once(one.at for one in self.levels if one.passes(along))
+        return _once(rule.at for rule in self.levels if rule.passes(along))
 
     def below(self, box: Box) -> float:
         """Give how far down the upright line on the left of a box goes."""
-        return min(one.low for one in self.uprights if _on(one, box.left) and one.passes(box.low))
+        return min(rule.low for rule in self.uprights if _on(rule, box.left) and rule.passes(box.low))
 
     def right_of(self, box: Box) -> float:
         """Give how far to the right the level line under a box goes."""
-        return max(one.high for one in self.levels if _on(one, box.low) and one.passes(box.right))
+        return max(rule.high for rule in self.levels if _on(rule, box.low) and rule.passes(box.right))
 
 
 def ruling(leaf: Leaf, moved: Affine) -> Ruling:
@@ -112,20 +112,20 @@ def _upright(text: Text, moved: Affine) -> Text:
     return text._replace(content=(Run("".join(EITHER[sign] for sign in reversed(text.plain))),))
 
 
-def _ends(one: Stroke) -> tuple[complex, complex] | None:
-    if isinstance(one, Line):
-        return one.start, one.end
-    points = one.points if isinstance(one, Polyline) else ()
+def _ends(stroke: Stroke) -> tuple[complex, complex] | None:
+    if isinstance(stroke, Line):
+        return stroke.start, stroke.end
+    points = stroke.points if isinstance(stroke, Polyline) else ()
     return (points[0], points[1]) if len(points) == 2 else None
 
 
-def _middle(one: Stroke) -> complex:
-    left, low, right, high = bounds(one)
+def _middle(stroke: Stroke) -> complex:
+    left, low, right, high = bounds(stroke)
     return complex(left + right, low + high) / 2
 
 
-def _on(one: Rule, place: float) -> bool:
-    return abs(one.at - place) <= LEVEL
+def _on(rule: Rule, place: float) -> bool:
+    return abs(rule.at - place) <= LEVEL
 
 
 def _once(places: Iterable[float]) -> list[float]:

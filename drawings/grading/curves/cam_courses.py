@@ -26,15 +26,15 @@ def ruled(cam: Cam, sizes: Sizes, drawn: tuple[Floats, Floats], true: tuple[Floa
     """
     offset, level = sizes.offset, math.sqrt(max(sizes.base**2 - sizes.offset**2, 0.0))
     if cam.given.base is None and cam.given.offset is None and not cam.translates:
-        own = tuple(one._replace(most=one.most + _moved(one, drawn, true)) for one in sides_of(cam))
-        if all(one.most > 0 for one in own):
-            offset, level = least(own)
+        sides = tuple(side._replace(most=side.most + _moved(side, drawn, true)) for side in sides_of(cam))
+        if all(side.most > 0 for side in sides):
+            offset, level = least(sides)
     return complex(cam.sense * offset, level)
 
 
-def _moved(one: Side, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> float:
+def _moved(side: Side, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> float:
     """Give by how much a ruler has moved along the axis of S', m: at the point that it touches then and now."""
-    touches = [float((one.sign * velocity - one.tangent * way).max()) for velocity, way in (drawn, true)]
+    touches = [float((side.sign * velocity - side.tangent * way).max()) for velocity, way in (drawn, true)]
     return touches[0] - touches[1]
 
 
@@ -67,17 +67,17 @@ class CamCourses:
         """Which edge of the strips each numbered position is."""
         return np.asarray(np.abs(self.expected.edges[:, None] - self.turned).argmin(axis=0))
 
-    def velocity(self, own: Mapping[str, Complexes]) -> Complexes:
+    def velocity(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas under the analogue of acceleration."""
-        return self._added(own, ACCELERATION, VELOCITY)
+        return self._added(drawn, ACCELERATION, VELOCITY)
 
-    def travel(self, own: Mapping[str, Complexes]) -> Complexes:
+    def travel(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas under the analogue of velocity."""
-        return self._added(own, VELOCITY, TRAVEL)
+        return self._added(drawn, VELOCITY, TRAVEL)
 
-    def _added(self, own: Mapping[str, Complexes], name: str, sum_: str) -> Complexes:
+    def _added(self, drawn: Mapping[str, Complexes], name: str, sum_: str) -> Complexes:
         row, true = self.rows[name], self.expected.means(name)
-        moved = moved_means(own[name].imag, row.after, row.before, true) - true
+        moved = moved_means(drawn[name].imag, row.after, row.before, true) - true
         areas = np.concatenate(([0.0], np.cumsum(moved * np.diff(self.expected.edges))))
         return np.asarray(1j * (self.rows[sum_].after + areas))
 
@@ -95,17 +95,17 @@ class CamCourses:
         lever = complex(self.expected.contour.lever[0])
         return lever * self.expected.turned_back * size if self.cam.rocks else 1j * size
 
-    def sizes_points(self, own: Mapping[str, Complexes]) -> Complexes:
+    def sizes_points(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Lay D off by S and S', of a flat face by S and S''; O is where the rulers to them meet."""
         found, count = self.ends.copy(), len(self.turned)
-        velocity, way = (own[name].imag[self.numbered] for name in (VELOCITY, TRAVEL))
+        velocity, way = (drawn[name].imag[self.numbered] for name in (VELOCITY, TRAVEL))
         true = [self.rows[name].after[self.numbered] for name in (VELOCITY, TRAVEL)]
         if self.cam.rocks and not self.cam.flat:
             turn = np.exp(1j * self.cam.rising * (way - true[1]))
             sense = self.cam.follower.sense
             found[:count] *= turn * (1 - sense * velocity) / (1 - sense * true[0])
         elif self.cam.flat:
-            found[:count] = own[ACCELERATION].imag[self.numbered] + 1j * way
+            found[:count] = drawn[ACCELERATION].imag[self.numbered] + 1j * way
         else:
             found[:count] += -self.cam.sense * (velocity - true[0]) + 1j * (way - true[1])
             zero = ruled(self.cam, self.expected.sizes, (velocity, way), (true[0], true[1]))
@@ -114,38 +114,38 @@ class CamCourses:
 
     def sizes_of(self, points: Complexes) -> Sizes:
         """Give the main sizes from where O stands on a diagram."""
-        zero, own = -points[len(self.turned)], self.expected.sizes
+        zero, found = -points[len(self.turned)], self.expected.sizes
         if self.cam.rocks:
-            return own._replace(pivot=zero, centre=abs(zero))
+            return found._replace(pivot=zero, centre=abs(zero))
         if self.cam.flat:
-            return own._replace(base=zero.imag)
-        return own._replace(base=abs(zero), offset=self.cam.sense * zero.real)
+            return found._replace(base=zero.imag)
+        return found._replace(base=abs(zero), offset=self.cam.sense * zero.real)
 
-    def pressure(self, own: Mapping[str, Complexes]) -> Complexes:
+    def pressure(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Give the pressure angles by the diagram of the sizes, degrees: where OD shows."""
-        points, count = own[DIAGRAM], len(self.turned)
+        points, count = drawn[DIAGRAM], len(self.turned)
         lever = points[:count] - points[count]
         true = self.ends[:count] - self.ends[count]
         turn = self.cam.sense * np.degrees(np.angle(lever / true))
         extremes = list(self.expected.found.pressure.values())
-        at = [int(np.abs(self.turned - one.turned).argmin()) for one in extremes]
+        at = [int(np.abs(self.turned - extreme.turned).argmin()) for extreme in extremes]
         return np.asarray(1j * (self.angles + np.concatenate((turn, turn[at]))))
 
     @cached_property
     def angles(self) -> Floats:
         """The pressure angles at the numbered positions and the largest ones, degrees."""
         found = self.expected.found.pressure.values()
-        return np.degrees(np.concatenate((self.expected.contour.pressure, [one.value for one in found])))
+        return np.degrees(np.concatenate((self.expected.contour.pressure, [extreme.value for extreme in found])))
 
-    def profile(self, own: Mapping[str, Complexes]) -> Complexes:
+    def profile(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Give the points of the profile, or of the roller's centre, by the sizes of the diagram and by S."""
-        way = own[TRAVEL].imag[self.numbered] - self.rows[TRAVEL].after[self.numbered]
-        found = self.inverted(self.sizes_of(own[DIAGRAM])).pitch
+        way = drawn[TRAVEL].imag[self.numbered] - self.rows[TRAVEL].after[self.numbered]
+        found = self.inverted(self.sizes_of(drawn[DIAGRAM])).pitch
         return np.asarray(found + (0 if self.cam.rocks else self.expected.ways(np.asarray(1j * way), self.turned)))
 
-    def inverted(self, own: Sizes, cam: Cam | None = None) -> Contour:
+    def inverted(self, main: Sizes, cam: Cam | None = None) -> Contour:
         """Give the profile at the numbered positions, of other sizes or another law."""
-        return contour(cam or self.cam, own, self.expected.found.roller, self.turned)
+        return contour(cam or self.cam, main, self.expected.found.roller, self.turned)
 
     def turned_with(self, points: Complexes) -> Complexes:
         """Give places in the cam if the follower is turned with it, and not against it."""
@@ -157,31 +157,31 @@ class CamCourses:
     @property
     def other_side(self) -> Sizes | None:
         """The sizes with the offset to the other side; None where there is none, or none is to be seen."""
-        own = self.expected.sizes
-        return None if self.cam.rocks or self.cam.flat or not own.offset else own._replace(offset=-own.offset)
+        main = self.expected.sizes
+        return None if self.cam.rocks or self.cam.flat or not main.offset else main._replace(offset=-main.offset)
 
     @property
     def swapped(self) -> Cam | None:
         """The cam with rise and return in each other's place; None where it has not one of each."""
-        kinds = [one.kind for one in self.cam.phases]
+        kinds = [phase.kind for phase in self.cam.phases]
         if kinds.count(RISE) != 1 or kinds.count(RETURN) != 1 or self.cam.translates:
             return None
         rise, back = (self.cam.phases[kinds.index(kind)] for kind in (RISE, RETURN))
         other = {RISE: (back.angle, back.law), RETURN: (rise.angle, rise.law)}
         phases, start = [], 0.0
-        for one in self.cam.phases:
-            angle, law = other.get(one.kind, (one.angle, one.law))
-            phases.append(one._replace(angle=angle, law=law, start=start, stop=start + angle))
+        for phase in self.cam.phases:
+            angle, law = other.get(phase.kind, (phase.angle, phase.law))
+            phases.append(phase._replace(angle=angle, law=law, start=start, stop=start + angle))
             start += angle
         return replace(self.cam, phases=tuple(phases), angles=())
 
     @property
     def limits_swapped(self) -> Sizes | None:
         """The sizes with the limits of rise and return in each other's place; None where that says nothing."""
-        own = self.cam.limits
-        if self.cam.rocks or self.cam.flat or own.rise is None or own.back is None or own.rise == own.back:
+        limits = self.cam.limits
+        if self.cam.rocks or self.cam.flat or limits.rise is None or limits.back is None or limits.rise == limits.back:
             return None
-        return sizes(replace(self.cam, limits=own._replace(rise=own.back, back=own.rise)))
+        return sizes(replace(self.cam, limits=limits._replace(rise=limits.back, back=limits.rise)))
 
     def law(self, cam: Cam, name: str) -> Floats:
         """Give a diagram of the law of another cam at the edges of the strips."""

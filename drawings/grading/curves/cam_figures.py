@@ -25,7 +25,7 @@ from drawings.grading.curves.figure_records import (
     PRICKED,
     FigureAsked,
     Mistake,
-    OwnSheet,
+    SceneSheet,
     by_number,
 )
 from plans.cyclogram.rows import EVERY
@@ -36,28 +36,28 @@ from plans.words.words import because
 ABOVE = {VELOCITY: ACCELERATION, TRAVEL: VELOCITY}
 
 
-def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of a cam (row of the table of records)."""
-    cams = {one.cam.name: one for one in study.comparison("cam").analysis.cams}
-    name = own.leaf.metadata.get("cam")
+    cams = {cam.cam.name: cam for cam in study.comparison("cam").analysis.cams}
+    name = sheet.leaf.metadata.get("cam")
     if name == EVERY:
-        turning = [one.cam for one in cams.values() if not one.cam.translates]
-        yield from bars(own)
-        yield from rings(own, cam_rows(turning), turning[0].sense)
+        turning = [cam.cam for cam in cams.values() if not cam.cam.translates]
+        yield from bars(sheet)
+        yield from rings(sheet, cam_rows(turning), turning[0].sense)
     if name in cams:
-        sheet = _Sheet(own, CamCourses(CamValues(cams[name], study["cam"].drawings[name])))
-        yield from sheet.laws()
-        yield from sheet.sizes()
-        yield from sheet.pressure()
-        yield from sheet.profile()
-        yield from sheet.radii()
+        drawn = _Sheet(sheet, CamCourses(CamValues(cams[name], study["cam"].drawings[name])))
+        yield from drawn.laws()
+        yield from drawn.sizes()
+        yield from drawn.pressure()
+        yield from drawn.profile()
+        yield from drawn.radii()
 
 
 @dataclass(frozen=True)
 class _Sheet:
     """A sheet of one cam with what the analysis says of it."""
 
-    own: OwnSheet
+    sheet: SceneSheet
     cam: CamCourses
 
     @property
@@ -79,13 +79,13 @@ class _Sheet:
         courses = {VELOCITY: self.cam.velocity, TRAVEL: self.cam.travel}
         for key, row in self.cam.rows.items():
             plan = law_named(self.expected.cam, key)
-            marks = self.own.vectors(plan)
+            marks = self.sheet.vectors(plan)
             if marks:
                 chorded = key in ABOVE
-                yield from self.own.figure(
+                yield from self.sheet.figure(
                     key, plan, by_number(marks), np.asarray(1j * row.after), kind=ORDINATES, stepped=chorded,
                     slack=np.abs(row.after - exact[key]), error=self._error(key), linear=chorded,
-                    paper=self.own.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
+                    paper=self.sheet.paper(plan, self.expected.edges), behind=(ABOVE[key],) if chorded else (),
                     course=courses.get(key), why=because("integral_chord") if chorded else None,
                     mistakes=tuple(self._phases(key)),
                 )  # fmt: skip
@@ -99,11 +99,11 @@ class _Sheet:
         """Give how far a diagram is out that is drawn by chords, mm a mm of slip."""
         edges, plain = self.expected.edges, np.full(len(self.expected.edges), PRICKED)
         above = law_named(self.expected.cam, ABOVE.get(key, ""))
-        paper, marks = self.own.paper(above, edges), self.own.vectors(above)
+        paper, marks = self.sheet.paper(above, edges), self.sheet.vectors(above)
         if key not in ABOVE or paper is None or not marks:
             return plain
         wide, high = np.abs(np.diff(paper.feet)), next(iter(marks.values())).scale
-        mu = next(iter(self.own.vectors(law_named(self.expected.cam, key)).values())).scale
+        mu = next(iter(self.sheet.vectors(law_named(self.expected.cam, key)).values())).scale
         angle = float((edges[-1] - edges[0]) / wide.sum())
         return chords_by_hand(wide, self.cam_means(ABOVE[key]) / high, mu / (high * angle))
 
@@ -125,8 +125,8 @@ class _Sheet:
     def sizes(self) -> Iterator[FigureAsked]:
         """Give the diagram of the main sizes."""
         behind = (VELOCITY, TRAVEL) if not self.expected.cam.flat else (ACCELERATION, TRAVEL)
-        laid = bool(self.own.vectors(law_named(self.expected.cam, TRAVEL)))
-        yield from self.own.figure(
+        laid = bool(self.sheet.vectors(law_named(self.expected.cam, TRAVEL)))
+        yield from self.sheet.figure(
             DIAGRAM, SIZES, self._ends, self.cam.ends, behind=behind if laid else (),
             course=self.cam.sizes_points if laid else None, error=self._laid_by_hand(SIZES, VELOCITY, TRAVEL),
             slack=self._sized(), why=because("cam_laid"), mistakes=tuple(self._wrong_sizes()),
@@ -138,21 +138,21 @@ class _Sheet:
 
         To the profile the sizes are carried over too.
         """
-        mu, carried = self._scale(plan), self.own.marks(SIZES)
+        mu, carried = self._scale(plan), self.sheet.marks(SIZES)
         length = (self.expected.cam.follower.length or 1.0) if self.expected.cam.rocks else 1.0
         slips = [1.0, *(length * slip / mu for key in laws for slip in self._read_by_hand(key))]
         slips += [np.sqrt(2) * self._scale(SIZES) / mu] if plan != SIZES and carried else []
         return np.full(len(self.cam.ends), PRICKED * float(np.sqrt(np.square(slips).sum())))
 
     def _scale(self, plan: str) -> float:
-        return next((one.scale for one in self.own.marks(plan).values()), 1.0)
+        return next((mark.scale for mark in self.sheet.marks(plan).values()), 1.0)
 
     def _read_by_hand(self, key: str) -> Iterator[float]:
         """Give how far a value is out that is read off a diagram of the law, true units a mm of slip in pricking.
 
         Where not all its places are marked, it may be read off a chord between two that are.
         """
-        marks, values = self.own.vectors(law_named(self.expected.cam, key)), self.cam.rows[key].after
+        marks, values = self.sheet.vectors(law_named(self.expected.cam, key)), self.cam.rows[key].after
         if marks:
             mu, error = next(iter(marks.values())).scale, self._error(key)
             bare = set(np.flatnonzero(np.abs(values) > SHORT * mu).tolist()) - marks.keys()
@@ -170,11 +170,11 @@ class _Sheet:
 
     def _wrong_sizes(self) -> Iterator[Mistake]:
         """Give the diagram with rulers at each other's limits, and with the offset to the other side."""
-        for kind, own in ((verdict.EXCHANGED, self.cam.limits_swapped), (verdict.SIDE, self.cam.other_side)):
-            if own is not None:
+        for kind, main in ((verdict.EXCHANGED, self.cam.limits_swapped), (verdict.SIDE, self.cam.other_side)):
+            if main is not None:
                 values, count = self.cam.ends.copy(), len(self.cam.turned)
-                zero = complex(self.expected.cam.sense * own.offset, np.sqrt(own.base**2 - own.offset**2))
-                values[count], values[count + 1] = -zero, self.cam.base(zero, own.base)
+                zero = complex(self.expected.cam.sense * main.offset, np.sqrt(main.base**2 - main.offset**2))
+                values[count], values[count + 1] = -zero, self.cam.base(zero, main.base)
                 yield Mistake(kind, values)
 
     def pressure(self) -> Iterator[FigureAsked]:
@@ -182,12 +182,12 @@ class _Sheet:
         count, found = len(self.cam.turned), self.expected.found.pressure
         names: dict[tuple[str, int | None], int] = {(str(k), k): k for k in range(count)}
         names |= {(kind, None): count + k for k, kind in enumerate(found)}
-        paper = self.own.paper(ANGLES, self.cam.turned) if len(self.own.vectors(ANGLES)) > 1 else None
+        paper = self.sheet.paper(ANGLES, self.cam.turned) if len(self.sheet.vectors(ANGLES)) > 1 else None
         if paper is not None:
-            stations = np.concatenate((self.cam.turned, [one.turned for one in found.values()]))
-            paper = self.own.paper(ANGLES, stations)
-        sized = bool(self.own.marks(SIZES)) and self._drawn
-        yield from self.own.figure(
+            stations = np.concatenate((self.cam.turned, [extreme.turned for extreme in found.values()]))
+            paper = self.sheet.paper(ANGLES, stations)
+        sized = bool(self.sheet.marks(SIZES)) and self._drawn
+        yield from self.sheet.figure(
             PRESSURE, ANGLES, names, np.asarray(1j * self.cam.angles), kind=ORDINATES, paper=paper,
             behind=(DIAGRAM,) if sized else (), course=self.cam.pressure if sized else None,
             error=self._angles_by_hand(),
@@ -195,41 +195,43 @@ class _Sheet:
 
     def _angles_by_hand(self) -> Floats:
         """Give how far angles are out that are measured off the diagram of the sizes, mm of their graph."""
-        seen, count = self.own.marks(SIZES), len(self.cam.turned)
-        angles = self.own.vectors(ANGLES)
+        seen, count = self.sheet.marks(SIZES), len(self.cam.turned)
+        angles = self.sheet.vectors(ANGLES)
         if not seen or not angles:
             return np.full(len(self.cam.angles), PRICKED)
         rays = np.abs(self.cam.ends[:count] - self.cam.ends[count]) / self._scale(SIZES)
         moved = np.degrees(2 * PRICKED / np.maximum(rays, 1.0)) / next(iter(angles.values())).scale
-        turned = [one.turned for one in self.expected.found.pressure.values()]
-        at = [int(np.abs(self.cam.turned - one).argmin()) for one in turned]
+        turned = [extreme.turned for extreme in self.expected.found.pressure.values()]
+        at = [int(np.abs(self.cam.turned - angle).argmin()) for angle in turned]
         return np.asarray(np.hypot(PRICKED, np.concatenate((moved, moved[at]))))
 
     def profile(self) -> Iterator[FigureAsked]:
         """Give the profile by inversion: its points, sizes, the follower's places, the roller's normals."""
         count = len(self.cam.turned)
-        own, sized = self.expected.points(), bool(self.own.marks(SIZES)) and self._drawn
-        curve = "P" if "P" in own else "Q"
-        yield from self.own.figure(
-            POINTS, PROFILE, {(curve, k): k for k in range(count)}, own[curve],
+        known, sized = self.expected.points(), bool(self.sheet.marks(SIZES)) and self._drawn
+        curve = "P" if "P" in known else "Q"
+        yield from self.sheet.figure(
+            POINTS, PROFILE, {(curve, k): k for k in range(count)}, known[curve],
             behind=(DIAGRAM, TRAVEL) if sized else (), course=self.cam.profile if sized else None,
             error=self._laid_by_hand(PROFILE, TRAVEL)[:count], mistakes=tuple(self._inverted()),
             why=because("cam_back"), curved=tuple(range(count)),
         )  # fmt: skip
-        turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(own["O_1"]))
+        turned = Mistake(verdict.BACKWARDS, self.cam.turned_with(known["O_1"]))
         for name, mistakes in (("K", ()), ("O_1", (turned,))):
             places = {(name, k): k for k in range(count)}
-            yield from self.own.figure(f"profile {name}", PROFILE, places, own[name], mistakes=mistakes)
+            yield from self.sheet.figure(f"profile {name}", PROFILE, places, known[name], mistakes=mistakes)
         if curve == "P":
             normals = {("Q", k): k for k in range(count)}
-            yield from self.own.figure("profile normals", PROFILE, normals, error=2 * PRICKED)
-        lengths, vectors = ({(name, None): k for k, name in enumerate(own)} for own in (("R_0", "ρ_min"), ("e", "L")))
-        yield from self.own.figure("profile lengths", PROFILE, lengths, kind=LENGTHS)
-        yield from self.own.figure("profile vectors", PROFILE, vectors)
+            yield from self.sheet.figure("profile normals", PROFILE, normals, error=2 * PRICKED)
+        lengths, vectors = (
+            {(name, None): k for k, name in enumerate(names)} for names in (("R_0", "ρ_min"), ("e", "L"))
+        )
+        yield from self.sheet.figure("profile lengths", PROFILE, lengths, kind=LENGTHS)
+        yield from self.sheet.figure("profile vectors", PROFILE, vectors)
 
     def radii(self) -> Iterator[FigureAsked]:
         """Give the radii of the finished profile, of a cam that translates its ordinates."""
-        yield from self.own.figure(RADII, RADII)
+        yield from self.sheet.figure(RADII, RADII)
 
     def _inverted(self) -> Iterator[Mistake]:
         """Give the profile inverted the wrong way, mirrored, of another side, other phases or another least radius."""

@@ -27,7 +27,7 @@ from drawings.grading.curves.figure_records import (
     FigureAsked,
     Item,
     Mistake,
-    OwnSheet,
+    SceneSheet,
     by_number,
 )
 from drawings.grading.curves.radial_figures import arm_at, written
@@ -50,22 +50,26 @@ SWING = "ψ"
 WHOLE = ("H", SWING)  # the stroke of what slides, of what swings
 
 
-def figures_of_loads(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of_loads(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the load diagrams of a sheet of forces (row of the table of records)."""
-    yield from load_diagrams(own, study["forces"])
+    yield from load_diagrams(sheet, study["forces"])
 
 
-def load_diagrams(own: OwnSheet, statics: Statics) -> Iterator[FigureAsked]:
+def load_diagrams(sheet: SceneSheet, statics: Statics) -> Iterator[FigureAsked]:
     """Give the load diagrams of a sheet: the stroke and its overruns, and the ordinates at the corners."""
     for load in statics.machine.loads:
         plan = f"{LOAD}-{load.name}"
-        marks = {name: one for (name, _), one in own.marks(plan).items()}
+        marks = {name: mark for (name, _), mark in sheet.marks(plan).items()}
         whole = next((marks[name] for name in WHOLE if name in marks), None)
         if isinstance(whole, MeasuredVector):
-            sizes = {(name, None): k for k, name in enumerate([whole.name, *(one for one in OVERRUNS if one in marks)])}
-            yield from own.figure(f"{plan} sizes", plan, sizes, kind=LENGTHS, why=because("tool_stroke"))
-            corners = [one for name, one in marks.items() if (name, None) not in sizes]
-            yield from _corners(own, load, whole, [one for one in corners if isinstance(one, MeasuredVector)])
+            sizes = {
+                (name, None): k for k, name in enumerate([whole.name, *(name for name in OVERRUNS if name in marks)])
+            }
+            yield from sheet.figure(f"{plan} sizes", plan, sizes, kind=LENGTHS, why=because("tool_stroke"))
+            corners = [mark for name, mark in marks.items() if (name, None) not in sizes]
+            yield from _corners(
+                sheet, load, whole, [corner for corner in corners if isinstance(corner, MeasuredVector)]
+            )
 
 
 class Corner(NamedTuple):
@@ -77,7 +81,7 @@ class Corner(NamedTuple):
 
 
 def _corners(
-    own: OwnSheet, load: Force | Moment, whole: MeasuredVector, drawn: Sequence[MeasuredVector]
+    sheet: SceneSheet, load: Force | Moment, whole: MeasuredVector, drawn: Sequence[MeasuredVector]
 ) -> Iterator[FigureAsked]:
     if not drawn:
         return
@@ -86,18 +90,18 @@ def _corners(
     def of(mark: MeasuredVector) -> Corner:
         """Give the corner that a mark of our own sheet is of: on paper the nearest."""
         at = complex(mark.start.real - whole.start.real, mark.value.imag / mark.scale)
-        return min(law, key=lambda one: abs(complex(one.share * step, one.size / mark.scale) - at))
+        return min(law, key=lambda corner: abs(complex(corner.share * step, corner.size / mark.scale) - at))
 
-    due = [of(one) for one in drawn]
-    shares, long = np.array([one.share for one in due]), whole.value.real
+    due = [of(vector) for vector in drawn]
+    shares, long = np.array([corner.share for corner in due]), whole.value.real
     feet: Complexes = np.asarray(complex(whole.start.real, first.start.imag) + shares * step)
-    yield from own.figure(
-        first.plan, first.plan, {(one.name, None): k for k, one in enumerate(drawn)},
-        1j * np.array([one.size for one in due]), kind=ORDINATES, returns=True, why=because("load"),
+    yield from sheet.figure(
+        first.plan, first.plan, {(vector.name, None): k for k, vector in enumerate(drawn)},
+        1j * np.array([corner.size for corner in due]), kind=ORDINATES, returns=True, why=because("load"),
         scales={whole.quantity: whole.scale, first.quantity: first.scale}, units={whole.quantity: whole.unit},
         called=lambda mark: f"{mark.quantity}({mark.name})",
-        paper=own.over(first.plan, feet, shares * (math.radians(long) if whole.name == SWING else long)),
-        mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([one.mirrored for one in due])),),
+        paper=sheet.over(first.plan, feet, shares * (math.radians(long) if whole.name == SWING else long)),
+        mistakes=(Mistake(verdict.MIRRORED, 1j * np.array([corner.mirrored for corner in due])),),
     )  # fmt: skip
 
 
@@ -105,37 +109,37 @@ def _law(load: Force | Moment) -> Iterator[Corner]:
     """Give the corners of a load, each with what the load would be there of a diagram begun at its other end."""
     for _, shares, sizes in branches(load):
         mirrored = np.interp(1 - shares, shares, sizes, 0.0, 0.0)
-        yield from (Corner(*map(float, one)) for one in zip(shares, sizes, mirrored, strict=True))
+        yield from (Corner(*map(float, corner)) for corner in zip(shares, sizes, mirrored, strict=True))
 
 
 VELOCITY = KEYS[1]
 
 
-def figures_of_diagrams(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of_diagrams(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the kinematic diagrams of a sheet of kinematics (row of the table of records)."""
-    shown = [key for key in KEYS if own.vectors(named(key))]
+    shown = [key for key in KEYS if sheet.vectors(named(key))]
     comparison = study.comparison("diagrams") if shown else None
     if isinstance(comparison, DiagramsComparison):
         rows = {row.key: row for row in expected_rows(comparison)}
         speed = abs(study["linkage"].mechanism.drive.omega)
         for key in shown:
-            yield from _figure(own, rows, key, speed)
+            yield from _figure(sheet, rows, key, speed)
 
 
-def _figure(own: OwnSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> Iterator[FigureAsked]:
+def _figure(sheet: SceneSheet, rows: Mapping[str, ExpectedRow], key: str, speed: float) -> Iterator[FigureAsked]:
     row, plan = rows[key], named(key)
-    marks, places = own.vectors(plan), {number: k for k, number in reversed(list(enumerate(row.axis.numbers)))}
+    marks, places = sheet.vectors(plan), {number: k for k, number in reversed(list(enumerate(row.axis.numbers)))}
     mu, above = next(iter(marks.values())).scale, _above(key)
     whole = bool(np.isclose(row.axis.turned[-1] - row.axis.turned[0], TURN))
-    paper = own.paper(plan, row.axis.turned, places)
+    paper = sheet.paper(plan, row.axis.turned, places)
     course = None if above is None else Slope(above, rows[above].at, row.at, row.axis.turned / speed, whole)
-    seen = [] if above is None else list(own.vectors(named(above)).values())
+    seen = [] if above is None else list(sheet.vectors(named(above)).values())
     error = np.full(len(row.at), PRICKED)
     if paper is not None and seen:
         # Both ends of a chord over two positions are out; what their rise says of the derivative is out by so much.
         time = float(np.median(np.diff(row.axis.turned))) / speed
         error = np.full(len(row.at), float(np.hypot(PRICKED, PRICKED * seen[0].scale / (np.sqrt(2) * time * mu))))
-    yield from own.figure(
+    yield from sheet.figure(
         key, plan, by_number(marks, places), np.asarray(1j * row.at), slack=_slack(row), error=error, kind=ORDINATES,
         paper=paper, behind=() if above is None else (above,), course=course, linear=above is not None,
         why=None if above is None else because("derivative_point"),
@@ -166,9 +170,9 @@ class Slope:
     times: Floats  # s
     whole: bool  # whether the last position is the first again
 
-    def __call__(self, own: Mapping[str, Complexes]) -> Complexes:
+    def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Give the derivative."""
-        moved, times = own[self.above].imag - self.risen, self.times
+        moved, times = drawn[self.above].imag - self.risen, self.times
         if self.whole:
             moved = np.concatenate((moved[-2:-1], moved, moved[1:2]))
             times = np.concatenate(([times[0] - times[-1] + times[-2]], times, [times[-1] + times[1] - times[0]]))
@@ -179,10 +183,10 @@ class Slope:
 CIRCLE = "circle"  # the name of the chart
 
 
-def rings(own: OwnSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAsked]:
+def rings(sheet: SceneSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAsked]:
     """Give the bearings at which the spans of some rows begin, mm: to the outer circle of each ring."""
-    group = group_named(own.leaf.groups, CIRCLE)
-    radii = [] if group is None else sorted(one.radius for one in flat((group,)) if isinstance(one, Circle))
+    group = group_named(sheet.leaf.groups, CIRCLE)
+    radii = [] if group is None else sorted(stroke.radius for stroke in flat((group,)) if isinstance(stroke, Circle))
     if len(radii) != len(rows) + 1:
         return
     due = [
@@ -192,7 +196,7 @@ def rings(own: OwnSheet, rows: Sequence[Row], sense: int) -> Iterator[FigureAske
     reach = np.array([radii[len(rows) + 1 - k] for k in places])
     true = np.asarray(reach * np.exp(1j * sense * np.array(turned)))
     yield FigureAsked(
-        key=CIRCLE, plan=CIRCLE, sheet=own.name, unit="mm", scales={"": 1.0},
+        key=CIRCLE, plan=CIRCLE, sheet=sheet.name, unit="mm", scales={"": 1.0},
         items=tuple(Item(name, None, k, name) for k, name in enumerate(names)), true=true, slack=np.zeros(len(true)),
         error=np.full(len(true), PRICKED), kind=BEARINGS, on_paper=True, rings=places, why=because("ring_turn"),
         mistakes=(Mistake(verdict.MIRRORED, true.conj()), *_unset(rows, np.array(places), true, sense)),
@@ -208,40 +212,45 @@ def _unset(
         yield Mistake(verdict.UNSET, np.asarray(np.where((places == k) | (k == 0), true * turns, true)))
 
 
-def figures_of_cyclogram(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of_cyclogram(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the bars of a machine's cyclogram (row of the table of records)."""
     found = study.comparison("cyclogram").analysis
     rows = machine_rows(found, study["cyclogram"].cams)
-    yield from bars(own)
-    yield from rings(own, rows, found.sense)
+    yield from bars(sheet)
+    yield from rings(sheet, rows, found.sense)
 
 
-def bars(own: OwnSheet) -> Iterator[FigureAsked]:
+def bars(sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the bars of a cyclogram's rows."""
-    marks = {one.name: one for one in own.measured.vectors if one.plan == BARS}
-    true = {row.name: row.vector for row in own.due.values() if row.figure == BARS and row.name in marks}
+    marks = {vector.name: vector for vector in sheet.measured.vectors if vector.plan == BARS}
+    true = {row.name: row.vector for row in sheet.due.values() if row.figure == BARS and row.name in marks}
     places = {(name, None): k for k, name in enumerate(true)}
-    paper, mistakes = own.ruled(BARS, np.array([marks[name].start for name in true])), tuple(_exchanged(true))
-    yield from own.figure(BARS, BARS, places, kind=CHAIN, paper=paper, mistakes=mistakes, called=lambda mark: mark.name)
+    paper, mistakes = sheet.ruled(BARS, np.array([marks[name].start for name in true])), tuple(_exchanged(true))
+    yield from sheet.figure(
+        BARS, BARS, places, kind=CHAIN, paper=paper, mistakes=mistakes, called=lambda mark: mark.name
+    )
 
 
 def _exchanged(true: Mapping[str, complex]) -> Iterator[Mistake]:
     """Give the bars with two that follow one another in a row each as long as the other."""
     names = list(true)
-    for one, other in pairwise(names):
-        if one.partition(".")[0] == other.partition(".")[0]:
+    for name, other in pairwise(names):
+        if name.partition(".")[0] == other.partition(".")[0]:
             values: Complexes = np.array(list(true.values()))
-            k, m = names.index(one), names.index(other)
-            values[k], values[m] = complex(true[other].real, true[one].imag), complex(true[one].real, true[other].imag)
+            k, m = names.index(name), names.index(other)
+            values[k], values[m] = (
+                complex(true[other].real, true[name].imag),
+                complex(true[name].real, true[other].imag),
+            )
             yield Mistake(verdict.EXCHANGED, values)
 
 
-def figures_of_arms(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of_arms(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the arms of a bank's compensators (row of the table of records)."""
     expected = Bank(study["bank"].task, study.comparison("bank"))
-    for one in expected.analysis.compensators:
-        layout = _Layout(own, f"{COMPENSATOR}-{one.asked.order}", expected, one)
-        bodies = list(expected.bodies(one))
+    for compensator in expected.analysis.compensators:
+        layout = _Layout(sheet, f"{COMPENSATOR}-{compensator.asked.order}", expected, compensator)
+        bodies = list(expected.bodies(compensator))
         yield from layout.arms("", [body for body in bodies if not body.coupled])
         yield from layout.arms(" couple", [body for body in bodies if body.coupled])
 
@@ -250,23 +259,23 @@ def figures_of_arms(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
 class _Layout:
     """The layout of compensators of one order on our own sheet."""
 
-    own: OwnSheet
+    sheet: SceneSheet
     plan: str
     expected: Bank
     found: Compensator
 
     def arms(self, part: str, bodies: list[Body]) -> Iterator[FigureAsked]:
         """Give the arms of some masses: to scale where their masses are given, else by their directions."""
-        drawn = {body.name: arm_at(self.own.leaf, self.plan, written(body.name)) for body in bodies}
+        drawn = {body.name: arm_at(self.sheet.leaf, self.plan, written(body.name)) for body in bodies}
         shown = [body for body in bodies if drawn[body.name] is not None]
-        scales = self.own.scales(self.plan)
+        scales = self.sheet.scales(self.plan)
         if not shown or "l" not in scales:
             return
-        scaled = not part and not self.expected.nominal(self.found, not self.own.marks(self.plan))
+        scaled = not part and not self.expected.nominal(self.found, not self.sheet.marks(self.plan))
         true = np.array([body.way * self._long(body, drawn, scaled) for body in shown])
         names = tuple(letters(FORCE, body.turns) for body in shown)
         yield FigureAsked(
-            self.plan + part, self.plan, self.own.name, "m" if scaled else "mm", {"l": scales["l"]},
+            self.plan + part, self.plan, self.sheet.name, "m" if scaled else "mm", {"l": scales["l"]},
             tuple(Item(body.name, None, k, body.name) for k, body in enumerate(shown)), true, np.zeros(len(true)),
             np.full(len(true), PRICKED), POINTS if scaled else BEARINGS, why=because("compensator_arm"),
             on_paper=not scaled, arms=tuple(written(body.name) for body in shown),
@@ -296,6 +305,6 @@ class Against:
     forces: Complexes
     true: Complexes
 
-    def __call__(self, own: Mapping[str, Complexes]) -> Complexes:
+    def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Lay each arm off against its force."""
-        return np.asarray(self.true * np.array([own[name][0] for name in self.names]) / self.forces)
+        return np.asarray(self.true * np.array([drawn[name][0] for name in self.names]) / self.forces)

@@ -21,7 +21,7 @@ from drawings.grading.curves.figure_records import (
     Course,
     FigureAsked,
     Mistake,
-    OwnSheet,
+    SceneSheet,
     by_number,
 )
 from drawings.grading.curves.run_figures import BEARING, CUT, Turned, bare_speeds, tachogram
@@ -46,31 +46,31 @@ def chords_by_hand(wide: Floats, high: Floats, pole: float) -> Floats:
     edges = np.concatenate(([0.0], np.cumsum(wide)))
     found = integral(Board(CHORDS), "y", edges, high, pole)
     moved = slopes(SlippingHand(1.0, {CHORDS: np.ones(1)}), *found.points)
-    return np.array([np.hypot(PRICKED, np.sqrt((moved[one].imag ** 2).sum())) for one in found.points])
+    return np.array([np.hypot(PRICKED, np.sqrt((moved[point].imag ** 2).sum())) for point in found.points])
 
 
 # By what the values of a graph are found.
 WHY: Final[Mapping[str, Message]] = MappingProxyType({WORKS: because("integral_chord"), SURPLUS: because("steady")})
 
 
-def figures_of(study: Study, own: OwnSheet) -> Iterator[FigureAsked]:
+def figures_of(study: Study, sheet: SceneSheet) -> Iterator[FigureAsked]:
     """Give the figures of a sheet of dynamics (row of the table of records)."""
     comparison, task = study.comparison("dynamics"), study["dynamics"].task
-    yield from load_diagrams(own, study["dynamics"].statics)
+    yield from load_diagrams(sheet, study["dynamics"].statics)
     if comparison.analysis.cycle is None:
         return
-    sheet = _Sheet(own, Turn(task, comparison.analysis), Turn(task, comparison.exact))
-    yield from sheet.graphs()
-    yield from sheet.loop()
-    yield from bare_speeds(own, sheet.expected, sheet.exact)
-    yield from tachogram(own, comparison.construction.run, comparison.exact.run)
+    drawn = _Sheet(sheet, Turn(task, comparison.analysis), Turn(task, comparison.exact))
+    yield from drawn.graphs()
+    yield from drawn.loop()
+    yield from bare_speeds(sheet, drawn.expected, drawn.exact)
+    yield from tachogram(sheet, comparison.construction.run, comparison.exact.run)
 
 
 @dataclass(frozen=True)
 class _Sheet:
     """A sheet with what the analysis says of it: by the chords of the construction, and exactly."""
 
-    own: OwnSheet
+    sheet: SceneSheet
     expected: Turn
     exact: Turn
 
@@ -90,27 +90,27 @@ class _Sheet:
         error: Floats | None = None,
         mistakes: tuple[Mistake, ...] = (),
     ) -> Iterator[FigureAsked]:
-        marks = self.own.vectors(name)
+        marks = self.sheet.vectors(name)
         if not marks:
             return
         values, way = self.expected.graphs[name], 1 + 0j if name == INERTIA else 1j
         slack = np.abs(values - self.exact.graphs.get(name, values))
-        yield from self.own.figure(
+        yield from self.sheet.figure(
             name, name, by_number(marks), np.asarray(way * values), kind=ORDINATES, way=way, slack=slack,
             error=np.full(len(values), PRICKED) if error is None else error, why=WHY.get(name), behind=behind,
-            paper=self.own.paper(name, self.expected.cycle.turned), course=course, mistakes=mistakes,
+            paper=self.sheet.paper(name, self.expected.cycle.turned), course=course, mistakes=mistakes,
             linear=course is not None and name != SPEEDS, stepped=name == WORKS,
         )  # fmt: skip
 
     def scale(self, name: str) -> float:
         """Give the scale of a graph's ordinates, true units a mm."""
-        return next((one.scale for one in self.own.vectors(name).values()), 1.0)
+        return next((vector.scale for vector in self.sheet.vectors(name).values()), 1.0)
 
     @property
     def _works_by_hand(self) -> Floats:
         """Give how far works are out that are drawn by chords, mm."""
-        paper = self.own.paper(WORKS, self.expected.cycle.turned)
-        if paper is None or not self.own.vectors(MOMENTS):
+        paper = self.sheet.paper(WORKS, self.expected.cycle.turned)
+        if paper is None or not self.sheet.vectors(MOMENTS):
             return np.full(len(self.expected.cycle.turned), PRICKED)
         wide = np.abs(np.diff(paper.feet))
         high = -self.expected.cycle.means / self.scale(MOMENTS)
@@ -120,7 +120,7 @@ class _Sheet:
     @property
     def _surplus_by_hand(self) -> Floats:
         """Give how far the surplus is out that is measured off the works, mm."""
-        measured = PRICKED * self.scale(WORKS) / self.scale(SURPLUS) if self.own.vectors(WORKS) else 0.0
+        measured = PRICKED * self.scale(WORKS) / self.scale(SURPLUS) if self.sheet.vectors(WORKS) else 0.0
         return np.full(len(self.expected.cycle.turned), np.hypot(PRICKED, measured))
 
     def _idle(self) -> Iterator[Mistake]:
@@ -140,7 +140,7 @@ class _Sheet:
 
     def loop(self) -> Iterator[FigureAsked]:
         """Give the loop, its tangents, what they cut off, and the speeds that follow from it."""
-        scales = self.own.scales(LOOP)
+        scales = self.sheet.scales(LOOP)
         if not {"J", "T"} <= scales.keys():
             return
         turn = Turned(self.expected, (scales["J"], scales["T"]))
@@ -153,8 +153,8 @@ class _Sheet:
 
     def _points(self, turn: Turned) -> Iterator[FigureAsked]:
         true = turn.loop(turn.true)
-        places = {(name, k): k for name, k in self.own.marks(LOOP) if k is not None}
-        yield from self.own.figure(
+        places = {(name, k): k for name, k in self.sheet.marks(LOOP) if k is not None}
+        yield from self.sheet.figure(
             LOOP, LOOP, places, true, unit="mm", scales={"J": turn.scales[0], "T": turn.scales[1]}, on_paper=True,
             slack=np.abs(true - turn.loop(Turned(self.exact, turn.scales).true)),
             error=np.full(len(true), 2 * PRICKED),  # in x and in y, each measured off a graph
@@ -164,7 +164,11 @@ class _Sheet:
 
     def _tangents(self, turn: Turned) -> Iterator[FigureAsked]:
         wheel, ratio = turn.wheel, turn.scales[0] / turn.scales[1]
-        seen = {one.name: one for one in self.own.measured.vectors if one.plan == LOOP and one.position is None}
+        seen = {
+            vector.name: vector
+            for vector in self.sheet.measured.vectors
+            if vector.plan == LOOP and vector.position is None
+        }
         slopes = np.array([complex(1.0, slope * ratio) for slope in wheel.slopes])
         bearings = np.array(
             [seen[name].value if name in seen else slope for name, slope in zip(TANGENTS, slopes, strict=True)]
@@ -188,4 +192,4 @@ class _Sheet:
 
     def _aside(self, key: str, names: Sequence[str], true: Complexes, **how: Any) -> Iterator[FigureAsked]:
         """Give what stands beside the loop."""
-        yield from self.own.figure(key, LOOP, {(name, None): k for k, name in enumerate(names)}, true, **how)
+        yield from self.sheet.figure(key, LOOP, {(name, None): k for k, name in enumerate(names)}, true, **how)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from drawings.grading import verdict
 from drawings.grading.allowance import DEVIATIONS, Allowance, Allowances
@@ -21,60 +22,49 @@ from plans.model.motion import Complexes, Floats
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 ROUNDS = 8  # of fitting to a line, each of which leaves a share of what is left: that of the lean of line to way
 SEVERAL = 2  # values that say that a whole figure is out
-Truths = np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
-
-
-@dataclass
-class Drawn:
-    """What a student has drawn of the figures so far, at all their places, and by what factor a whole one is out."""
-
-    values: dict[str, Complexes] = field(default_factory=dict)
-    wholes: dict[str, Complexes] = field(default_factory=dict)
-    factors: dict[str, float] = field(default_factory=dict)
-    right: set[str] = field(default_factory=set)
+Truths: TypeAlias = npt.NDArray[np.bool_]
 
 
 class FigureJudge:
-    """Judges the figures of a sheet in the order in which they follow from one another."""
+    """Judges the figures of a sheet in the order in which they follow from one another.
+
+    It keeps what a student has drawn of those so far, at all their places, and by what factor a whole one is out.
+    """
 
     def __init__(self, asked: Sequence[FigureAsked], vectors: Mapping[str, complex] = MappingProxyType({})) -> None:
         known = {name: np.array([value]) for name, value in vectors.items()}
-        self.own = Drawn(values={one.key: one.true for one in asked} | known, right={one.key for one in asked})
+        self.values: dict[str, Complexes] = {figure.key: figure.true for figure in asked} | known
+        self.wholes: dict[str, Complexes] = {}
+        self.factors: dict[str, float] = {}
+        self.right = {figure.key for figure in asked}
 
     def verdicts(self, drawn: DrawnFigure, allowed: Floats) -> Iterator[Verdict]:
         """Judge one figure, and keep it for those that go on from it."""
-        told = _Told(drawn, allowed, self._going_on(drawn.asked), self._whole_right(drawn.asked))
+        asked = drawn.asked
+        told = _Told(drawn, allowed, self._going_on(asked), set(asked.behind) <= self.right)
         yield from told.verdicts()
-        key = drawn.asked.key
-        self.own.values[key] = told.whole_values
+        self.values[asked.key] = told.whole_values
         if told.mistake is not None:
-            self.own.wholes[key] = told.mistake.values
-        factor = told.factor or self._factor(drawn.asked)
-        if factor != 1.0 and (told.factor is not None or told.fits(factor * drawn.asked.true)):
-            self.own.factors[key] = factor
+            self.wholes[asked.key] = told.mistake.values
+        factor = told.factor or self._factor(asked)
+        if factor != 1.0 and (told.factor is not None or told.fits(factor * asked.true)):
+            self.factors[asked.key] = factor
         if not told.good:
-            self.own.right.discard(key)
-
-    def _whole_right(self, asked: FigureAsked) -> bool:
-        return set(asked.behind) <= self.own.right
+            self.right.discard(asked.key)
 
     def _going_on(self, asked: FigureAsked) -> list[Complexes]:
         """Give what a figure is if it is drawn on from those before it as they are, or as their mistakes say."""
-        if asked.course is None or not set(asked.behind) <= self.own.values.keys():
+        if asked.course is None or not set(asked.behind) <= self.values.keys():
             return []  # what it goes on from is on another sheet
-        found = [asked.course(self.own.values)]
-        if any(name in self.own.wholes for name in asked.behind):
-            found.append(
-                asked.course(
-                    {**self.own.values, **{k: self.own.wholes[k] for k in asked.behind if k in self.own.wholes}}
-                )
-            )
+        found, wholes = [asked.course(self.values)], {k: self.wholes[k] for k in asked.behind if k in self.wholes}
+        if wholes:
+            found.append(asked.course({**self.values, **wholes}))
         factor = self._factor(asked)
         return [*found, factor * asked.true] if factor != 1.0 else found
 
     def _factor(self, asked: FigureAsked) -> float:
         """Give the one factor that all figures before it are out by, where it is out as they are."""
-        factors = {self.own.factors.get(name, 1.0) for name in asked.behind} if asked.linear else set()
+        factors = {self.factors.get(name, 1.0) for name in asked.behind} if asked.linear else set()
         return factors.pop() if len(factors) == 1 else 1.0
 
 
@@ -146,19 +136,19 @@ class _Told:
         left = self.marked & ~self.near & ~self.follows
         if left.sum() < 1:
             return None, None
-        for one in map(self._fitted, self.asked.mistakes):
-            told = self.marked & (self.asked.off(one.values, self.asked.true) > 2 * self.allowed)
-            if told.any() and (self._fits(one.values) | ~told).all() and (left & told).any():
-                return one, None
+        for mistake in map(self._fitted, self.asked.mistakes):
+            told = self.marked & (self.asked.off(mistake.values, self.asked.true) > 2 * self.allowed)
+            if told.any() and (self._fits(mistake.values) | ~told).all() and (left & told).any():
+                return mistake, None
         if left.sum() < SEVERAL:
             return None, None
         fitting = [
-            (int(fits.sum()), -float(np.nansum(self.drawn.off(one.values))), one, factor)
+            (int(fits.sum()), -float(np.nansum(self.drawn.off(mistake.values))), mistake, factor)
             for base in (self.asked.true, *self.going_on)
-            for one, factor in self._generals(base)
-            if ((fits := self._fits(one.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.marked.sum()
+            for mistake, factor in self._generals(base)
+            if ((fits := self._fits(mistake.values)) & left).sum() >= SEVERAL and 2 * fits.sum() > self.marked.sum()
         ]
-        best = max(fitting, key=lambda one: one[:2], default=None)
+        best = max(fitting, key=lambda fit: fit[:2], default=None)
         return (None, None) if best is None else best[2:]
 
     def _fitted(self, mistake: Mistake) -> Mistake:
@@ -196,24 +186,24 @@ class _Told:
             yield self._said(verdict.SHIFTED)
         if self.mistake is not None:
             yield self._said(self.mistake.kind)
-        apart = (one for one in self.asked.items if one.place in self.drawn.apart)
-        yield from (self._said(verdict.APART, one) for one in apart)
+        apart = (item for item in self.asked.items if item.place in self.drawn.apart)
+        yield from (self._said(verdict.APART, item) for item in apart)
         within = self._fits(self.mistake.values) if self.mistake is not None else np.zeros_like(self.near)
-        yield from (self._one(one, within) for one in self.asked.items)
+        yield from (self._one(item, within) for item in self.asked.items)
 
-    def _one(self, one: Item, within: Truths) -> Verdict:
-        k, value = one.place, self.drawn.values[one.place]
+    def _one(self, item: Item, within: Truths) -> Verdict:
+        k, value = item.place, self.drawn.values[item.place]
         if np.isnan(value):
-            return self._said(verdict.UNREAD if self.drawn.lines else verdict.MISSING, one)
+            return self._said(verdict.UNREAD if self.drawn.lines else verdict.MISSING, item)
         off = float(self.asked.off(self.drawn.values, self.asked.true)[k])
         if k in self.drawn.aside:
-            return self._said(verdict.ASIDE, one, off)
+            return self._said(verdict.ASIDE, item, off)
         if self.near[k] or (self.follows[k] and self.rightly):
-            return self._said(verdict.RIGHT, one, off)
+            return self._said(verdict.RIGHT, item, off)
         if self.follows[k] or within[k] or self._goes_on(k):
-            return self._said(verdict.FOLLOWS, one, off)
+            return self._said(verdict.FOLLOWS, item, off)
         back = not self.drawn.lines and self.asked.off(-self.drawn.values, self.asked.true)[k] <= self.allowed[k]
-        said = self._said(verdict.REVERSED if back else verdict.WRONG, one, off)
+        said = self._said(verdict.REVERSED if back else verdict.WRONG, item, off)
         return said if off > self.allowed[k] else self._of_step(said, k)
 
     def _of_step(self, said: Verdict, k: int) -> Verdict:
@@ -231,28 +221,28 @@ class _Told:
             return False
         return any(self._stepped(int(before[-1]), k, due) for due in (self.asked.true, *self.going_on))
 
-    def _said(self, kind: str, one: Item | None = None, off: float | None = None) -> Verdict:
+    def _said(self, kind: str, item: Item | None = None, off: float | None = None) -> Verdict:
         asked = self.asked
-        if one is None:
+        if item is None:
             return Verdict(asked.plan, None, "", kind, unit=asked.unit)
-        arrow = self.drawn.arrows.get(one.place)
+        arrow = self.drawn.arrows.get(item.place)
         at = None if arrow is None else (arrow.start, arrow.end)
-        allowed = float(self.allowed[one.place])
-        return Verdict(asked.plan, None, one.called, kind, off, allowed, asked.unit, at, ("", one.name))
+        allowed = float(self.allowed[item.place])
+        return Verdict(asked.plan, None, item.called, kind, off, allowed, asked.unit, at, ("", item.name))
 
 
 def figures_drawn(seen: SeenSheet, asked: Sequence[FigureAsked]) -> dict[str, tuple[DrawnFigure, ...]]:
     """Find the figures on a sheet, by the sheet of the task that it is: that of which it has most figures."""
-    own: dict[str, list[DrawnFigure]] = {}
-    for one in asked:
-        drawn = _drawn(one, seen)
+    sheets: dict[str, list[DrawnFigure]] = {}
+    for figure in asked:
+        drawn = _drawn(figure, seen)
         if drawn is not None:
-            own.setdefault(one.sheet, []).append(drawn)
+            sheets.setdefault(figure.sheet, []).append(drawn)
     kept: dict[str, tuple[DrawnFigure, ...]] = {}
-    for sheet in sorted(own, key=lambda name: _likeness(own[name]), reverse=True):
-        plans = {one.asked.plan for found in kept.values() for one in found}
-        if plans.isdisjoint(one.asked.plan for one in own[sheet]):
-            kept[sheet] = tuple(own[sheet])
+    for sheet in sorted(sheets, key=lambda name: _likeness(sheets[name]), reverse=True):
+        plans = {drawn.asked.plan for found in kept.values() for drawn in found}
+        if plans.isdisjoint(drawn.asked.plan for drawn in sheets[sheet]):
+            kept[sheet] = tuple(sheets[sheet])
     return kept
 
 
@@ -264,8 +254,9 @@ def _drawn(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
 
 def _likeness(found: Sequence[DrawnFigure]) -> tuple[int, float]:
     """Tell how much of a sheet is there, and how near it is: sheets of several cams have figures of one name."""
-    apart = [np.nanmean(one.asked.off(one.values, one.asked.true)) / (one.asked.largest or 1.0) for one in found]
-    return sum(len(one.arrows) for one in found), -float(np.mean(apart))
+    pairs = ((figure.asked, figure.values) for figure in found)
+    apart = [np.nanmean(asked.off(values, asked.true)) / (asked.largest or 1.0) for asked, values in pairs]
+    return sum(len(figure.arrows) for figure in found), -float(np.mean(apart))
 
 
 def figure_verdicts(
@@ -283,20 +274,20 @@ def figure_verdicts(
     cannot be read. `vectors` are those of plans beside them, by their names, that figures may rest on. On the axes of
     `empty` ones nothing is drawn.
     """
-    for sheet in dict.fromkeys(one.sheet for one in asked):
-        due, found = [one for one in asked if one.sheet == sheet], drawn.get(sheet, ())
-        judge, there = FigureJudge(due, vectors), {one.asked.key: one for one in found}
-        for one in due if found or sheet in sheets else ():
-            if one.key in there and there[one.key].doubled:
-                yield Verdict(one.plan, None, "", verdict.DOUBLED, unit=one.unit)
-            elif one.key in there:
-                yield from judge.verdicts(there[one.key], allowed(one))
-            elif (found and (_is_graph(one) or not any(drawn.free for drawn in found))) or (
-                sheet in marked or one.plan in empty
+    for sheet in dict.fromkeys(figure.sheet for figure in asked):
+        due, found = [figure for figure in asked if figure.sheet == sheet], drawn.get(sheet, ())
+        judge, there = FigureJudge(due, vectors), {figure.asked.key: figure for figure in found}
+        for figure in due if found or sheet in sheets else ():
+            if figure.key in there and there[figure.key].doubled:
+                yield Verdict(figure.plan, None, "", verdict.DOUBLED, unit=figure.unit)
+            elif figure.key in there:
+                yield from judge.verdicts(there[figure.key], allowed(figure))
+            elif (found and (_is_graph(figure) or not any(drawn.free for drawn in found))) or (
+                sheet in marked or figure.plan in empty
             ):
-                yield from _missing(one)
+                yield from _missing(figure)
             else:
-                yield Verdict(one.plan, None, "", verdict.UNREAD, unit=one.unit)
+                yield Verdict(figure.plan, None, "", verdict.UNREAD, unit=figure.unit)
 
 
 def _is_graph(asked: FigureAsked) -> bool:
@@ -305,15 +296,15 @@ def _is_graph(asked: FigureAsked) -> bool:
 
 
 def _missing(asked: FigureAsked) -> Iterator[Verdict]:
-    for one in asked.items:
-        yield Verdict(asked.plan, None, one.called, verdict.MISSING, unit=asked.unit, letters=("", one.name))
+    for item in asked.items:
+        yield Verdict(asked.plan, None, item.called, verdict.MISSING, unit=asked.unit, letters=("", item.name))
 
 
 def allowed_of(asked: FigureAsked, by: Allowances, coarse: float) -> Floats:
     """Give what each value of a figure may be out, true units."""
     found = np.array(_allowed(asked, by.by, coarse))
-    for one in asked.items:
-        found[one.place] = _allowed(asked, by.to(one.called), coarse)[one.place]
+    for item in asked.items:
+        found[item.place] = _allowed(asked, by.to(item.called), coarse)[item.place]
     return found
 
 

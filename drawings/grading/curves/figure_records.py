@@ -7,7 +7,7 @@ is a point seen from the pole. The arrays of a figure have a value for each of i
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, TypeAlias
@@ -22,7 +22,7 @@ from drawings.paper.strokes import Leaf, Line
 from drawings.paper.walk import flat, group_named
 from drawings.reading.marks import MeasuredPoint, MeasuredVector
 from drawings.reading.measure import Measured
-from drawings.redrawn.originals import Originals
+from drawings.redrawn.originals import Original, Originals
 from geometry.hand_error import EVEN
 from plans.model.dynamics import TURN
 from plans.model.motion import Complexes, Floats
@@ -134,7 +134,7 @@ class FigureAsked:
     @property
     def places(self) -> npt.NDArray[np.intp]:
         """The places that are asked for."""
-        return np.array([one.place for one in self.items], dtype=np.intp)
+        return np.array([item.place for item in self.items], dtype=np.intp)
 
     def off(self, drawn: Complexes, due: Complexes) -> Floats:
         """Give how far drawn values are from what they should be, true units; of a bearing across it."""
@@ -162,7 +162,7 @@ class FigureAsked:
 FLUSH = 0.05  # mm: a foot that is nearer to an axis stands on it; a sheet is written to a hundredth of that
 
 
-class OwnSheet(NamedTuple):
+class SceneSheet(NamedTuple):
     """A sheet of the scene as it is seen: its name, its strokes, its marks; and what is due on it."""
 
     name: str
@@ -172,7 +172,7 @@ class OwnSheet(NamedTuple):
 
     def marks(self, plan: str) -> dict[Place, MeasuredVector | MeasuredPoint]:
         """Give the marks of a plan by their names and positions."""
-        return {(one.name, one.position): one for one in self.measured.marks if one.plan == plan}
+        return {(mark.name, mark.position): mark for mark in self.measured.marks if mark.plan == plan}
 
     def figure(
         self, key: str, plan: str, places: Mapping[Any, int] | None = None, true: Complexes | None = None, **how: Any
@@ -182,25 +182,29 @@ class OwnSheet(NamedTuple):
         `true` are the values at all places, where more of them are known than are marked; `called` names a mark.
         """
         marks, called = self.marks(plan), how.pop("called", named_by_quantity)
-        own = {one: marks[one] for one in (marks if places is None else places) if one in marks}
-        if not own:
+        shown = {place: marks[place] for place in (marks if places is None else places) if place in marks}
+        if not shown:
             return
         if places is None or true is None:
-            places = {one: k for k, one in enumerate(own)}
-        values = np.zeros(len(own), dtype=np.complex128) if true is None else true.copy()
-        for one, mark in own.items():
-            row = self.due.get((MARKS[type(mark)], plan, *one))
+            places = {place: k for k, place in enumerate(shown)}
+        values = np.zeros(len(shown), dtype=np.complex128) if true is None else true.copy()
+        for place, mark in shown.items():
+            row = self.due.get((MARKS[type(mark)], plan, *place))
             if row is not None and (true is None or how.get("kind") not in SIZED) and math.isfinite(row.allowed):
-                values[places[one]] = row.vector
-        first = next(iter(own.values()))
+                values[places[place]] = row.vector
+        first = next(iter(shown.values()))
         plain = {"unit": first.unit, "scales": {self.letter(plan, first.scale): first.scale}, "slack": 0.0, **how}
         sizes = {name: np.broadcast_to(plain.get(name, PRICKED), len(values)) for name in ("slack", "error")}
-        items = tuple(Item(one[0], one[1], places[one], called(mark)) for one, mark in own.items())
+        items = tuple(Item(place[0], place[1], places[place], called(mark)) for place, mark in shown.items())
         yield FigureAsked(key=key, plan=plan, sheet=self.name, items=items, true=values, **plain | sizes)
 
     def vectors(self, plan: str) -> dict[int, MeasuredVector]:
         """Give the ordinates of a graph by their positions."""
-        return {one.position: one for one in self.measured.vectors if one.plan == plan and one.position is not None}
+        return {
+            vector.position: vector
+            for vector in self.measured.vectors
+            if vector.plan == plan and vector.position is not None
+        }
 
     def scales(self, plan: str, *figures: str) -> dict[str, float]:
         """Give the scales that are written over a figure, by their letters."""
@@ -209,7 +213,7 @@ class OwnSheet(NamedTuple):
 
     def letter(self, plan: str, mu: float) -> str:
         """Give the letter that a scale of a figure is written with."""
-        found = (letter for letter, own in self.scales(plan).items() if abs(own - mu) <= WRITTEN * mu)
+        found = (letter for letter, scale in self.scales(plan).items() if abs(scale - mu) <= WRITTEN * mu)
         return next(found, "")
 
     def paper(self, plan: str, abscissas: Floats, places: Mapping[int, int] | None = None) -> Paper | None:
@@ -217,31 +221,30 @@ class OwnSheet(NamedTuple):
 
         The places of its marks are their positions, or what `places` says of these.
         """
-        own = {k if places is None else places[k]: one for k, one in self.vectors(plan).items()}
-        if len(own) < 2:
+        feet = {k if places is None else places[k]: vector for k, vector in self.vectors(plan).items()}
+        if len(feet) < 2:
             return None
-        (first, one), (last, other) = min(own.items()), max(own.items())
-        step = (other.start - one.start) / (abscissas[last] - abscissas[first])
-        return self.over(plan, np.asarray(one.start + step * (abscissas - abscissas[first])), abscissas)
+        (first, vector), (last, other) = min(feet.items()), max(feet.items())
+        step = (other.start - vector.start) / (abscissas[last] - abscissas[first])
+        return self.over(plan, np.asarray(vector.start + step * (abscissas - abscissas[first])), abscissas)
 
     def over(self, plan: str, feet: Complexes, abscissas: Floats) -> Paper | None:
-        """Give where a graph lies whose ordinates have some feet; None where they stand on no line of it."""
-        axis = self._axis(plan, feet)
+        """Give where a graph lies whose ordinates have some feet: the longest line of it that has all."""
+        axis = self._longest(line for line in self._lines(plan) if line.start != line.end and _through(line, feet))
         return None if axis is None else Paper(axis, feet, abscissas)
 
     def ruled(self, plan: str, feet: Complexes) -> Paper | None:
         """Give where bars lie that begin at some places: the longest line of their figure is their axis."""
-        group = group_named(self.leaf.groups, plan)
-        lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
-        longest = max(lines, key=lambda one: abs(one.end - one.start), default=None)
-        return None if longest is None else Paper((longest.start, longest.end), feet, np.zeros(len(feet)))
+        axis = self._longest(self._lines(plan))
+        return None if axis is None else Paper(axis, feet, np.zeros(len(feet)))
 
-    def _axis(self, plan: str, feet: Complexes) -> tuple[complex, complex] | None:
-        """Give the longest line that all feet of a graph stand on."""
+    def _lines(self, plan: str) -> Iterator[Line]:
         group = group_named(self.leaf.groups, plan)
-        lines = [one for one in flat((group,)) if isinstance(one, Line)] if group is not None else []
-        own = [one for one in lines if one.start != one.end and _through(one, feet)]
-        longest = max(own, key=lambda one: abs(one.end - one.start), default=None)
+        return (stroke for stroke in flat(() if group is None else (group,)) if isinstance(stroke, Line))
+
+    @staticmethod
+    def _longest(lines: Iterable[Line]) -> tuple[complex, complex] | None:
+        longest = max(lines, key=lambda line: abs(line.end - line.start), default=None)
         return None if longest is None else (longest.start, longest.end)
 
 
@@ -262,7 +265,7 @@ def named_by_quantity(mark: MeasuredVector | MeasuredPoint) -> str:
 
 def by_number(marks: Mapping[int, MeasuredVector], places: Mapping[int, int] | None = None) -> dict[Place, int]:
     """Give the places of the ordinates of a graph: their positions, or what `places` says of these."""
-    return {(one.name, k): k if places is None else places[k] for k, one in sorted(marks.items())}
+    return {(mark.name, k): k if places is None else places[k] for k, mark in sorted(marks.items())}
 
 
 # By technique: of a study and our own sheet to the figures of that sheet, in the order in which they are drawn.
@@ -278,16 +281,12 @@ FIGURES: Final[Mapping[str, str]] = MappingProxyType(
 )
 
 
-def figures_asked(originals: Originals, kinds: Mapping[str, str] = FIGURES) -> tuple[FigureAsked, ...]:
+def figures_asked(originals: Originals) -> tuple[FigureAsked, ...]:
     """Give the curves that the sheets of a scene ask for."""
-    return tuple(one for sheet in originals.sheets for one in _of_sheet(originals, sheet.name, kinds))
+    return tuple(figure for sheet in originals.sheets for figure in _of_sheet(originals, sheet))
 
 
-def _of_sheet(originals: Originals, name: str, kinds: Mapping[str, str]) -> Sequence[FigureAsked]:
-    sheet = next(one for one in originals.sheets if one.name == name)
-    row = kinds.get(technique_of(sheet.kind))
-    if row is None:
-        return ()
-    seen = originals.seen(sheet)
-    own = OwnSheet(sheet.name, seen.leaf, seen.measured, originals.due(sheet))
-    return tuple(named(row)(originals.study, own))
+def _of_sheet(originals: Originals, sheet: Original) -> Iterator[FigureAsked]:
+    if row := FIGURES.get(technique_of(sheet.kind)):
+        seen = originals.seen(sheet)
+        yield from named(row)(originals.study, SceneSheet(sheet.name, seen.leaf, seen.measured, originals.due(sheet)))

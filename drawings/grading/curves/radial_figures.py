@@ -41,13 +41,13 @@ def from_rings(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     rings = _rings(seen, count) if count else None
     if rings is None:
         return None
-    lines, by = [one for one in flat(seen.leaf.groups) if isinstance(one, Line)], seen.measured.moved
+    lines, by = [stroke for stroke in flat(seen.leaf.groups) if isinstance(stroke, Line)], seen.measured.moved
     values = np.full(len(asked.true), complex(np.nan, np.nan))
     for number in range(1, count + 1):
-        own = np.flatnonzero(np.array(asked.rings) == number)
+        places = np.flatnonzero(np.array(asked.rings) == number)
         rays = np.array(list(_rays(lines, rings, number))) * np.conj(by.p) / abs(by.p)
-        dues = [asked.true[own], *(one.values[own] for one in asked.mistakes)]
-        values[own] = np.abs(asked.true[own]) * _paired(rays, dues)
+        dues = [asked.true[places], *(mistake.values[places] for mistake in asked.mistakes)]
+        values[places] = np.abs(asked.true[places]) * _paired(rays, dues)
     if np.isnan(values).all():
         return None
     arrows = {}
@@ -59,21 +59,21 @@ def from_rings(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
 
 def _rings(seen: SeenSheet, count: int) -> Rings | None:
     """Give the widest circles about one centre, one more than there are rings between them."""
-    circles = [one for one in flat(seen.leaf.groups) if isinstance(one, Circle)]
+    circles = [stroke for stroke in flat(seen.leaf.groups) if isinstance(stroke, Circle)]
     found = []
-    for middle in sorted(circles, key=lambda one: -one.radius):
-        about = sorted(one.radius for one in circles if abs(one.centre - middle.centre) <= PLACED)
+    for middle in sorted(circles, key=lambda circle: -circle.radius):
+        about = sorted(circle.radius for circle in circles if abs(circle.centre - middle.centre) <= PLACED)
         radii = [low for low, high in zip(about, [*about[1:], np.inf], strict=True) if high - low > PLACED]
         if len(radii) > count:
             found.append(Rings(middle.centre, tuple(radii[-count - 1 :])))
-    return max(found, key=lambda one: one.radii[-1], default=None)
+    return max(found, key=lambda rings: rings.radii[-1], default=None)
 
 
 def _rays(lines: Sequence[Line], rings: Rings, number: int) -> Iterator[complex]:
     """Give the ways of the lines that lead across a ring, from the centre."""
     inner, outer = rings.ring(number)
-    for one in lines:
-        near, far = sorted((one.start - rings.centre, one.end - rings.centre), key=abs)
+    for line in lines:
+        near, far = sorted((line.start - rings.centre, line.end - rings.centre), key=abs)
         if abs(near) <= inner + THROUGH and abs(far) >= outer - THROUGH and _radial(near, far):
             yield far / abs(far)
 
@@ -96,7 +96,7 @@ def _paired(rays: Complexes, dues: Sequence[Complexes]) -> Complexes:
         costs = np.hstack([np.abs(ways[:, None] - rays), np.full((len(ways), len(ways)), OPPOSITE)])
         columns = paired(costs.tolist())
         found.append((float(costs[np.arange(len(ways)), columns].sum()), np.append(rays, none)[columns]))
-    return min(found, key=lambda one: one[0])[1]
+    return min(found, key=lambda pairing: pairing[0])[1]
 
 
 HOLLOW = ("", "none", "#ffffff")  # what fills a circle that is no mass
@@ -116,8 +116,8 @@ def from_arms(asked: FigureAsked, seen: SeenSheet) -> DrawnFigure | None:
     scale, is_written = scales_on(asked, seen)
     values, turn = np.full(len(asked.true), complex(np.nan, np.nan)), seen.measured.moved.p
     for k, arrow in arrows.items():
-        own = arrow.vector / turn * (1.0 if asked.on_paper else scale["l"])
-        values[k] = own * abs(asked.true[k]) / abs(own) if asked.kind == BEARINGS and own else own
+        arm = arrow.vector / turn * (1.0 if asked.on_paper else scale["l"])
+        values[k] = arm * abs(asked.true[k]) / abs(arm) if asked.kind == BEARINGS and arm else arm
     return DrawnFigure(asked, values, arrows, is_written, free=True)
 
 
@@ -125,13 +125,15 @@ def arm_at(leaf: Leaf, plan: str, letter: str) -> tuple[complex, complex] | None
     """Give the ends of the arm of the mass that bears a letter, in its figure or where that is lost anywhere."""
     group = group_named(leaf.groups, plan)
     strokes = leaf.groups if group is None else (group,)
-    masses = [one.centre for one in flat(strokes) if isinstance(one, Circle) and one.style.fill not in HOLLOW]
+    masses = [
+        stroke.centre for stroke in flat(strokes) if isinstance(stroke, Circle) and stroke.style.fill not in HOLLOW
+    ]
     places = [label.place for label in labels_of(strokes).get(letter, ())]
     near = [(off(spot, place), spot) for spot in masses for place in places]
-    far, mass = min(near, key=lambda one: one[0], default=(NEAREST, 0j))
+    far, mass = min(near, key=lambda pair: pair[0], default=(NEAREST, 0j))
     if far >= NEAREST:
         return None
-    lines = [one for one in flat(strokes) if isinstance(one, Line)]
-    both = [ends for one in lines for ends in ((one.start, one.end), (one.end, one.start))]
+    lines = [stroke for stroke in flat(strokes) if isinstance(stroke, Line)]
+    both = [ends for line in lines for ends in ((line.start, line.end), (line.end, line.start))]
     arms = [ends for ends in both if abs(ends[1] - mass) <= PLACED]
     return max(arms, key=lambda ends: abs(ends[1] - ends[0]), default=None)

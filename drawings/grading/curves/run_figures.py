@@ -19,7 +19,7 @@ from drawings.grading.curves.figure_records import (
     FigureAsked,
     Item,
     Mistake,
-    OwnSheet,
+    SceneSheet,
     by_number,
 )
 from plans.analytic.dynamics.speeds import energy_at
@@ -50,11 +50,11 @@ def moved_means(drawn: Floats, after: Floats, before: Floats, means: Floats) -> 
         first = np.where((after[:-1] == 0) & (drawn[:-1] == 0), last, first)
         last = np.where((end == 0) & (drawn[1:] == 0) & ~jumps, first, last)
         right = np.where(jumps, end * first, drawn[1:])
-        one = np.abs(first - last) <= ALIKE
+        alike = np.abs(first - last) <= ALIKE
         moved = (drawn[:-1] - after[:-1] + right - end) / 2
     moved = np.where(np.isfinite(moved), moved, drawn[:-1] - after[:-1])
-    factor = np.where(one, first, 0.0) / 2 + np.where(one, last, 0.0) / 2
-    return np.where(one, means * factor, means + moved)
+    factor = np.where(alike, first, 0.0) / 2 + np.where(alike, last, 0.0) / 2
+    return np.where(alike, means * factor, means + moved)
 
 
 BEARING, CUT = "bearings of the loop", "cuts of the loop"
@@ -71,38 +71,38 @@ class Turned(NamedTuple):
         """The edges of the strips, rad."""
         return self.expected.cycle.turned
 
-    def works(self, own: Mapping[str, Complexes]) -> Complexes:
+    def works(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Add up the areas of the strips under a graph of moments, whose means are out as their edges are."""
         after, before = self.expected.graphs[MOMENTS], self.expected.before
-        means = moved_means(own[MOMENTS].imag, after, before, -self.expected.cycle.means)
+        means = moved_means(drawn[MOMENTS].imag, after, before, -self.expected.cycle.means)
         return np.asarray(1j * np.concatenate(([0.0], np.cumsum(means * np.diff(self.turned)))))
 
-    def surplus(self, own: Mapping[str, Complexes]) -> Complexes:
+    def surplus(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Take the works of the loads from those of the drive, which gives as much over the turn."""
-        works = own[WORKS].imag
+        works = drawn[WORKS].imag
         return np.asarray(1j * (works[0] + (works[-1] - works[0]) * self.turned / TURN - works))
 
-    def loop(self, own: Mapping[str, Complexes]) -> Complexes:
+    def loop(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Lay the surplus off over the inertia, mm."""
         inertia, energy = self.scales
-        return np.asarray(own[INERTIA].real / inertia + 1j * own[SURPLUS].imag / energy)
+        return np.asarray(drawn[INERTIA].real / inertia + 1j * drawn[SURPLUS].imag / energy)
 
-    def cuts(self, own: Mapping[str, Complexes]) -> Complexes:
+    def cuts(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Give what tangents of some bearings cut off the axis of energy, J: o1l, o1k."""
-        points, (low, high) = own[LOOP], (one.imag / one.real for one in own[BEARING])
+        points, (low, high) = drawn[LOOP], (ray.imag / ray.real for ray in drawn[BEARING])
         energy = self.scales[1]
         least = (points.imag - low * points.real).min() * energy
         most = (points.imag - high * points.real).max() * energy
         return np.array([1j * least, 1j * most])
 
-    def speeds(self, own: Mapping[str, Complexes]) -> Complexes:
+    def speeds(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Give the speeds above their mean from energies, inertias and what the tangents cut off, rad/s."""
         low, high = self.wheel.slopes
-        least, most = own[CUT].imag
+        least, most = drawn[CUT].imag
         whole = (most - least) / (high - low)
         energy = whole * high - most
         with np.errstate(divide="ignore", invalid="ignore"):
-            omega = np.sqrt(2 * (energy + own[SURPLUS].imag) / (whole + own[INERTIA].real))
+            omega = np.sqrt(2 * (energy + drawn[SURPLUS].imag) / (whole + drawn[INERTIA].real))
         return np.asarray(1j * (omega - self.expected.mean))
 
     @property
@@ -136,10 +136,10 @@ READ: Final = MappingProxyType(
 )
 
 
-def tachogram(own: OwnSheet, constructed: Run | None, exact: Run | None) -> Iterator[FigureAsked]:
+def tachogram(sheet: SceneSheet, constructed: Run | None, exact: Run | None) -> Iterator[FigureAsked]:
     """Give the tachogram of a sheet: the speeds where its stages end, and between, off the curve."""
-    marks = {one.name: one for one in own.measured.vectors if one.plan == TACHOGRAM}
-    scales = own.scales(TACHOGRAM)
+    marks = {vector.name: vector for vector in sheet.measured.vectors if vector.plan == TACHOGRAM}
+    scales = sheet.scales(TACHOGRAM)
     if not marks or constructed is None or exact is None or not {"t", "ω"} <= scales.keys():
         return
     instants = dict(_instants(constructed))
@@ -148,11 +148,11 @@ def tachogram(own: OwnSheet, constructed: Run | None, exact: Run | None) -> Iter
     true, drawn = (np.interp(t, *_rising(run)) for run in (exact, constructed))
     first = next(name for name in names if name in marks)
     zero = marks[first].start - instants[first] / scales["t"]
-    paper = own.over(TACHOGRAM, np.asarray(zero + t / scales["t"]), t)
+    paper = sheet.over(TACHOGRAM, np.asarray(zero + t / scales["t"]), t)
     # An instant is pricked too: on a steep curve it moves the speed that is read there.
     steep = np.abs(np.interp(t, constructed.t, constructed.epsilon)) * scales["t"] / scales["ω"]
     yield FigureAsked(
-        key=TACHOGRAM, plan=TACHOGRAM, sheet=own.name, unit=marks[first].unit,
+        key=TACHOGRAM, plan=TACHOGRAM, sheet=sheet.name, unit=marks[first].unit,
         scales={"t": scales["t"], "ω": scales["ω"]},
         items=tuple(Item(name, None, k, f"ω({name})") for k, name in enumerate(names)),
         true=np.asarray(1j * true), slack=np.abs(true - drawn), error=PRICKED * np.hypot(1.0, steep), kind=ORDINATES,
@@ -189,17 +189,17 @@ def _straight(run: Run, names: list[str], t: Floats) -> Iterator[Mistake]:
     yield Mistake(verdict.STRAIGHT, np.asarray(1j * np.interp(t, ends, np.interp(ends, *_rising(run)))))
 
 
-def bare_speeds(own: OwnSheet, expected: Turn, exact: Turn) -> Iterator[FigureAsked]:
+def bare_speeds(sheet: SceneSheet, expected: Turn, exact: Turn) -> Iterator[FigureAsked]:
     """Give the graph of the speeds without the flywheel."""
-    marks, before = own.vectors(BEFORE), expected.account.before
+    marks, before = sheet.vectors(BEFORE), expected.account.before
     if not marks or before is None:
         return
     turned = expected.cycle.turned
     divisions, sure = expected.task.divisions, exact.account.before
     places = np.searchsorted(turned, TURN * np.arange(divisions) / divisions - KNOWN).tolist()
-    paper = own.paper(BEFORE, turned, dict(enumerate(places)))
-    behind = (SURPLUS, INERTIA) if own.vectors(SURPLUS) and own.vectors(INERTIA) else ()
-    yield from own.figure(
+    paper = sheet.paper(BEFORE, turned, dict(enumerate(places)))
+    behind = (SURPLUS, INERTIA) if sheet.vectors(SURPLUS) and sheet.vectors(INERTIA) else ()
+    yield from sheet.figure(
         BEFORE, BEFORE, by_number(marks, dict(enumerate(places))), np.asarray(1j * before.omega), kind=ORDINATES,
         scales={"ω": next(iter(marks.values())).scale}, paper=paper, why=because("speed_by_energy"), behind=behind,
         slack=np.abs(before.omega - (before if sure is None else sure).omega), mistakes=tuple(_flywheeled(expected)),
@@ -213,9 +213,9 @@ class Bare:
 
     true: Speeds
 
-    def __call__(self, own: Mapping[str, Complexes]) -> Complexes:
+    def __call__(self, drawn: Mapping[str, Complexes]) -> Complexes:
         """Find the energy at which the mean of the least and the greatest speed is what it must be."""
-        surplus, inertia = own[SURPLUS].imag, own[INERTIA].real + self.true.inertia
+        surplus, inertia = drawn[SURPLUS].imag, drawn[INERTIA].real + self.true.inertia
         due = float(np.ptp(self.true.omega) / 2 + self.true.omega.min())
         energy = energy_at(due, surplus, inertia)
         if energy is None:  # with such energies the machine would stop: nothing follows from them

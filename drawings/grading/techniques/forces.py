@@ -41,7 +41,7 @@ def record_of_linkage(study: Study, leaf: Leaf) -> Record:
     if drawn is not None:
         plan = linkage.drafts([drawn]).positions
         names = comparison.analysis.points.keys() - linkage.mechanism.links[FRAME].points
-        found |= {(POSITIONS.plan, drawn, "", one): Found(one, Span(plan.pole, plan.point(one))) for one in names}
+        found |= {(POSITIONS.plan, drawn, "", name): Found(name, Span(plan.pole, plan.point(name))) for name in names}
     return Record(found, _plan_scales(leaf.metadata["scales"], shown, drawn), boards)
 
 
@@ -68,7 +68,7 @@ def record_of_forces(study: Study, leaf: Leaf) -> Record:
         plan = f"scheme {cut.label}"
         found |= {(f"forces-{cut.label}", k, "", name): one for name, one in _sides(drawn, cut)}
         found |= {(plan, k, "", one.name): one for one in _arms(drawn, cut)}
-        acting = (one.name for one in (*cut.loads, *cut.couples) if one.name != BALANCING)
+        acting = (load.name for load in (*cut.loads, *cut.couples) if load.name != BALANCING)
         known[plan] = [plain_name(letter_of(name, drafting)) for name in acting]
     found |= {(LEVER, k, "", one.name): one for one in _lever(drawn, drafting)}
     known[LEVER] = [name for names in known.values() for name in names]

@@ -37,10 +37,10 @@ SHOWN = (COUPLES, UNBALANCES, ALONG)
 def record_of_rotor(study: Study, leaf: Leaf) -> Record:
     """Give the record of the vectors of a rotor's sheet."""
     own: RotorStudy = study["rotor"]
-    arms = {f"h_{one.name}": own.rotor.arm(one.place) for one in own.rotor.masses}
-    radii = {f"r_{one.name}": one.radius for one in own.rotor.masses if one.radius is not None}
-    couples = {moment_letters(one.name): tuple(_of_arm(one, arms)) for one in own.rotor.masses}
-    unbalances = {unbalance_letters(one.name): tuple(_of_radius(one, radii)) for one in own.rotor.masses}
+    arms = {f"h_{mass.name}": own.rotor.arm(mass.place) for mass in own.rotor.masses}
+    radii = {f"r_{mass.name}": mass.radius for mass in own.rotor.masses if mass.radius is not None}
+    couples = {moment_letters(mass.name): tuple(_of_arm(mass, arms)) for mass in own.rotor.masses}
+    unbalances = {unbalance_letters(mass.name): tuple(_of_radius(mass, radii)) for mass in own.rotor.masses}
     found: dict[Letters, Found] = {(COUPLES, None, "", one.name): one for one in _polygon(own.drawing.moments, couples)}
     found |= {(UNBALANCES, None, "", one.name): one for one in _polygon(own.drawing.forces, unbalances)}
     found |= {(ALONG, None, "", one.name): one for one in _masses(own, study.comparison("rotor").analysis)}
@@ -61,10 +61,10 @@ def _masses(study: RotorStudy, balance: Balance) -> Iterator[Found]:
     """Give where the masses and the counterweights lie, looking along the shaft."""
     board = Board(ALONG)
     centre = board.given("O", 0j)
-    for one in study.rotor.masses:
-        if one.radius is not None:
-            name = f"m_{one.name}"
-            yield Found(name, Span(centre, board.given(name, one.radius * heading(one.angle))))
+    for mass in study.rotor.masses:
+        if mass.radius is not None:
+            name = f"m_{mass.name}"
+            yield Found(name, Span(centre, board.given(name, mass.radius * heading(mass.angle))))
     for correction, drawn in zip(balance.corrections, study.drawing.corrections, strict=True):
         size, radius = correction.moment.size, correction.radius
         if size and radius is not None:
@@ -72,14 +72,14 @@ def _masses(study: RotorStudy, balance: Balance) -> Iterator[Found]:
             yield Found(name, Span(centre, board.turn(name, drawn.mark, radius / size)), back=verdict.HEAVY)
 
 
-def _of_radius(one: Unbalance, radii: Mapping[str, float]) -> Iterator[Slip]:
+def _of_radius(mass: Unbalance, radii: Mapping[str, float]) -> Iterator[Slip]:
     """Give what a static moment is with the radius of another mass."""
     for name, radius in radii.items():
-        if one.mass is not None and name != f"r_{one.name}":
-            yield Slip(verdict.PRODUCT, one.mass * radius * heading(one.angle), name)
+        if mass.mass is not None and name != f"r_{mass.name}":
+            yield Slip(verdict.PRODUCT, mass.mass * radius * heading(mass.angle), name)
 
 
-def _of_arm(one: Unbalance, arms: Mapping[str, float]) -> Iterator[Slip]:
+def _of_arm(mass: Unbalance, arms: Mapping[str, float]) -> Iterator[Slip]:
     """Give what the moment of a mass is with the arm of another, or with its own arm taken the other way.
 
     >>> from fractions import Fraction
@@ -88,14 +88,14 @@ def _of_arm(one: Unbalance, arms: Mapping[str, float]) -> Iterator[Slip]:
     [('product', 0.2, 'h_1'), ('beyond', 0.1, '')]
     """
     for name, arm in arms.items():
-        if name != f"h_{one.name}":
-            yield Slip(verdict.PRODUCT, _moment(one) * arm, name)
+        if name != f"h_{mass.name}":
+            yield Slip(verdict.PRODUCT, _moment(mass) * arm, name)
         elif arm < 0:
-            yield Slip(verdict.BEYOND, -_moment(one) * arm)
+            yield Slip(verdict.BEYOND, -_moment(mass) * arm)
 
 
-def _moment(one: Unbalance) -> complex:
-    return one.moment * heading(one.angle)
+def _moment(mass: Unbalance) -> complex:
+    return mass.moment * heading(mass.angle)
 
 
 def record_of_bank(study: Study, leaf: Leaf) -> Record:
@@ -117,7 +117,7 @@ def _order_polygon(expected: Bank, polygon: OrderPolygon, plan: str, forces: dic
     """Give the vectors of the mechanisms laid end to end, and their sum; a moment is a force by its place."""
     board = Board(plan)
     pole = end = board.given("0", 0j)
-    members = {letters(polygon.kind, polygon.signed, one.name): one for one in expected.members}
+    members = {letters(polygon.kind, polygon.signed, member.name): member for member in expected.members}
     for name, _ in fanned(list(polygon.sides.items())):
         vector = _vector(board, polygon, members[name], forces)
         start, end = end, board.lay_off(f"{plan}:{name}", end, vector)
@@ -172,7 +172,7 @@ def record_of_balance(study: Study, leaf: Leaf) -> Record:
     plans = {SCHEME + state: list(_scheme(expected, state)) for state in expected.states}
     plans |= {MOMENTS: list(_moments(expected)), SHAKING: list(_shaking(expected))}
     found: dict[Letters, Found] = {(plan, k, "", one.name): one for plan, all_ in plans.items() for one in all_}
-    scales = {one.data["plan"]: float(one.data["scale"]) for one in groups(leaf.groups) if "scale" in one.data}
+    scales = {group.data["plan"]: float(group.data["scale"]) for group in groups(leaf.groups) if "scale" in group.data}
     return Record(found, {name: {k: scales[name]} for name in plans if name in scales})
 
 
@@ -224,11 +224,11 @@ def _laid(plan: str, laid: Sequence[Side]) -> tuple[list[Span], list[Span]]:
     return sides, corners
 
 
-def _lacking(expected: Balanced, state: str, one: Side) -> Iterator[Slip]:
+def _lacking(expected: Balanced, state: str, side: Side) -> Iterator[Slip]:
     """Give what the vector of a link is without the masses of one that follows it."""
     tree, solid = expected.own.tree, expected.solid(state)
     whole = sum(body.mass for body in solid)
-    stem = next((stem for stem in tree.stems if one.name == f"h_{stem.link}"), None)
+    stem = next((stem for stem in tree.stems if side.name == f"h_{stem.link}"), None)
     if stem is None:
         return
     angle = float(expected.comparison.motion.analysis.links[stem.link].angle[expected.shown])
@@ -236,7 +236,7 @@ def _lacking(expected: Balanced, state: str, one: Side) -> Iterator[Slip]:
         behind = set(tree.behind(other.link))
         mass = sum(body.mass for body in solid if body.link in behind)
         arm = (other.at - stem.origin) * cmath.rect(1.0, angle)
-        yield Slip(verdict.FORGOTTEN, one.value - arm * mass / whole, f"m_{'+'.join(map(str, sorted(behind)))}")
+        yield Slip(verdict.FORGOTTEN, side.value - arm * mass / whole, f"m_{'+'.join(map(str, sorted(behind)))}")
 
 
 def _shaking(expected: Balanced) -> Iterator[Found]:
