@@ -9,11 +9,11 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawRow
+from drawings.cam.due_values import ACCELERATION, TRAVEL, VELOCITY, CamValues, LawCourse
 from drawings.grading.curves.run_figures import moved_means
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
-from plans.analytic.cam.sizes import Side, least, sides_of, sizes
+from plans.analytic.cam.sizes import LimitLine, least, sides_of, sizes
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import Contour, Sizes
 from plans.model.motion import Complexes, Floats
@@ -32,7 +32,7 @@ def ruled(cam: Cam, sizes: Sizes, drawn: tuple[Floats, Floats], true: tuple[Floa
     return complex(cam.sense * offset, level)
 
 
-def _moved(side: Side, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> float:
+def _moved(side: LimitLine, drawn: tuple[Floats, Floats], true: tuple[Floats, Floats]) -> float:
     """Give by how much a ruler has moved along the axis of S', m: at the point that it touches then and now."""
     touches = [float((side.sign * velocity - side.tangent * way).max()) for velocity, way in (drawn, true)]
     return touches[0] - touches[1]
@@ -48,7 +48,7 @@ class CamCourses:
     expected: CamValues
 
     @property
-    def rows(self) -> Mapping[str, LawRow]:
+    def rows(self) -> Mapping[str, LawCourse]:
         """The diagrams of the law by their names."""
         return self.expected.rows
 
