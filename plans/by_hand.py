@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -44,9 +45,18 @@ def errors_by_hand(read: Mapping[str, Shown], hand: SlippingHand, by: Slipping =
 
     `by` finds how far each slip moves each mark: by the rules of the acts, or by trying them.
     """
-    found = by(hand, *(mark for told in read.values() for mark in _marks(told)))
+    scales = tuple((board, tuple(np.asarray(row).tolist())) for board, row in hand.scales.items())
+    return dict(zip(read, _errors(tuple(read.values()), hand.slip, scales, by), strict=True))
+
+
+@lru_cache(maxsize=16)  # a sheet is told them, and held to them
+def _errors(
+    read: tuple[Shown, ...], slip: float, scales: tuple[tuple[str, tuple[float, ...]], ...], by: Slipping
+) -> list[Floats]:
+    hand = SlippingHand(slip, {board: np.array(row) for board, row in scales})
+    found = by(hand, *(mark for told in read for mark in _marks(told)))
     with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
-        return {name: _error(told, found) for name, told in read.items()}
+        return [_error(told, found) for told in read]
 
 
 def _marks(told: Shown) -> tuple[Mark, ...]:

@@ -62,57 +62,63 @@ def veiled(
 
     Of strokes by their ids: areas of `clear` let show through what is under them, those of `gone` are not painted.
     """
-    own = list(_named(leaf.groups, ""))
-    idle = {*clear, *gone}
-    areas = [area for order, (one, _) in enumerate(own) if id(one) not in idle for area in _areas(order, one)]
+    strokes, names, idle = list[Stroke](), list[str](), {*clear, *gone}
+    _unfold(leaf.groups, "", strokes, names)
+    areas = [area for k, stroke in enumerate(strokes) if id(stroke) not in idle for area in _areas(k, stroke)]
     wide, cells = _squares(areas)
-    asked = range(len(own)) if among is None else [k for k, (one, _) in enumerate(own) if id(one) in among]
-    for order in _doubtful([own[k][0] for k in asked], asked, leaf, areas):
-        one, name = own[order]
-        if reason := _reason(order, one, leaf, wide, cells):
-            yield Unseen(one, reason, name)
+    asked = range(len(strokes)) if among is None else [k for k, stroke in enumerate(strokes) if id(stroke) in among]
+    for order in _doubtful([strokes[k] for k in asked], asked, leaf, areas):
+        if reason := _reason(order, strokes[order], leaf, wide, cells):
+            yield Unseen(strokes[order], reason, names[order])
 
 
 def _doubtful(strokes: Sequence[Stroke], orders: Sequence[int], leaf: Leaf, areas: Sequence[_Area]) -> list[int]:
     """Give the orders of the strokes that may be off the paper or under a later area, as the boxes of all tell."""
     if len(areas) > _MANY or not strokes:
         return list(orders)
-    reaches = [_reach(one) for one in strokes]
+    reaches = [_reach(stroke) for stroke in strokes]
     spots, begun = np.array([*chain.from_iterable(reaches)]), np.cumsum([0, *map(len, reaches[:-1])])
     left, low = (np.minimum.reduceat(part, begun) for part in (spots.real, spots.imag))
     right, high = (np.maximum.reduceat(part, begun) for part in (spots.real, spots.imag))
-    own = np.array(orders)
+    ranks = np.array(orders)
     found = ~((left >= 0) & (low >= 0) & (right <= leaf.width) & (high <= leaf.height))
     for order, _, _, (west, south, east, north) in areas:
-        found |= (own < order) & (left < east) & (right > west) & (low < north) & (high > south)
+        found |= (ranks < order) & (left < east) & (right > west) & (low < north) & (high > south)
     return [order for order, doubtful in zip(orders, found.tolist(), strict=True) if doubtful]
 
 
-def _reach(one: Stroke) -> Sequence[complex]:
+def _reach(stroke: Stroke) -> Sequence[complex]:
     """Give corners of a box in which all that is looked at of a stroke is for certain; of a curve any box."""
-    match one:
-        case Line():
-            return one.start, one.end
-        case Circle() | Arc():
-            return one.centre - one.radius * (1 + 1j), one.centre + one.radius * (1 + 1j)
+    match stroke:
         case Text():
-            turn = cmath.rect(one.size / 10, math.radians(one.rotation))
-            middle = one.at + _MIDDLE * turn
-            return middle, middle + len(one.plain) * (_WIDEST + _GAP) * turn
+            turn = _turn(stroke.rotation) * (stroke.size / 10)
+            middle = stroke.at + _MIDDLE * turn
+            return middle, middle + len(stroke.plain) * (_WIDEST + _GAP) * turn
+        case Line():
+            return stroke[:2]
+        case Circle() | Arc():
+            half = stroke.radius * (1 + 1j)
+            return stroke.centre - half, stroke.centre + half
         case Polyline() | Fill():
-            return one.points or _WHOLE
+            return stroke.points or _WHOLE
     return _WHOLE
+
+
+@lru_cache(maxsize=256)
+def _turn(rotation: float) -> complex:
+    return cmath.rect(1, math.radians(rotation))
 
 
 def small(leaf: Leaf, most: float) -> set[int]:
     """Give the strokes, by their ids, that fill no area wider than a symbol of so many mm from corner to corner."""
-    own = [one for one, _ in _named(leaf.groups, "")]
-    return {id(one) for one in own if all(area.wide <= most for area in _areas(0, one))}
+    strokes = list[Stroke]()
+    _unfold(leaf.groups, "", strokes, [])
+    return {id(stroke) for stroke in strokes if all(area.wide <= most for area in _areas(0, stroke))}
 
 
-def _reason(order: int, one: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: dict[_Cell, list[_Area]]) -> str:
-    spots = _spots(one)
-    most = 0 if isinstance(one, Text) else len(spots) // 2  # of lettering each letter counts
+def _reason(order: int, stroke: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: dict[_Cell, list[_Area]]) -> str:
+    spots = _spots(stroke)
+    most = 0 if isinstance(stroke, Text) else len(spots) // 2  # of lettering each letter counts
     width, height = leaf.width, leaf.height
     if sum([not (0 <= spot.real <= width and 0 <= spot.imag <= height) for spot in spots]) > most:
         return OUTSIDE
@@ -124,12 +130,14 @@ def _reason(order: int, one: Stroke, leaf: Leaf, wide: Sequence[_Area], cells: d
     return COVERED if under > most else ""
 
 
-def _named(strokes: Iterable[Stroke], name: str) -> Iterator[tuple[Stroke, str]]:
-    for one in strokes:
-        if isinstance(one, Group):
-            yield from _named(one.strokes, one.name or name)
+def _unfold(groups: Iterable[Stroke], name: str, strokes: list[Stroke], names: list[str]) -> None:
+    """List the strokes within groups in their order, and beside them the name of the innermost group that has one."""
+    for stroke in groups:
+        if isinstance(stroke, Group):
+            _unfold(stroke.strokes, stroke.name or name, strokes, names)
         else:
-            yield one, name
+            strokes.append(stroke)
+            names.append(name)
 
 
 def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Area]]]:
@@ -146,19 +154,24 @@ def _squares(areas: Iterable[_Area]) -> tuple[list[_Area], dict[_Cell, list[_Are
     return wide, cells
 
 
-def _areas(order: int, one: Stroke) -> Iterator[_Area]:
+def _areas(order: int, stroke: Stroke) -> Sequence[_Area]:
     """Give what a stroke fills; a broad line in the colour of paper fills what lies under it."""
-    if isinstance(one, Text | Group):
-        return
-    pale, white = _hides(one.style)
+    if isinstance(stroke, Text | Group):
+        return ()
+    pale, white = _hides(stroke.style)
+    return [*_filled(order, stroke, pale, white)] if pale or white else ()
+
+
+def _filled(order: int, stroke: Stroke, pale: bool, white: bool) -> Iterator[_Area]:
+    assert not isinstance(stroke, Text | Group)
     if pale:
-        if isinstance(one, Circle):
-            yield _area(order, (one.centre,), one.radius)
-        elif len(around := tuple(corners(one))) > 2:
+        if isinstance(stroke, Circle):
+            yield _area(order, (stroke.centre,), stroke.radius)
+        elif len(around := tuple(corners(stroke))) > 2:
             yield _area(order, around, 0.0)
     if white:
-        half = one.style.width / 2
-        for a, b in pairwise(corners(one)):
+        half = stroke.style.width / 2
+        for a, b in pairwise(corners(stroke)):
             side = (b - a) / abs(b - a) * 1j * half if a != b else 0j
             yield _area(order, (a + side, b + side, b - side, a - side), 0.0)
 

@@ -316,6 +316,25 @@ def _space(free: float, before: float, after: float, unit: float) -> tuple[float
 # Letters as a plain pen writes them: where each begins, and from there by steps.
 _LETTERS = re.compile(rf"M({_NUMBER}) ({_NUMBER})([lcm][^M]*)")
 _MOST = 6  # strokes of a letter with its accents
+_KNOWN = 4096  # letters of a pen that are remembered: a sheet of ours has some hundreds, a stranger's any number
+
+
+class _Pen(dict[str, Glyph | None]):
+    """The letters that a pen has drawn, each by its steps from its first point; None where it left no trace."""
+
+    def __init__(self, p: complex, q: complex, unit: float) -> None:
+        super().__init__()
+        self.linear, self.unit = Affine(p, q), unit
+
+    def __missing__(self, steps: str) -> Glyph | None:
+        trail = _trail([track.mapped(self.linear) for track in tracks(f"M0 0{steps}")])
+        if len(self) >= _KNOWN:
+            self.clear()
+        self[steps] = Glyph(trail, readings(trail, self.unit)) if trail.points else None
+        return self[steps]
+
+
+_pen = lru_cache(maxsize=64)(_Pen)
 
 
 def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
@@ -323,12 +342,12 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
     parts = _LETTERS.split(path)
     if any(parts[::4]):
         return None
-    (p, q, t), unit = place, style.width
-    spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
-    glyphs = tuple([_looked_up(steps, p, q, unit) for steps in parts[3::4]])
-    if not all([glyph.trail.points for glyph in glyphs]):  # noqa: C419  (a list is quicker: each letter is asked)
+    glyphs = tuple(map(_pen(place.p, place.q, style.width).__getitem__, parts[3::4]))
+    if None in glyphs:
         return None
-    return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), unit, glyphs)
+    p, q, t = place
+    spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))
+    return Letters(tuple([p * one + q * one.conjugate() + t for one in spots]), style.width, glyphs)
 
 
 def any_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
@@ -345,14 +364,6 @@ def any_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
 def pen_of_letters(style: LineStyle) -> bool:
     """Tell whether a line may be that of a letter: round at its ends, without gaps, not filled."""
     return style.cap == "round" and not style.dash and style.fill == "none" and style.colour != "none"
-
-
-@lru_cache(maxsize=16384)
-def _looked_up(steps: str, p: complex, q: complex, unit: float) -> Glyph:
-    """Look up a letter by its steps from its first point."""
-    linear = Affine(p, q)
-    trail = _trail([track.mapped(linear) for track in tracks(f"M0 0{steps}")])
-    return Glyph(trail, readings(trail, unit))
 
 
 def _longest(left: Sequence[Track], unit: float) -> Glyph:

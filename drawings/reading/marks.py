@@ -79,9 +79,7 @@ def called(data: Mapping[str, str]) -> Message:
 
 
 def marked(attributes: Mapping[str, str]) -> dict[str, str]:
-    """Give the data of an element, {} if it is no mark."""
-    if attributes.get("data-kind") not in KINDS:
-        return {}
+    """Give the data of an element that is a mark."""
     return {name.removeprefix(_PREFIX): text for name, text in attributes.items() if name.startswith(_PREFIX)}
 
 

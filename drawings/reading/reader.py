@@ -12,10 +12,10 @@ from xml.parsers import expat
 
 from drawings.paper import limits
 from drawings.paper.limits import OverLimit, SheetRefused
-from drawings.reading.marks import LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
+from drawings.reading.marks import KINDS, LINES, LONGEST, Frame, SheetMark, Witness, called, drawn, marked
 from drawings.reading.pathdata import pair
 from drawings.reading.transform import Viewport, about, transform, viewport
-from drawings.reading.visibility import ANIMATIONS, Look, Said, presented, said, telling
+from drawings.reading.visibility import ANIMATIONS, Look, Said, presented, said, teller, telling
 from plans.words.words import Message, message
 
 _BEGINNINGS = {
@@ -81,7 +81,7 @@ class _Reader:
         self.frames: list[Frame] = []
         self.ids: set[str] = set()
         self.elements = self.entities = self.ampersands = self.path_length = 0
-        self.known: dict[tuple[Frame, str, Said], Frame] = {}  # by what an element stands in, its name, its look
+        self.known: dict[object, Frame] = {}  # by what an element stands in, its name, its look
         self.hearing, self.heard = "", list[str]()  # what tag is heard, and its text
         self.heard_depth = self.heard_length = 0
         self.left_aside: set[str] = set()
@@ -143,7 +143,8 @@ class _Reader:
         if len(attributes) > limits.ELEMENT_ATTRIBUTES:
             raise OverLimit("attributes", limit=limits.ELEMENT_ATTRIBUTES)
         space, _, tag = name.rpartition(" ")
-        self._name(attributes)
+        if (own := attributes.get("id")) is not None:
+            self._name(own)
         if self.sheet is None:
             self._open(space, tag, attributes)
         else:
@@ -151,11 +152,10 @@ class _Reader:
         if self.witness is not None:
             self.witness.enter(self.frames[-1], attributes)
 
-    def _name(self, attributes: Mapping[str, str]) -> None:
-        if (own := attributes.get("id")) is not None:
-            if own in self.ids:
-                raise SheetRefused("id", name=own[:LONGEST])
-            self.ids.add(own)
+    def _name(self, own: str) -> None:
+        if own in self.ids:
+            raise SheetRefused("id", name=own[:LONGEST])
+        self.ids.add(own)
 
     def _open(self, space: str, tag: str, attributes: Mapping[str, str]) -> None:
         if (space, tag) != (_SVG, "svg"):
@@ -170,14 +170,15 @@ class _Reader:
     def _enter(self, name: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         if tag in _TELLING or self.hearing:
             self._listen(tag, attributes)
-        alike = (self.frames[-1], name, said(attributes))
+        names, values = teller(tuple(attributes))
+        alike = (self.frames[-1], name, names, values(attributes))
         if (frame := self.known.get(alike)) is None:
-            frame = self._framed(*alike, sheet)
+            frame = self._framed(self.frames[-1], name, said(attributes), sheet)
             if len(self.known) < KNOWN:
                 self.known[alike] = frame
         self.frames.append(frame)
-        if frame.tag and (data := marked(attributes)):
-            self._mark(frame, data, attributes, sheet)
+        if frame.tag and attributes.get("data-kind") in KINDS:
+            self._mark(frame, marked(attributes), attributes, sheet)
 
     def _framed(self, outer: Frame, name: str, telling_look: Said, sheet: ReadSheet) -> Frame:
         space, _, tag = name.rpartition(" ")

@@ -102,6 +102,7 @@ _MADE = ("var(", "env(", "attr(", "calc(")  # what a viewer works out
 _FOREIGN = "-webkit-"
 
 
+@lru_cache(maxsize=1024)
 def effect(said: Said) -> str:
     """Name a property of an element that changes what is seen of it and is not followed; "" if there is none.
 
@@ -194,6 +195,8 @@ class Observer:
     def leave(self) -> None:
         """See the innermost element end."""
         one = self.open.pop()
+        if one.frame.tag in SHAPES and not one.strokes:
+            return
         match one.frame.tag:
             case "g":
                 self._close(one)

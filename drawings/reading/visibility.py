@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
+from operator import itemgetter
 from typing import Any, NamedTuple, TypeAlias
 
 from drawings.paper.limits import NUMERAL_LENGTH, SheetRefused
@@ -80,14 +81,21 @@ class Presentation(NamedTuple):
 
 def said(attributes: Mapping[str, str]) -> Said:
     """Give the attributes of an element that may tell of its look."""
-    return tuple([(name, attributes[name]) for name in _telling(tuple(attributes))])
+    return tuple((name, text) for name, text in attributes.items() if _tells(name))
+
+
+def _tells(name: str) -> bool:
+    return name not in _PLACES and not name.startswith(_DATA)
 
 
 @lru_cache(maxsize=1024)  # few elements have other attributes than the rest of their kind
-def _telling(names: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(name for name in names if name not in _PLACES and not name.startswith(_DATA))
+def teller(names: tuple[str, ...]) -> tuple[tuple[str, ...], Callable[[Mapping[str, str]], object]]:
+    """Give those of an element's attributes, by their names, that may tell of its look, and how to take out theirs."""
+    telling = tuple(name for name in names if _tells(name))
+    return telling, itemgetter(*telling) if telling else lambda attributes: ()
 
 
+@lru_cache(maxsize=1024)  # the sheets of a set have the same looks
 def presented(outer: Look, tag: str, said: Said) -> Presentation:
     """Give the presentation of an element inside another: by its attributes, overruled by its style."""
     own = {name: text.strip(SPACE) for name, text in said if name in _LOOKS} | declarations(said)

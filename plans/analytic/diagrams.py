@@ -12,6 +12,7 @@ from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Extremes, Floats, Motion
 
 NODES = 360  # of the axis at least, close enough to follow an angle by
+SAME = 1e-12  # rad: what rounding sets an angle and itself apart by
 
 
 def alone(road: Analysis, output: Output, extremes: Extremes | None, motion: Motion, whole: bool) -> Diagrams | None:
@@ -61,14 +62,12 @@ class ExactCourse:
             self.along = np.unwrap(self.along)
         self.count = self._count(extremes)
         self.dense = self.count.course(self.nodes, [self.along, *rates], abs(road.mechanism.drive.omega))
-        self._last = self.nodes.tobytes(), self.dense
 
     def course(self, turned: Floats) -> Course:
-        """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN. The last is kept."""
-        if turned.tobytes() != self._last[0]:
-            own = self.count.course(turned, self.at(turned), abs(self.road.mechanism.drive.omega))
-            self._last = turned.tobytes(), own
-        return self._last[1]
+        """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN. That at nodes is kept."""
+        if turned.shape == self.nodes.shape and np.abs(turned - self.nodes).max() <= SAME:
+            return self.dense
+        return self.count.course(turned, self.at(turned), abs(self.road.mechanism.drive.omega))
 
     def at(self, turned: Floats, followed: bool = True) -> list[Floats]:
         """Give the coordinate, its velocity and acceleration at angles of the axis, (N,) each; NaN at NaN."""
