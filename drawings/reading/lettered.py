@@ -319,18 +319,21 @@ _MOST = 6  # strokes of a letter with its accents
 _KNOWN = 4096  # letters of a pen that are remembered: a sheet of ours has some hundreds, a stranger's any number
 
 
-class _Pen(dict[str, Glyph | None]):
-    """The letters that a pen has drawn, each by its steps from its first point; None where it left no trace."""
+_BLANK = Glyph(Trail((), ()), {})
+
+
+class _Pen(dict[str, Glyph]):
+    """The letters that a pen has drawn, each by its steps from its first point; blank where it left no trace."""
 
     def __init__(self, p: complex, q: complex, unit: float) -> None:
         super().__init__()
         self.linear, self.unit = Affine(p, q), unit
 
-    def __missing__(self, steps: str) -> Glyph | None:
+    def __missing__(self, steps: str) -> Glyph:
         trail = _trail([track.mapped(self.linear) for track in tracks(f"M0 0{steps}")])
         if len(self) >= _KNOWN:
             self.clear()
-        self[steps] = Glyph(trail, readings(trail, self.unit)) if trail.points else None
+        self[steps] = Glyph(trail, readings(trail, self.unit)) if trail.points else _BLANK
         return self[steps]
 
 
@@ -343,7 +346,7 @@ def plain_letters(path: str, place: Affine, style: LineStyle) -> Letters | None:
     if any(parts[::4]):
         return None
     glyphs = tuple(map(_pen(place.p, place.q, style.width).__getitem__, parts[3::4]))
-    if None in glyphs:
+    if _BLANK in glyphs:
         return None
     p, q, t = place
     spots = map(complex, map(float, parts[1::4]), map(float, parts[2::4]))

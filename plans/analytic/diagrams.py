@@ -64,7 +64,7 @@ class ExactCourse:
         self.dense = self.count.course(self.nodes, [self.along, *rates], abs(road.mechanism.drive.omega))
 
     def course(self, turned: Floats) -> Course:
-        """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN. That at nodes is kept."""
+        """Give the course at angles of the axis, (N,), as the diagrams count; NaN at NaN. At its nodes it is known."""
         if turned.shape == self.nodes.shape and np.abs(turned - self.nodes).max() <= SAME:
             return self.dense
         return self.count.course(turned, self.at(turned), abs(self.road.mechanism.drive.omega))
