@@ -57,7 +57,7 @@ class CutLinks:
     def size(self) -> float:
         """How large the cut is: the greatest distance of its points, or how far a lone one is off, m."""
         spots = [*self.points.values(), *self.slots]
-        return max(abs(one - other) for one in spots for other in spots) or self.reach
+        return max(abs(spot - other) for spot in spots for other in spots) or self.reach
 
     @cached_property
     def slots(self) -> list[complex]:
@@ -85,8 +85,10 @@ class CutLinks:
     @property
     def feet(self) -> list[complex]:
         """The shown places of blocks that stand off their points, on guides beside these."""
-        held = (slide for slide in self.mechanism.slides if slide.owner == FRAME)
-        return [complex(self.numbered.blocks(one)[self.shown]) for one in held if offset_foot(self, one) is not None]
+        slides = [
+            slide for slide in self.mechanism.slides if slide.owner == FRAME and offset_foot(self, slide) is not None
+        ]
+        return [complex(self.numbered.blocks(slide)[self.shown]) for slide in slides]
 
     def middle(self, link: int) -> complex:
         """Give the middle of a link's points, m."""
@@ -98,17 +100,17 @@ def cut_links(plan: ForcePlan, cut: Cut, column: int) -> CutLinks:
     """Take the links of a cut out of the mechanism in one position."""
     whole = plan.mechanism
     all_poses = poses(whole, plan.positions, _count(plan, column))
-    own = {link: whole.links[link] for link in cut.links}
-    places = {name: complex(all_poses.points[name][column]) for link in own.values() for name in link.points}
-    pins = _inner(own)
+    cut_off = {link: whole.links[link] for link in cut.links}
+    places = {name: complex(all_poses.points[name][column]) for link in cut_off.values() for name in link.points}
+    pins = _inner(cut_off)
     still = {name: places[name] for name in places if name in whole.links[FRAME].points} if cut.group is None else {}
     away = {name: place for name, place in places.items() if name in whole.hinges and name not in (*pins, *still)}
-    slides = [_held(slide, all_poses, column) if slide.owner not in own else slide for slide in whole.slides
-              if slide.slider in own]  # fmt: skip
-    links = {FRAME: Link(FRAME, still), **({AWAY: Link(AWAY, away)} if away else {}), **own}
+    slides = [_held(slide, all_poses, column) if slide.owner not in cut_off else slide for slide in whole.slides
+              if slide.slider in cut_off]  # fmt: skip
+    links = {FRAME: Link(FRAME, still), **({AWAY: Link(AWAY, away)} if away else {}), **cut_off}
     turns = {link: all_poses.turns.get(link, all_poses.turns[FRAME]) for link in links}
     kept = Poses(links, {name: all_poses.points[name] for name in places}, turns)
-    travels = {slide: _travel(all_poses, slide) for slide in whole.slides if slide.owner in own}
+    travels = {slide: _travel(all_poses, slide) for slide in whole.slides if slide.owner in cut_off}
     reduced = replace(whole, links=links, slides=tuple(slides))
     return CutLinks(reduced, list(cut.links), kept, column, _masses(plan, cut), travels)
 
@@ -119,9 +121,9 @@ def _count(plan: ForcePlan, column: int) -> int:
     return max([*sizes, column + 1])
 
 
-def _inner(own: Mapping[int, Link]) -> set[str]:
+def _inner(links: Mapping[int, Link]) -> set[str]:
     """Give the points that two links of the cut share."""
-    first, *others = own.values()
+    first, *others = links.values()
     return {name for other in others for name in other.points if name in first.points}
 
 
@@ -219,8 +221,8 @@ def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterato
 def _hinge(support: Support, column: int) -> Iterator[ShownVector]:
     """Give the reaction of a hinge by its parts, or whole where it has none."""
     place = at(support.at.point, column)
-    for one in support.parts or (support.force,):
-        yield ShownVector(one.name, UNKNOWN, place, at(one.point, column), support.at.name)
+    for part in support.parts or (support.force,):
+        yield ShownVector(part.name, UNKNOWN, place, at(part.point, column), support.at.name)
 
 
 def _guide(

@@ -51,9 +51,9 @@ def leverages(plan: ForcePlan, cut: Cut, column: int) -> tuple[Leverage, ...]:
     """
     arms: list[Leverage] = []
     start = 0
-    for one in plan.cuts:
-        arms = list(_of(plan, one, column, start))
-        if one is cut:
+    for numbered in plan.cuts:
+        arms = list(_of(plan, numbered, column, start))
+        if numbered is cut:
             break
         start += len({arm.letter for arm in arms if arm.dimensioned})
     return tuple(arms)
@@ -112,10 +112,10 @@ def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
     return same or f"h_{{{start + len({other.letter for other in known if other.dimensioned}) + 1}}}"
 
 
-def _one_line(one: Leverage, other: Leverage) -> bool:
+def _one_line(arm: Leverage, other: Leverage) -> bool:
     """Tell whether two forces have one line of action and one point of moments."""
-    near = NOTHING * abs(one.at - one.pivot)
-    return one.about == other.about and abs(one.foot - other.foot) <= near and one.dimensioned
+    near = NOTHING * abs(arm.at - arm.pivot)
+    return arm.about == other.about and abs(arm.foot - other.foot) <= near and arm.dimensioned
 
 
 POLE = "p"
@@ -153,29 +153,30 @@ def terms(
 ) -> tuple[LeverTerm, ...]:
     """Give the terms in the order of hanging, the balancing force first; what has no moment about the pole is none."""
     # What rounding leaves of the greatest force at the greatest speed is no moment, even where there are no others.
-    greatest = max((abs(one.value) for one in forces), default=0.0) * max((abs(one.at) for one in forces), default=0.0)
-    told, number = list[LeverTerm](), 0
-    for name, own in _together(forces).items():
-        moment = sum(one.moment for one in own)
-        first, size = own[0], abs(own[0].value)
+    furthest = max((abs(force.at) for force in forces), default=0.0)
+    greatest = max((abs(force.value) for force in forces), default=0.0) * furthest
+    found, number = list[LeverTerm](), 0
+    for name, pair in _together(forces).items():
+        moment = sum(force.moment for force in pair)
+        first, size = pair[0], abs(pair[0].value)
         if not abs(moment) > NOTHING * greatest:
             continue
         length, sense = abs(moment) / size, 1 if moment > 0 else -1
-        arm = _line(own, images, length)
+        arm = _line(pair, images, length)
         if not arm:
             number += first.kind != BALANCE
             arm = by_language(drafting.language, f"{ARM}_{{{'bal' if first.kind == BALANCE else number}}}")
         letter = _couple(name, drafting) if first.kind == PAIR else letter_of(name, drafting)
-        told.append(LeverTerm(name, letter, size, arm, length, sense, first.at, first.direction))
-    return tuple(told)
+        found.append(LeverTerm(name, letter, size, arm, length, sense, first.at, first.direction))
+    return tuple(found)
 
 
 def _together(forces: Sequence[ShownVector]) -> dict[str, list[ShownVector]]:
     """Take both forces of a couple together."""
-    own: dict[str, list[ShownVector]] = {}
-    for one in forces:
-        own.setdefault(one.name, []).append(one)
-    return own
+    named: dict[str, list[ShownVector]] = {}
+    for force in forces:
+        named.setdefault(force.name, []).append(force)
+    return named
 
 
 def _couple(name: str, drafting: Drafting) -> str:
@@ -184,11 +185,11 @@ def _couple(name: str, drafting: Drafting) -> str:
     return f"{letter_of(moment, drafting)}/l_{{{line}}}"
 
 
-def _line(own: Sequence[ShownVector], images: Sequence[tuple[complex, str]], length: float) -> str:
+def _line(pair: Sequence[ShownVector], images: Sequence[tuple[complex, str]], length: float) -> str:
     """Letter an arm that is a line between two images, or from the pole to one; "" where it is not."""
-    places = [one.at for one in own]
+    places = [force.at for force in pair]
     start = places[1] if len(places) > 1 else 0j
-    if own[0].kind != PAIR and not abs(abs(places[0] - start) - length) <= NOTHING * length:
+    if pair[0].kind != PAIR and not abs(abs(places[0] - start) - length) <= NOTHING * length:
         return ""
     return "".join(_image(place, images) for place in (start, places[0]))
 
@@ -197,9 +198,9 @@ def _image(place: complex, images: Sequence[tuple[complex, str]]) -> str:
     """Name the image nearest to a place; of those that fall on one place the last."""
     if not place:
         return POLE
-    return with_index(min(reversed(images), key=lambda one: tied(abs(one[0] - place) / abs(place)))[1])
+    return with_index(min(reversed(images), key=lambda image: tied(abs(image[0] - place) / abs(place)))[1])
 
 
-def statements(told: Sequence[LeverTerm]) -> Iterator[tuple[str, float]]:
+def statements(equation: Sequence[LeverTerm]) -> Iterator[tuple[str, float]]:
     """Give each arm once, by its letter and its length m/s."""
-    yield from {one.arm: one.length for one in told}.items()
+    yield from {term.arm: term.length for term in equation}.items()

@@ -55,8 +55,8 @@ class _Curves:
         """What the two roads may differ by in what balances the drive."""
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
         found = self.comparison.analysis
-        told = [force for force in self.comparison.of("forces") if force.name.startswith(name)]
-        bounds = [found.counted(force.allowed) for force in told]
+        balancing = [force for force in self.comparison.of("forces") if force.name.startswith(name)]
+        bounds = [found.counted(force.allowed) for force in balancing]
         return 2 * float(max(map(np.nanmax, bounds))) + max(share * found.nothing[1], found.nothing[0])
 
     @cached_property

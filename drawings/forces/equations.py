@@ -48,9 +48,9 @@ class Equations:
 
     def passage(self, name: str) -> Passage:
         """Write arms, equations of moments with what they give, and the equation of forces."""
-        lines = [*self._given(), *self._slotted(), *(line for one in self.cut.equations for line in self._moments(one))]
-        lines += [*self._forces(), *self._found()]
-        return Passage(name, tuple(lines), self.drafting.hand.text, figure=f"{name}-{self.column}")
+        turning = (line for equation in self.cut.equations for line in self._moments(equation))
+        lines = *self._given(), *self._slotted(), *turning, *self._forces(), *self._found()
+        return Passage(name, lines, self.drafting.hand.text, figure=f"{name}-{self.column}")
 
     def letter(self, name: str) -> str:
         """Write a force's name as the sheet does."""
@@ -70,11 +70,10 @@ class Equations:
 
     def _given(self) -> Iterator[WrittenEquation]:
         """Tell the known forces and moments, and the arms."""
-        own = [one for one in self.cut.loads if one.kind != REACTION and self._size(one.force) > 0]
-        loads = [self.statement(one.name, self._size(one.force), "N") for one in own]
-        turning = [one for one in self.cut.couples if one.kind != REACTION and self._size(one.moment) > 0]
-        couples = [self._couple(one) for one in turning]
-        given = [*loads, *couples]
+        loads = (load for load in self.cut.loads if load.kind != REACTION and self._size(load.force) > 0)
+        given = [self.statement(load.name, self._size(load.force), "N") for load in loads]
+        turning = (couple for couple in self.cut.couples if couple.kind != REACTION and self._size(couple.moment) > 0)
+        given += [self.statement(couple.name, self._value(couple.moment).real, "N*m") for couple in turning]
         if given:
             yield listed(*given)
         arms = {arm.letter: arm.length for arm in self.arms}
@@ -84,45 +83,43 @@ class Equations:
 
     def _slotted(self) -> Iterator[WrittenEquation]:
         """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
-        for part in (part for one in self.cut.supports for part in one.parts if part.name.startswith("R^u")):
+        for part in (part for support in self.cut.supports for part in support.parts if part.name.startswith("R^u")):
             terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
             yield plain(
                 f"{self.letter(part.name)} = −({' + '.join(terms)})_u,",
                 self.statement(part.name, self._size(part), "N"),
             )
 
-    def _couple(self, one: Couple) -> Phrase:
-        return self.statement(one.name, self._value(one.moment).real, "N*m")
-
-    def _moments(self, one: Equation) -> Iterator[WrittenEquation]:
+    def _moments(self, equation: Equation) -> Iterator[WrittenEquation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
-        unknown = one.found.name
-        named = {load.name for load in one.loads} | {unknown}
-        armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
+        unknown = equation.found.name
+        named = {load.name for load in equation.loads} | {unknown}
+        armed = [arm for arm in self.arms if arm.about == equation.about.name and arm.name in named]
         terms = {arm.name: self._term(arm) for arm in armed if arm.name != unknown}
-        terms |= {couple.name: self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0}
+        terms |= {couple.name: self._turning(couple) for couple in equation.couples if self._size(couple.moment) > 0}
         force = next((arm for arm in armed if arm.name == unknown), None)
-        if one.line is None:
-            value, unit, own = self._value(one.found).real, "N*m", ("+", self.letter(unknown))
+        if equation.line is None:
+            value, unit, first = self._value(equation.found).real, "N*m", ("+", self.letter(unknown))
         else:
-            value, unit = self._size(one.found), "N"
-            own = ("+", self.letter(unknown)) if force is None else self._term(force)
+            value, unit = self._size(equation.found), "N"
+            first = ("+", self.letter(unknown)) if force is None else self._term(force)
         given = self.cut.group is None and self.plan.mechanism.drive.ram is not None  # it drives: no moment is left
         if terms:
-            every = terms if given else {unknown: own, **terms}
-            yield moments(self._about(one), [*every.values()], states=[self._said(one, name) for name in every])
+            every = terms if given else {unknown: first, **terms}
+            states = [self._said(equation, name) for name in every]
+            yield moments(self._about(equation), [*every.values()], states=states)
         yield from () if given else (plain(self.statement(unknown, value, unit)),)
 
-    def _said(self, one: Equation, name: str) -> Statement:
+    def _said(self, equation: Equation, name: str) -> Statement:
         """Say whose a term is: by its force or moment, the point, and what the equation gives."""
         figure = f"equations-{self.cut.label}-{self.column}"
-        return Statement(Kind.LETTER, figure, f"{name} about {one.about.name} for {one.found.name}")
+        return Statement(Kind.LETTER, figure, f"{name} about {equation.about.name} for {equation.found.name}")
 
-    def _about(self, one: Equation) -> str:
+    def _about(self, equation: Equation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
-        links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
+        links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
         several = len(self.cut.equations) > 1
-        return f"{one.about.name}({min(links)})" if several and links else one.about.name
+        return f"{equation.about.name}({min(links)})" if several and links else equation.about.name
 
     def _term(self, arm: Leverage) -> tuple[str, str]:
         return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"
@@ -145,17 +142,18 @@ class Equations:
 
     def _seen(self, name: str) -> bool:
         """Tell whether a force acts in this position."""
-        side = next(one for one in self.cut.sides if one.name == name)
+        side = next(side for side in self.cut.sides if side.name == name)
         return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
 
     def _found(self) -> Iterator[WrittenEquation]:
         """Tell the reactions that the polygon gives."""
-        found = [one.force for one in self.cut.reactions]
+        found = [support.force for support in self.cut.reactions]
         if self.cut.group is None and not self.cut.equations and self.plan.drive is not None:
             found.insert(0, self.plan.drive)  # of a slide the polygon gives the driving force too
-        statements = [self.statement(one.name, self._size(one), "N") for one in found]
-        moments = [one.moment for one in self.cut.reactions if one.moment is not None]
-        statements += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
+        statements = [self.statement(force.name, self._size(force), "N") for force in found]
+        for moment in (support.moment for support in self.cut.reactions):
+            if moment is not None and self._size(moment) > 0:
+                statements.append(self.statement(moment.name, self._value(moment).real, "N*m"))
         yield listed(*statements)
 
 
@@ -187,7 +185,7 @@ class LeverEquation(NamedTuple):
     def block(self) -> TextBlock:
         """Measure it with the widest numbers, for the scale of the lever is not known yet."""
         name, sizes = self._passage(None).block()
-        broad = [one for one in sizes if one[0] >= NARROWEST * self.drafting.hand.text]
+        broad = [size for size in sizes if size[0] >= NARROWEST * self.drafting.hand.text]
         return TextBlock(name, tuple(broad) or sizes[-1:])
 
     def write(self, box: Field, spot: Spot | None = None) -> Group:
@@ -199,8 +197,8 @@ class LeverEquation(NamedTuple):
     def _passage(self, mu: float | None, unit: str = "mm") -> Passage:
         arms = {letter: self._arm(letter, length, mu) for letter, length in statements(self.told)}
         figure = f"{NAME}-{self.column}"
-        said = [Statement(Kind.LETTER, figure, one.letter) for one in self.told]
-        letters = moments(POLE, [one.written for one in self.told], states=said)
+        said = [Statement(Kind.LETTER, figure, term.letter) for term in self.told]
+        letters = moments(POLE, [term.written for term in self.told], states=said)
         lines = (_lengths(arms, unit, self.drafting), letters, self._numbers(arms), *self._found())
         return Passage(NAME, lines, self.drafting.hand.text, figure=figure)
 
@@ -209,14 +207,14 @@ class LeverEquation(NamedTuple):
 
     def _numbers(self, arms: dict[str, str]) -> WrittenEquation:
         """Write the equation with its numbers: newtons by arms."""
-        sizes = [self.drafting.slot(Slot(one.letter, one.size, DIGITS)) for one in self.told]
-        products = (joined("·", (size, arms[one.arm])) for one, size in zip(self.told, sizes, strict=True))
-        return moments(POLE, [(one.written[0], product) for one, product in zip(self.told, products, strict=True)])
+        sizes = [self.drafting.slot(Slot(term.letter, term.size, DIGITS)) for term in self.told]
+        products = (joined("·", (size, arms[term.arm])) for term, size in zip(self.told, sizes, strict=True))
+        return moments(POLE, [(term.written[0], product) for term, product in zip(self.told, products, strict=True)])
 
     def _found(self) -> Iterator[WrittenEquation]:
         """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
-        drafting, driving = self.drafting, [one for one in self.told if one.force == DRIVING]
-        parts = [_statement(one.letter, one.letter, one.size, "N", drafting) for one in driving]
+        drafting, driving = self.drafting, [term for term in self.told if term.force == DRIVING]
+        parts = [_statement(term.letter, term.letter, term.size, "N", drafting) for term in driving]
         if self.moment is not None:
             letter = letter_of(BALANCING, drafting)
             parts.append(_statement(letter, letter, self.moment, "N*m", drafting))

@@ -58,11 +58,11 @@ class Taken(NamedTuple):
 
 def placed_forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
     """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
-    greatest = max((abs(one.value) for one in pushes), default=1.0)
+    greatest = max((abs(push.value) for push in pushes), default=1.0)
     arrows = []
-    for one in sorted(pushes, key=lambda one: -tied(abs(one.value) / greatest)):
-        length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.value) / greatest) * drafting.hand.symbol
-        arrow = _beside(letter_of(one.name, drafting), one.value, place.on(one.at), length, taken)
+    for push in sorted(pushes, key=lambda push: -tied(abs(push.value) / greatest)):
+        length = (SHORTEST + (LONGEST - SHORTEST) * abs(push.value) / greatest) * drafting.hand.symbol
+        arrow = _beside(letter_of(push.name, drafting), push.value, place.on(push.at), length, taken)
         taken.forces.append((arrow.start, arrow.tip))
         arrows.append(arrow)
     return arrows
@@ -90,8 +90,9 @@ def _within(spot: complex, box: Field) -> bool:
 
 def _reach(pushes: Sequence[ShownVector]) -> float:
     """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
-    lines = [(tied_spot(one.at), one.direction**2) for one in pushes]
-    most = max((sum(at == image and abs(way - own) < PARALLEL for image, way in lines) for at, own in lines), default=0)
+    lines = [(tied_spot(push.at), push.direction**2) for push in pushes]
+    shared = (sum(at == image and abs(way - line) < PARALLEL for image, way in lines) for at, line in lines)
+    most = max(shared, default=0)
     return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
 
 
@@ -99,8 +100,8 @@ def placed_arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: 
     """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
     subject, lines = Subject(PLAN, SYMBOL, column), [*taken.rods, *taken.forces]
     kept = []
-    for one in sorted((one for one in terms if one.dimensioned), key=lambda one: tied(place.length(one.length))):
-        arm = to_scale(one.arm, place.on(0j), place.on(one.at), one.direction, place.scale, subject)
+    for term in sorted((term for term in terms if term.dimensioned), key=lambda term: tied(place.length(term.length))):
+        arm = to_scale(term.arm, place.on(0j), place.on(term.at), term.direction, place.scale, subject)
         if arm.length < LEAST_ARM:
             continue
         arm = _aside(arm, lines, taken.box)
@@ -165,7 +166,7 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
     rods = {(arrow.start, arrow.end): (_turned(arrow.ends), arrow.absolute) for arrow in base.arrows}
     images = {mark.name: (_letters_of(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
     joined = list(rods.values())
-    for mark in (*(one.at for one in lever.loads), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
+    for mark in (*(load.at for load in lever.loads), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
         place = at(mark.point, column)
         name = _new(mark.name, place, images)
         if name is not None and mark.name != lever.pole.name:
@@ -184,8 +185,8 @@ def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -
 
 def _letters_of(plan: ForcePlan, image: Mark) -> str:
     """Give all letters of an image, its own first."""
-    own = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
-    return " ".join(dict.fromkeys((image.name, *own)))
+    letters = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
+    return " ".join(dict.fromkeys((image.name, *letters)))
 
 
 def _turned(ends: tuple[complex, complex]) -> Segment:
@@ -196,16 +197,16 @@ def _hung_forces(lever: Lever, column: int) -> Iterator[ShownVector]:
     """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
     every = [ShownVector(lever.force.name, BALANCE, driven, force)]
-    for one in lever.loads:
-        place, force = at(one.at.point, column), at(one.force.point, column)
-        every.append(ShownVector(one.name, LOAD, place, force))
+    for load in lever.loads:
+        place, force = at(load.at.point, column), at(load.force.point, column)
+        every.append(ShownVector(load.name, LOAD, place, force))
     for pair in lever.pairs:
         force = at(pair.force.point, column)
         ends = (pair.end, force), (pair.start, -force)
         every += [ShownVector(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
-    greatest = max(abs(one.value) for one in every)
-    furthest = max(abs(one.at) for one in every)
-    yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * furthest)
+    greatest = max(abs(force.value) for force in every)
+    furthest = max(abs(force.at) for force in every)
+    yield from (force for force in every if abs(force.value) > ZERO * greatest and abs(force.at) > ZERO * furthest)
 
 
 def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
@@ -224,10 +225,10 @@ def measure(shown: Hanging, drafting: Drafting) -> Picture:
 
 def _feet(shown: Hanging, drafting: Drafting) -> Iterator[complex]:
     """Give the feet of the arms that are dimensioned, in true units."""
-    for one in balance(shown, drafting):
-        if one.dimensioned:
-            across = 1j * one.direction / abs(one.direction)
-            yield across * (one.at * across.conjugate()).real
+    for term in balance(shown, drafting):
+        if term.dimensioned:
+            across = 1j * term.direction / abs(term.direction)
+            yield across * (term.at * across.conjugate()).real
 
 
 def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LetteredFigure:
@@ -260,17 +261,17 @@ def _letters(
     images = [(0j, shown.pole), *((true, letters) for _, letters, true in shown.images)]
     spots = ((place.on(true), letters.split(" ")) for true, letters in images)
     yield from letter_images(spots, hand.number, labels, HINGE * hand.symbol + 1.0)
-    yield from (one.letter_beside(labels, hand) for one in marks)
+    yield from (mark.letter_beside(labels, hand) for mark in marks)
 
 
 def _drawn(arrows: Sequence[ForceArrow], subject: Subject, hand: Hand) -> Iterator[Stroke]:
     """Draw the forces, each as what it states; the second of a couple is the first turned round."""
-    seen = set[str]()
-    for one in arrows:
-        name = plain_name(one.letter)
-        said = f"−{name}" if name in seen else name
-        seen.add(name)
-        yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), one.draw(hand))
+    names = set[str]()
+    for arrow in arrows:
+        name = plain_name(arrow.letter)
+        said = f"−{name}" if name in names else name
+        names.add(name)
+        yield stating(Statement(Kind.DIRECTION, PLAN, said, subject.position), arrow.draw(hand))
 
 
 def _style(thin: bool, hand: Hand) -> LineStyle:
@@ -305,6 +306,6 @@ def _lettered_arms(study: Study, plans: ForcePlans) -> Iterator[tuple[str, str]]
             moment = f"{arm.about}({arm.name})"
             yield arm.letter, moment if moment in plans.plan.board else arm.name
     if plans.lever is not None:
-        for one in balance(hanging(plans.plan, plans.lever, 0), drafting_of(study.scene)):
-            moment = f"{plans.lever.pole.name}({one.force.partition('/')[0]})"
-            yield one.arm, moment if moment in plans.lever.board else one.force
+        for term in balance(hanging(plans.plan, plans.lever, 0), drafting_of(study.scene)):
+            moment = f"{plans.lever.pole.name}({term.force.partition('/')[0]})"
+            yield term.arm, moment if moment in plans.lever.board else term.force

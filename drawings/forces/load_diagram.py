@@ -163,7 +163,7 @@ def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
         return tuple(map(LoadMark, ascii_lowercase, corners))
     places = [axes.on(corner.real, corner.imag) for corner in corners]
     kept = spaced(places, APART * hand.number, (0, len(corners) - 1, *range(len(corners))))
-    return tuple(LoadMark(str(k), corners[one]) for k, one in enumerate(sorted(kept), 1))
+    return tuple(LoadMark(str(k), corners[corner]) for k, corner in enumerate(sorted(kept), 1))
 
 
 def measure(course: LoadCourse, drafting: Drafting) -> Picture:
@@ -184,13 +184,13 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     lines = (
         heading(spot.box, _title(course, drafting), drafting.scale(spot.scale, axes.up), hand),
         *axes.lines((0.0, course.length), span, hand, room.name),
-        *(_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)),
-        *(stroke for one in shown for stroke in graph.station(one.at.real, [one.at.imag], one.letter)),
+        *(_sized(course, size, value, spot.scale, hand) for size, value in zip(sizes, spans(course), strict=True)),
+        *(stroke for mark in shown for stroke in graph.station(mark.at.real, [mark.at.imag], mark.letter)),
         *_branches(course, axes, hand),
         *dots,
     )
-    across, up = (f"{one}, {drafting.word(of)}" for one, of in (_way(course)[:2], axes.up[1:]))
-    corners = (_corner(one.letter, axes.on(one.at.real, one.at.imag), one.at.imag > 0, hand) for one in shown)
+    across, up = (f"{letter}, {drafting.word(of)}" for letter, of in (_way(course)[:2], axes.up[1:]))
+    corners = (_corner(mark.letter, axes.on(mark.at.real, mark.at.imag), mark.at.imag > 0, hand) for mark in shown)
     letters = *graph.ends((course.length, across), (span[1], up)), *corners, *numbers
     return LetteredFigure(room.name, lines, partial(_letters, room.name, sizes, letters, hand))
 
@@ -201,8 +201,8 @@ def _letters(
     """Letter the dimensions along their lines, then axes, corners and positions."""
     for size in sizes:
         yield telling(name, labels.along(*size.lines[0], size.letter, hand.number, ABOVE, OVER))
-    for one in letters:
-        yield labels.beside(one.at, one.text, one.size, one.gap, one.side)
+    for letter in letters:
+        yield labels.beside(letter.at, letter.text, letter.size, letter.gap, letter.side)
 
 
 def spans(course: LoadCourse) -> tuple[tuple[str, float], ...]:
@@ -234,9 +234,9 @@ def _positions(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[Iterator[Let
     """Give the numbers of positions on the course of the load, and their points: as many as have room."""
     spots = [axes.on(place.real, place.imag) for place in course.places]
     length, wide = 2 * abs(axes.on(course.length) - axes.zero), text_width(Text(0j, str(len(spots)), hand.number))
-    told = numbered(spots, length, wide + SPARE * hand.number, course.shown)
-    dots = numbered(spots, length, 3 * DOT * hand.symbol, told)
-    letters = (_corner(str(k), spots[k], k not in course.returning, hand) for k in told)
+    numbers = numbered(spots, length, wide + SPARE * hand.number, course.shown)
+    dots = numbered(spots, length, 3 * DOT * hand.symbol, numbers)
+    letters = (_corner(str(k), spots[k], k not in course.returning, hand) for k in numbers)
     return letters, (Circle(spots[k], DOT * hand.symbol, INK) for k in dots)
 
 
@@ -258,7 +258,7 @@ def _tips(branch: Branch) -> tuple[complex, complex]:
 def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw a branch with an arrowhead in the middle of its longest part: the sense of the motion."""
     places = [axes.on(corner.real, corner.imag) for corner in branch]
-    parts = [(one, other) for one, other in pairwise(places) if abs(other - one) > LEAST]
+    parts = [(start, other) for start, other in pairwise(places) if abs(other - start) > LEAST]
     if not parts:
         return
     yield Polyline(tuple(places), False, hand.result)
@@ -273,8 +273,8 @@ def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimen
     _, unit, whole = _way(course)
     low = 1j * (axes.on(0.0, course.span[0]).imag - axes.zero.imag)
     near, far = (low - 1j * level * drafting.hand.symbol for level in LEVELS)
-    told = drafting.slot(Slot(whole, course.length if course.turning else 1000 * course.length, DIGITS))
-    text = joined("", (f"{whole} = ", told, unit if course.turning else ""))
+    number = drafting.slot(Slot(whole, course.length if course.turning else 1000 * course.length, DIGITS))
+    text = joined("", (f"{whole} = ", number, unit if course.turning else ""))
     yield Dimension(text, axes.on(0.0), axes.on(course.length), far)
     first, last = course.overrun
     for share, start, end in ((first, 0.0, first), (last, 1 - last, 1.0)):
@@ -283,8 +283,8 @@ def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimen
             yield Dimension(text, axes.on(start * course.length), axes.on(end * course.length), near)
 
 
-def _sized(course: LoadCourse, one: Dimension, span: tuple[str, float], scale: Scale, hand: Hand) -> Group:
+def _sized(course: LoadCourse, size: Dimension, span: tuple[str, float], scale: Scale, hand: Hand) -> Group:
     """Draw a dimension; its line can be measured."""
     name, length = span
     data = Subject(name_of(course), scale.letter, None).data("vector", name, complex(length), scale)
-    return Group(one.draw(hand), "", data, one.letter)
+    return Group(size.draw(hand), "", data, size.letter)

@@ -125,7 +125,7 @@ class Layout:
             start, end = self.place.on(shift.start), self.place.on(shift.end)
             ahead = shift.value / abs(shift.value)
             dimensions.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
-        return [one for one in dimensions if one.length >= LAYOUT_LEAST]
+        return [dimension for dimension in dimensions if dimension.length >= LAYOUT_LEAST]
 
     @cached_property
     def arrows(self) -> list[ForceArrow]:
@@ -177,9 +177,9 @@ class Layout:
         thick = [(stroke, BAR) for stroke in self.links]
         marks = [(mark, BAR) for mark in self.marks]
         thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
-        thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
+        thin += [(Line(*ends), THIN) for shift in self.shifts for ends in shift.lines]
         wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.draw(self.hand)[:1]]
-        return [*thick, *marks, *thin, *wheel, *((one, THIN) for one in self.attached)]
+        return [*thick, *marks, *thin, *wheel, *((group, THIN) for group in self.attached)]
 
     @cached_property
     def attached(self) -> list[Group]:
@@ -209,7 +209,7 @@ class Layout:
             least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
             radius = (least + APART * len(before)) * self.hand.symbol
             choices = self._facing(CoupleArc(self.letter(moment.name), at, moment.sense, radius))
-            arcs.append(min(choices, key=lambda one: (one.crowded(before), self._crossing(one, ink))))
+            arcs.append(min(choices, key=lambda arc: (arc.crowded(before), self._crossing(arc, ink))))
         return arcs
 
     def _facing(self, arc: CoupleArc) -> Iterator[CoupleArc]:
@@ -269,8 +269,8 @@ def measure(shown: Scheme, drafting: Drafting) -> Picture:
     least = LEAST * hand.letter
     bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0)
     solid = picture(name, shown.solid, ("l", "m"), Margins(0, 0, 0), 0.0)
-    extent, own = max(bare.wide, bare.high), max(solid.wide, solid.high)
-    least *= extent / own if own else 1.0  # the links are as large beside a long spring as without one
+    extent, links = max(bare.wide, bare.high), max(solid.wide, solid.high)
+    least *= extent / links if links else 1.0  # the links are as large beside a long spring as without one
     bare = bare._replace(least=least if extent else 0.0)  # a lone point is not drawn smaller at any scale
     place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
     left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, drafting, None).strokes())))
@@ -294,35 +294,35 @@ def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> Letter
     """Draw the scheme in its spot, with its title and its written scale above it."""
     place, hand = room.place(*spot), drafting.hand
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
-    laid = Layout(shown, place, drafting, box)
+    layout = Layout(shown, place, drafting, box)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
     title = heading(spot.box, _title(shown, drafting), under, hand)
     name = f"scheme-{shown.cut.label}-{shown.column}"
-    return LetteredFigure(name, (title, *laid.strokes()), partial(_letters, laid, hand))
+    return LetteredFigure(name, (title, *layout.strokes()), partial(_letters, layout, hand))
 
 
-def _letters(laid: Layout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
+def _letters(layout: Layout, hand: Hand, labels: Labels) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
-    for arm in laid.arms:
+    for arm in layout.arms:
         yield arm.letter_beside(labels, hand)
-    for shift in laid.shifts:
+    for shift in layout.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
-    yield from _points(laid, labels, hand)
-    for arrow in laid.arrows:
+    yield from _points(layout, labels, hand)
+    for arrow in layout.arrows:
         yield arrow.letter_beside(labels, hand)
-    for couple in laid.couples:
+    for couple in layout.couples:
         yield couple.letter_beside(labels, hand)
-    if laid.gear is not None and laid.gear.slants(laid.hand):
-        middle, turn = laid.gear.angle(laid.hand)
+    if layout.gear is not None and layout.gear.slants(layout.hand):
+        middle, turn = layout.gear.angle(layout.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
-    yield from link_numbers(laid.joints, laid.shown.links.links, labels, hand)
+    yield from link_numbers(layout.joints, layout.shown.links.links, labels, hand)
 
 
-def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
+def _points(layout: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter each point where the widest angle between the lines at it is free."""
-    lines = [*_lines(laid.links), *(arrow.shaft for arrow in laid.arrows)]
-    for name, value in laid.shown.named.items():
-        spot, gap = laid.place.on(value), laid.clear(name) + 1.0
+    lines = [*_lines(layout.links), *(arrow.shaft for arrow in layout.arrows)]
+    for name, value in layout.shown.named.items():
+        spot, gap = layout.place.on(value), layout.clear(name) + 1.0
         yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
 
 

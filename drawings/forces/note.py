@@ -96,52 +96,52 @@ class CutEquations:
             yield letters
             yield rf"{number(factor)} \cdot {self.formula.factor(other)}"
 
-    def _moments(self, one: Equation, arms: tuple[Leverage, ...], cut: Cut) -> Iterator[str]:
+    def _moments(self, equation: Equation, arms: tuple[Leverage, ...], cut: Cut) -> Iterator[str]:
         """Write an equation of moments, and the force or the moment that it gives."""
-        formula, unknown = self.formula, one.found.name
-        named = {load.name for load in one.loads} | {unknown}
-        about = next((arm.about for arm in arms if arm.name in named), one.about.name)
+        formula, unknown = self.formula, equation.found.name
+        named = {load.name for load in equation.loads} | {unknown}
+        about = next((arm.about for arm in arms if arm.name in named), equation.about.name)
         armed = [arm for arm in arms if arm.about == about and arm.name in named]
-        own = next((arm for arm in armed if arm.name == unknown), None)
-        loads = {load.name: load.force for load in one.loads}
-        seen = {name for name, mark in loads.items() if self._sized(abs(self.value(mark)))}
-        others = [arm for arm in armed if arm.name in seen]
-        couples = [pair for pair in one.couples if self._value(pair)]
+        lever_arm = next((arm for arm in armed if arm.name == unknown), None)
+        loads = {load.name: load.force for load in equation.loads}
+        acting = {name for name, mark in loads.items() if self._sized(abs(self.value(mark)))}
+        others = [arm for arm in armed if arm.name in acting]
+        couples = [pair for pair in equation.couples if self._value(pair)]
         letters = [_signed(arm.sense, f"{self.letter(arm.name)} {formula.letter(arm.letter)}") for arm in others]
         letters += [self.letter(couple.name) for couple in couples]
         if not letters:
             return
         found = self.letter(unknown)
-        first = found if own is None else _signed(own.sense, f"{found} {formula.letter(own.letter)}")
-        links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
+        first = found if lever_arm is None else _signed(lever_arm.sense, f"{found} {formula.letter(lever_arm.letter)}")
+        links = {load.link for load in equation.loads} | {couple.link for couple in equation.couples}
         where = f"{about}({min(links)})" if len(cut.equations) > 1 and links else about
         yield rf"$$\sum M_{{{where}}} = {total([first, *letters])} = 0$$"
-        sign = -1 if own is None else -own.sense
-        numbers = [_signed(sign * arm.sense, self._product(arm, one)) for arm in others]
+        sign = -1 if lever_arm is None else -lever_arm.sense
+        numbers = [_signed(sign * arm.sense, self._product(arm, equation)) for arm in others]
         moments = [sign * self.value(couple.moment).real for couple in couples]
         numbers += [formula.number(value) for value in moments]
-        yield f"- {inline(found, self._solved(numbers, own), self._found(one))}"
+        yield f"- {inline(found, self._solved(numbers, lever_arm), self._found(equation))}"
 
-    def _product(self, arm: Leverage, one: Equation) -> str:
-        load = next(load for load in one.loads if load.name == arm.name)
+    def _product(self, arm: Leverage, equation: Equation) -> str:
+        load = next(load for load in equation.loads if load.name == arm.name)
         size = abs(self.value(load.force))
         return rf"{self.formula.number(size)} \cdot {self.formula.number(arm.length)}"
 
-    def _solved(self, numbers: list[str], own: Leverage | None) -> str:
+    def _solved(self, numbers: list[str], arm: Leverage | None) -> str:
         whole = total(numbers)
-        if own is None:
+        if arm is None:
             return whole
-        return f"({whole}) / {self.formula.number(own.length)}"
+        return f"({whole}) / {self.formula.number(arm.length)}"
 
-    def _found(self, one: Equation) -> str:
-        if one.line is None:
-            value = self._turned(self.value(one.found).real)
+    def _found(self, equation: Equation) -> str:
+        if equation.line is None:
+            value = self._turned(self.value(equation.found).real)
             return self.formula.quantity(value, "N*m")
-        return self.formula.quantity(self._sized(abs(self.value(one.found))), "N")
+        return self.formula.quantity(self._sized(abs(self.value(equation.found))), "N")
 
     def _slotted(self, cut: Cut) -> Iterator[str]:
         """Write the part along a slot, which holds nothing along it."""
-        for part in (part for one in cut.supports for part in one.parts if part.name.startswith("R^u")):
+        for part in (part for support in cut.supports for part in support.parts if part.name.startswith("R^u")):
             size = self._sized(abs(self.value(part)))
             known = rf"-{self.formula.letter('Σ')} {self.formula.letter('F_u')}"
             yield f"- {inline(self.letter(part.name), known, self.formula.quantity(size, 'N'))}"
@@ -161,16 +161,16 @@ class CutEquations:
     def _reactions(self, cut: Cut) -> Iterator[str]:
         """Write the reactions: their lengths on the force plan by its scale, the moments of sliding pairs."""
         formula = self.formula
-        for one in cut.reactions:
-            size = self._sized(abs(self.value(one.force)))
+        for support in cut.reactions:
+            size = self._sized(abs(self.value(support.force)))
             measured = []
             if self.scale is not None and size:
                 measured = [rf"{formula.number(size / self.scale)} \cdot {formula.number(self.scale)}"]
-            yield f"- {inline(self.letter(one.force.name), *measured, formula.quantity(size, 'N'))}"
-            if one.moment is not None:
-                value = self._turned(self.value(one.moment).real)
+            yield f"- {inline(self.letter(support.force.name), *measured, formula.quantity(size, 'N'))}"
+            if support.moment is not None:
+                value = self._turned(self.value(support.moment).real)
                 if value:
-                    yield f"- {inline(self.letter(one.moment.name), formula.quantity(value, 'N*m'))}"
+                    yield f"- {inline(self.letter(support.moment.name), formula.quantity(value, 'N*m'))}"
 
     def _sized(self, force: float) -> float:
         return force if force > self.nothing[0] else 0.0
@@ -199,7 +199,7 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
     yield word(language, "report.lever")
     yield from display(rf"{sigma} M_{{p}}(F_{{i}}) + M_{{p}}({formula.letter('P_bal')}) = 0")
     yield from header([word(language, f"table.{head}") for head in ("force", "size", "lever_arm", "lever_moment")])
-    forces = {one.name: one.force for one in lever.loads}
+    forces = {load.name: load.force for load in lever.loads}
     for name, power in powers.items():
         yield _row(name, power / mu, forces.get(name), written)
     whole, omega = _sum(powers), written.rate
@@ -241,12 +241,12 @@ Scales = Mapping[int, Mapping[str, float]]  # of force plans and levers by their
 def drawn_scales(leaves: Mapping[str, Sequence[Leaf]]) -> dict[int, dict[str, float]]:
     """Give the scales of the force plans and levers of the force sheets, by position."""
     found: dict[int, dict[str, float]] = {}
-    for leaf in (leaf for own in leaves.values() for leaf in own if "position" in leaf.metadata):
-        own = found.setdefault(int(leaf.metadata["position"]), {})
+    for leaf in (leaf for sheets in leaves.values() for leaf in sheets if "position" in leaf.metadata):
+        scales = found.setdefault(int(leaf.metadata["position"]), {})
         for mark in groups(leaf.groups):
             plan = mark.data.get("plan", "")
             if plan == LEVER or plan.startswith(POLYGON):
-                own[plan] = float(mark.data["scale"])
+                scales[plan] = float(mark.data["scale"])
     return found
 
 
@@ -257,14 +257,14 @@ def equations(statics: Statics, comparison: ForceComparison, scales: Scales) -> 
     if scales:
         yield chapter(language, "force_equations")
         yield word(language, "report.underlines")
-    for k, own in sorted(scales.items()):
-        force, moment = (float(one.min()) for one in comparison.construction.nothing_over)
+    for k, drawn in sorted(scales.items()):
+        force, moment = (float(row.min()) for row in comparison.construction.nothing_over)
         written = CutEquations(plans.plan, k, formula, comparison.construction.nothing_at(k), (force, moment))
         yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
-            yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))
-        if plans.lever is not None and LEVER in own and plans.plan.mechanism.drive.turns:
-            yield from lever_equation(plans.lever, written, own[LEVER])
+            yield from _cut(cut, replace(written, scale=drawn.get(f"{POLYGON}{cut.label}")))
+        if plans.lever is not None and LEVER in drawn and plans.plan.mechanism.drive.turns:
+            yield from lever_equation(plans.lever, written, drawn[LEVER])
 
 
 def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:
@@ -278,6 +278,6 @@ def _cut(cut: Cut, written: CutEquations) -> Iterator[str]:
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the forces of a linkage."""
-    own = report.chapters(study, leaves)
-    told = equations(study.of(Statics), study.comparison("forces"), drawn_scales(leaves))
-    return own._replace(values=[*told, *own.values])
+    tables = report.chapters(study, leaves)
+    written = equations(study.of(Statics), study.comparison("forces"), drawn_scales(leaves))
+    return tables._replace(values=[*written, *tables.values])

@@ -44,16 +44,17 @@ def notes(statics: Statics, comparison: ForceComparison, position: int, language
 def _loads(statics: Statics, language: str) -> Iterator[str]:
     """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
     machine = statics.machine
-    told = [
+    lines = [
         _load(load, f"{number(load.size, language)}{NBSP}{word(language, 'N')}", language) for load in machine.forces
     ]
-    told += [
-        _load(one, f"{number(one.size, language)}{NBSP}{word(language, 'N*m')}", language) for one in machine.moments
+    lines += [
+        _load(moment, f"{number(moment.size, language)}{NBSP}{word(language, 'N*m')}", language)
+        for moment in machine.moments
     ]
     for spring in machine.springs:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
-        told.append(
+        lines.append(
             word(language, "spring given", name=force_letter(spring.name, language), stiffness=stiffness, free=free)
         )
     how = machine.transmission
@@ -63,8 +64,8 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
             "at": number(float(np.degrees(how.at)), language),
             "pressure": number(float(np.degrees(how.pressure)), language),
         }
-        told.append(word(language, "gear given", radius=radius, **angles))
-    yield from told
+        lines.append(word(language, "gear given", radius=radius, **angles))
+    yield from lines
 
 
 def _load(load: Force | Moment, size: str, language: str) -> str:
@@ -105,14 +106,14 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
 
 
 def _masses(statics: Statics, language: str) -> Iterator[str]:
-    told = []
+    masses = []
     for link, body in sorted(statics.machine.bodies.items()):
         if body.mass:
-            told.append(f"m_{{{link}}} = {number(body.mass, language)}{NBSP}{word(language, 'kg')}")
+            masses.append(f"m_{{{link}}} = {number(body.mass, language)}{NBSP}{word(language, 'kg')}")
         if body.inertia:
-            told.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
-    if told:
-        yield ",  ".join(told)
+            masses.append(f"J_{{S{link}}} = {number(body.inertia, language)}{NBSP}{word(language, 'kg*m2')}")
+    if masses:
+        yield ",  ".join(masses)
 
 
 def _friction(statics: Statics, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
@@ -123,18 +124,18 @@ def _friction(statics: Statics, comparison: ForceComparison, position: int, lang
     none = least(comparison, found)[1:]
     rows = zip((found.lost, found.useful), none, strict=True)
     power = (float(row[position]) if abs(row[position]) > few[position] else 0.0 for row, few in rows)
-    told = list[str]()
-    for said, one in zip(INDEX, power, strict=True):
-        watts = joined(NBSP, (numbered(language, Slot(f"{said} {position}", one)), word(language, "W")))
-        told.append(phrase(language, said, power=watts))
+    lines = list[str]()
+    for said, value in zip(INDEX, power, strict=True):
+        watts = joined(NBSP, (numbered(language, Slot(f"{said} {position}", value)), word(language, "W")))
+        lines.append(phrase(language, said, power=watts))
     if np.isfinite(found.efficiency[position]):
         slot = Slot(f"η {position}", float(found.efficiency[position]), 3)
-        told.append(joined("", ("η = ", numbered(language, slot))))
+        lines.append(joined("", ("η = ", numbered(language, slot))))
     if found.cycle is not None:
-        told.append(phrase(language, "cycle efficiency", eta=Slot("η", found.cycle, 3)))
-    coefficients = sorted({one.coefficient for one in statics.machine.friction.values()})
-    given = "; ".join(number(one, language) for one in coefficients)
-    yield joined("", (f"{word(language, 'coefficients', f=given)}: ", joined(", ", told)))
+        lines.append(phrase(language, "cycle efficiency", eta=Slot("η", found.cycle, 3)))
+    coefficients = sorted({pair.coefficient for pair in statics.machine.friction.values()})
+    given = "; ".join(number(coefficient, language) for coefficient in coefficients)
+    yield joined("", (f"{word(language, 'coefficients', f=given)}: ", joined(", ", lines)))
     if found.wear:
         slots = {key: Slot(f"wear {key}", 100 * share, 3) for key, share in found.wear.items() if share > NOTHING}
         worn = (joined(NBSP, (key, numbered(language, slot), "%")) for key, slot in slots.items())

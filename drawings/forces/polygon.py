@@ -39,7 +39,7 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
     """
     least = SEEN * max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
-    sides = [one for one in shown.forces if one.kind != WHOLE]
+    sides = [force for force in shown.forces if force.kind != WHOLE]
     runs = [run for run in _runs(sides, least) if min(abs(sides[k].value) for k in run) < least / USUAL]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
@@ -51,8 +51,8 @@ def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int)
 def _runs(sides: Sequence[ShownVector], least: float) -> Iterator[list[int]]:
     """Give the runs of sides one after another that are smaller than a force, N."""
     run: list[int] = []
-    for k, one in enumerate(sides):
-        if abs(one.value) < least:
+    for k, side in enumerate(sides):
+        if abs(side.value) < least:
             run.append(k)
         elif run:
             yield run
@@ -65,7 +65,7 @@ def _stubs(sides: Sequence[ShownVector], run: Sequence[int]) -> Iterator[Segment
     """Follow the sides before and after a run a little."""
     first, last = sides[run[0]], sides[run[-1]]
     points = [end for k in run for end in (sides[k].at, sides[k].end)]
-    reach = STUB * max(abs(one - other) for one in points for other in points)
+    reach = STUB * max(abs(point - other) for point in points for other in points)
     if run[0] > 0:
         yield first.at - sides[run[0] - 1].direction * reach, first.at
     if run[-1] + 1 < len(sides):
@@ -101,12 +101,12 @@ class ForcePolygon(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        ends = [end for one in self.forces for end in (one.at, one.end)]
+        ends = [end for force in self.forces for end in (force.at, force.end)]
         return [*ends, *(end for ray in self.rays for end in ray)] if self.detail else [0j, *ends]
 
     def faint(self, mu: float) -> tuple[str, ...]:
         """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
-        return tuple(one.name for one in self.forces if abs(one.value) < SEEN * mu)
+        return tuple(force.name for force in self.forces if abs(force.value) < SEEN * mu)
 
 
 def polygon(plan: ForcePlan, cut: Cut, column: int) -> ForcePolygon:
@@ -116,9 +116,9 @@ def polygon(plan: ForcePlan, cut: Cut, column: int) -> ForcePolygon:
         mark = support.force
         if mark.step.op == "join":
             named.setdefault(mark.name, _vector(mark.name, WHOLE, *_ends(mark), column))
-    greatest = max((abs(one.value) for one in named.values()), default=0.0)
+    greatest = max((abs(vector.value) for vector in named.values()), default=0.0)
     least = math.inf if greatest <= NOTHING * largest(plan, column) else ZERO * greatest
-    kept = tuple(one for one in named.values() if not abs(one.value) <= least)  # what is unknown is kept
+    kept = tuple(vector for vector in named.values() if not abs(vector.value) <= least)  # what is unknown is kept
     closing = {corner for side in cut.sides if side.kind == CLOSING for corner in (side.start, side.end)}
     rays = tuple(ray for corner in cut.sides for ray in _rays(corner.start, column) if corner.start in closing)
     return ForcePolygon(cut.label, cut.group is not None, column, kept, rays)
@@ -172,7 +172,7 @@ def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> 
     sides = chain.sides(Subject(shown.plan, SYMBOL, shown.column), WHOLE, letter, place, hand)
     thin = [*directions(shown.rays, place, hand), *carriers(chain.seen, place, hand)]
     faint = _faint(shown, place.scale.mu)
-    circles = {one.detail: _circle(one, chain.seen, place, hand) for one in shown.details}
+    circles = {detail.detail: _circle(detail, chain.seen, place, hand) for detail in shown.details}
     under, *further = _under(shown, faint, spot.scale, spot.box.width, drafting)
     title = heading(spot.box, _title(shown, drafting), under, hand, *further)
     around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles.items())
@@ -184,21 +184,21 @@ def _letter(chain: Chain, circles: Mapping[str, Circle], drafting: Drafting, lab
     """Letter each vector beside it, and the circles around what is shown in details."""
     size = drafting.hand.letter
     yield from letters(chain.seen, lambda name: (letter_of(name, drafting), size), labels)
-    for name, one in circles.items():
-        yield labels.beside(one.centre, name, size, one.radius + BESIDE)
+    for name, circle in circles.items():
+        yield labels.beside(circle.centre, name, size, circle.radius + BESIDE)
 
 
 def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, hand: Hand) -> Circle:
     """Draw the circle around what a detail shows, where its vectors were laid."""
-    laid = {one.vector.name: one.ends for one in arrows}
-    spots = [end for one in detail.forces for end in laid.get(one.name, ends(one, place))]
+    ends_of = {arrow.vector.name: arrow.ends for arrow in arrows}
+    spots = [end for force in detail.forces for end in ends_of.get(force.name, ends(force, place))]
     middle = sum(spots) / len(spots)
     return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
 
 
 def _faint(shown: ForcePolygon, mu: float) -> tuple[str, ...]:
     """Name the forces that are to be seen neither at a scale, N/mm, nor in a detail."""
-    enlarged = {side.name for one in shown.details for side in one.forces}
+    enlarged = {side.name for detail in shown.details for side in detail.forces}
     return tuple(name for name in shown.faint(mu) if name not in enlarged)
 
 
@@ -207,8 +207,8 @@ def _under(shown: ForcePolygon, faint: tuple[str, ...], scale: Scale, wide: floa
     if not shown.forces:
         return [drafting.word("unloaded")]
     names = ", ".join(letter_of(name, drafting) for name in faint)
-    told = drafting.scale(scale)
-    return _broken(f"{told};  {drafting.word('unlettered', names=names)}", wide, drafting.hand) if faint else [told]
+    text = drafting.scale(scale)
+    return _broken(f"{text};  {drafting.word('unlettered', names=names)}", wide, drafting.hand) if faint else [text]
 
 
 def _broken(text: str, wide: float, hand: Hand) -> list[str]:

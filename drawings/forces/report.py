@@ -45,10 +45,10 @@ def least(comparison: ForceComparison, found: Friction) -> Least:
 
     Beside a position that all but jams much seems nothing: it is so only if the two roads cannot tell it from none.
     """
-    most = NOTHING * max(float(np.nanmax(np.abs(one), initial=0.0)) for one in (found.lost, found.useful))
-    slack = {one.name: np.minimum(one.allowed, most) for one in comparison.of("friction")}
-    own = tuple(slack[f"N_{indices(*map(int, key.split('-')))}"] for key in found.powers)
-    return Least(own, np.minimum(np.sum(own, axis=0), most), slack["N_us"])
+    most = NOTHING * max(float(np.nanmax(np.abs(row), initial=0.0)) for row in (found.lost, found.useful))
+    slack = {power.name: np.minimum(power.allowed, most) for power in comparison.of("friction")}
+    pairs = tuple(slack[f"N_{indices(*map(int, key.split('-')))}"] for key in found.powers)
+    return Least(pairs, np.minimum(np.sum(pairs, axis=0), most), slack["N_us"])
 
 
 TABLE_DIGITS = 6
@@ -60,17 +60,17 @@ def drafting_of_forces(statics: Statics) -> Drafting:
     return drafting_of(statics.study.scene)._replace(reactions=statics.form.sheet.reactions)
 
 
-def balancing_table(comparison: ForceComparison, told: BalancingQuantity, language: str) -> Iterator[str]:
+def balancing_table(comparison: ForceComparison, balancing: BalancingQuantity, language: str) -> Iterator[str]:
     """Tell the balancing moment, or force, by force plans and analysis, then by the lever, powers and energy."""
-    found = [one for one in comparison.of(FORCES) if one.name.partition(" ")[0] == told.name]
+    found = [quantity for quantity in comparison.of(FORCES) if quantity.name.partition(" ")[0] == balancing.name]
     if not found:
         return
-    unit = lettering.word(language, told.unit)
-    letter = lettering.letter(language, told.name)
+    unit = lettering.word(language, balancing.unit)
+    letter = lettering.letter(language, balancing.name)
     first, *others = found
     heads = [word(language, f"report.{key}", letter=letter, unit=unit) for key in ("by_plans", "by_equilibrium")]
-    heads += [f"{letter} {_way(one, language)}, {unit}" for one in others]
-    columns = [first.construction, first.analysis, *(_own(one) for one in others)]
+    heads += [f"{letter} {_way(quantity, language)}, {unit}" for quantity in others]
+    columns = [first.construction, first.analysis, *(_own(quantity) for quantity in others)]
     yield word(language, "report.what_balances")
     yield from header([word(language, "table.position"), *heads])
     least = comparison.construction.nothing_over[1]
@@ -79,14 +79,14 @@ def balancing_table(comparison: ForceComparison, told: BalancingQuantity, langua
     yield ""
 
 
-def _way(one: Quantity, language: str) -> str:
+def _way(quantity: Quantity, language: str) -> str:
     """Tell in words which way finds it; it has one letter in all columns."""
-    return term(language, "quantity_part", one.name.partition(" ")[2])
+    return term(language, "quantity_part", quantity.name.partition(" ")[2])
 
 
-def _own(one: Quantity) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _own(quantity: Quantity) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     """Give what a way finds: the lever is of the construction, powers and energy are of the analysis."""
-    return np.real(one.construction if one.name.endswith(LEVER) else one.analysis)
+    return np.real(quantity.construction if quantity.name.endswith(LEVER) else quantity.analysis)
 
 
 def _table_cell(value: float, least: float, language: str) -> str:
@@ -102,7 +102,7 @@ WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell the forces of a linkage."""
     shown = dict.fromkeys(
-        leaf.metadata["position"] for own in leaves.values() for leaf in own if "position" in leaf.metadata
+        leaf.metadata["position"] for sheets in leaves.values() for leaf in sheets if "position" in leaf.metadata
     )
     shown_in = ", ".join(map(str, shown))
     language = study.scene.sheet.language
@@ -128,16 +128,16 @@ def headline(study: Study) -> str:
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
     """Tell the greatest of what balances the drive; what is but rounding is none."""
     drive = statics.study.mechanism.drive
-    told = balancing_quantity(drive)
+    balancing = balancing_quantity(drive)
     given = statics.given(found, statics.study.motion(2))
-    least = told.share * found.nothing_over[told.unit != "N" or drive.pushed]
+    least = balancing.share * found.nothing_over[balancing.unit != "N" or drive.pushed]
     largest = greatest(np.where(np.abs(given) <= least, 0.0, given))
     if largest is not None:
-        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
+        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, balancing.unit)
         yield word(
             language,
             "report.greatest",
-            letter=lettering.letter(language, told.name),
+            letter=lettering.letter(language, balancing.name),
             size=size,
             unit=unit,
             position=largest[1],
@@ -150,18 +150,18 @@ def remarks(study: Study) -> list[Message]:
     lines = gap_lines([gap for gap in comparison.construction.gaps if gap.plan == FORCES])
     jams = friction.jams if friction is not None else ()
     for pair in dict.fromkeys(jam.pair for jam in jams):
-        own = [jam for jam in jams if jam.pair == pair]
-        where = runs([jam.position for jam in own], "-")
-        lines.append(message("jam.pair", pair=pair, positions=where, advice=own[0].advice))
+        jammed = [jam for jam in jams if jam.pair == pair]
+        where = runs([jam.position for jam in jammed], "-")
+        lines.append(message("jam.pair", pair=pair, positions=where, advice=jammed[0].advice))
     return lines
 
 
 def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
-    told = balancing_quantity(statics.study.mechanism.drive)
-    yield from _reactions(found, told, statics)
-    yield from balancing_table(comparison, told, language)
+    balancing = balancing_quantity(statics.study.mechanism.drive)
+    yield from _reactions(found, balancing, statics)
+    yield from balancing_table(comparison, balancing, language)
     yield from (
         gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
         for gap in found.gaps
@@ -221,23 +221,24 @@ def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
     return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
-def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) -> Iterator[str]:
+def _reactions(found: Kinetostatics, balancing: BalancingQuantity, statics: Statics) -> Iterator[str]:
     """Tell what balances the drive and every reaction in every position, and of sliding pairs their moments."""
     language, formula = statics.study.language, Formula(drafting_of_forces(statics))
-    own = statics.form.sheet.reactions
-    letters = {"reaction": f"${formula.letter(f'{own}_{{ab}}')}$", "balancing": f"${formula.letter(told.name)}$"}
-    yield f"\n{word(language, 'report.reactions', **letters, unit=lettering.word(language, told.unit))}\n"
-    reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
+    symbol = statics.form.sheet.reactions
+    any_reaction, drive = (f"${formula.letter(name)}$" for name in (f"{symbol}_{{ab}}", balancing.name))
+    parts = {"reaction": any_reaction, "balancing": drive, "unit": lettering.word(language, balancing.unit)}
+    yield f"\n{word(language, 'report.reactions', **parts)}\n"
+    reactions = sorted(found.reactions.values(), key=lambda reaction: (reaction.giver, reaction.taker))
     force, moment = found.nothing_over
-    least = told.share * (force if statics.study.mechanism.drive.ram is not None else moment)
-    columns = {letters["balancing"]: _sized(statics.given(found, statics.study.motion(2)), least)}
-    for one in reactions:
-        index = indices(one.giver, one.taker)
-        letter = f"${formula.letter(f'{own}_{{{index}}}')}$"
-        head = word(language, "report.reaction", letter=letter, point=f"${formula.line(one.point)}$")
-        columns[head] = _sized(one.force, force)
-        if one.moment is not None and np.any(np.abs(found.counted(one.moment)) > moment):
-            columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(one.moment, moment)
+    least = balancing.share * (force if statics.study.mechanism.drive.ram is not None else moment)
+    columns = {drive: _sized(statics.given(found, statics.study.motion(2)), least)}
+    for reaction in reactions:
+        index = indices(reaction.giver, reaction.taker)
+        letter = f"${formula.letter(f'{symbol}_{{{index}}}')}$"
+        head = word(language, "report.reaction", letter=letter, point=f"${formula.line(reaction.point)}$")
+        columns[head] = _sized(reaction.force, force)
+        if reaction.moment is not None and np.any(np.abs(found.counted(reaction.moment)) > moment):
+            columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(reaction.moment, moment)
     yield from header([word(language, "table.position"), *columns])
     for k in range(len(found.phi)):
         yield row([str(k), *(_cell(column[k], language) for column in columns.values())])
@@ -263,11 +264,11 @@ def friction_lines(comparison: ForceComparison, found: Friction, language: str) 
     yield say("report.friction_powers")
     heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
     yield from header([say("table.position"), *found.powers, *heads])
-    own, *whole = least(comparison, found)
-    powers = map(_sized, (*found.powers.values(), found.lost, found.useful), (*own, *whole))
+    pairs, *whole = least(comparison, found)
+    powers = map(_sized, (*found.powers.values(), found.lost, found.useful), (*pairs, *whole))
     columns = [*powers, found.efficiency]
     for k in range(len(found.phi)):
-        yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
+        yield row([str(k), *("—" if np.isnan(column[k]) else write(float(column[k]), digits=6) for column in columns)])
     if found.cycle is not None:
         yield f"\n{say('report.cycle', efficiency=write(found.cycle, digits=6))}"
     yield say("report.wear", shares=", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items()))

@@ -19,7 +19,8 @@ from drawings.layout.picture import Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, Stroke, stated
-from drawings.symbols.couples import coupling, spring
+from drawings.symbols.couples import coupling
+from drawings.symbols.couples import spring as coil
 from drawings.symbols.force_arrow import ForceArrow
 from drawings.symbols.symbols import HINGE, fixed_hinge
 from geometry.board import at
@@ -54,31 +55,31 @@ class FrictionCircle(NamedTuple):
 def shown_springs(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownSpring]:
     """Give the springs that act on a cut, each once."""
     places = {load.name: at(load.at.point, column) for load in cut.loads}
-    for one in plan.machine.springs:
-        for name, far in _ends(one):
+    for spring in plan.machine.springs:
+        for name, far in _ends(spring):
             if name in places:
-                yield _shown(plan, one, name, places[name], far, links)
+                yield _shown(plan, spring, name, places[name], far, links)
                 break
 
 
-def _ends(one: Spring) -> Iterator[tuple[str, int]]:
+def _ends(spring: Spring) -> Iterator[tuple[str, int]]:
     """Give the force at each moving end of a spring, with the other end."""
-    moving = [k for k in (0, 1) if one.links[k] != FRAME]
-    return ((one.name + ("′" if k != moving[0] else ""), 1 - k) for k in moving)
+    moving = [k for k in (0, 1) if spring.links[k] != FRAME]
+    return ((spring.name + ("′" if k != moving[0] else ""), 1 - k) for k in moving)
 
 
-def _shown(plan: ForcePlan, one: Spring, name: str, start: complex, far: int, links: CutLinks) -> ShownSpring:
-    end = at(plan.positions.point(one.points[far]).point, links.shown)
+def _shown(plan: ForcePlan, spring: Spring, name: str, start: complex, far: int, links: CutLinks) -> ShownSpring:
+    end = at(plan.positions.point(spring.points[far]).point, links.shown)
     most = FAR * links.size
     if abs(end - start) > most:
         return ShownSpring(name, start, start + (end - start) / abs(end - start) * most, "", False)
-    return ShownSpring(name, start, end, one.points[far], one.links[far] == FRAME)
+    return ShownSpring(name, start, end, spring.points[far], spring.links[far] == FRAME)
 
 
 def friction_circles_of(plan: ForcePlan, cut: Cut) -> Iterator[FrictionCircle]:
     """Give the friction circles of a cut's hinges."""
-    for key, one in plan.machine.friction.items():
-        radius = one.coefficient * one.radius
+    for key, rubbing in plan.machine.friction.items():
+        radius = rubbing.coefficient * rubbing.radius
         links = {int(link) for link in key.split("-")}
         if radius > 0 and links & set(cut.links):
             yield from (FrictionCircle(name, radius) for name in _hinges(plan, links))
@@ -131,7 +132,7 @@ class Scheme:
     def named(self) -> dict[str, complex]:
         """The points that bear letters: those of the links, and those at which other forces act."""
         others = {force.spot: force.at for force in self.acting.forces if force.spot}
-        others |= {one.letter: one.end for one in self.springs if one.letter}
+        others |= {spring.letter: spring.end for spring in self.springs if spring.letter}
         return self.links.points | {name: place for name, place in others.items() if name not in self.links.points}
 
     @cached_property
@@ -143,12 +144,12 @@ class Scheme:
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        return [*self.solid, *(one.end for one in self.springs)]
+        return [*self.solid, *(spring.end for spring in self.springs)]
 
     @property
     def solid(self) -> list[complex]:
         """The true points of all but the springs, by which the links are seen."""
-        away = {one.letter for one in self.springs} - self.links.points.keys()
+        away = {spring.letter for spring in self.springs} - self.links.points.keys()
         places = [*(place for name, place in self.named.items() if name not in away), *self.links.slots]
         places += [arm.foot for arm in self.dimensioned]
         places += [force.at for force in self.acting.forces]
@@ -165,8 +166,8 @@ def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:
     links = cut_links(plan, cut, column)
     wheel = _wheel(plan, links) if cut.group is None else None
     loads, arms = acting(plan, cut, links, column), leverages(plan, cut, column)
-    held = tuple(shown_springs(plan, cut, links, column))
-    return Scheme(plan, cut, column, links, loads, arms, wheel, held, tuple(friction_circles_of(plan, cut)))
+    hung = tuple(shown_springs(plan, cut, links, column))
+    return Scheme(plan, cut, column, links, loads, arms, wheel, hung, tuple(friction_circles_of(plan, cut)))
 
 
 def _wheel(plan: ForcePlan, links: CutLinks) -> Wheel | None:
@@ -186,23 +187,23 @@ WAYS = (1, -1, 1j, -1j)
 
 def drawn_springs(shown: Scheme, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw each spring from its point on the links; one that the frame holds has its stand."""
-    own = shown.links.points
-    for one in shown.springs:
-        start, end = place.on(one.start), place.on(one.end)
-        data = {"kind": "spring", "name": one.name, "direction": stated((end - start) / abs(end - start))}
-        strokes: tuple[Stroke, ...] = (spring(start, end, hand),)
-        if one.fixed and one.letter not in own:
+    points = shown.links.points
+    for spring in shown.springs:
+        start, end = place.on(spring.start), place.on(spring.end)
+        data = {"kind": "spring", "name": spring.name, "direction": stated((end - start) / abs(end - start))}
+        strokes: tuple[Stroke, ...] = (coil(start, end, hand),)
+        if spring.fixed and spring.letter not in points:
             strokes += fixed_hinge(end, hand, HINGE * hand.symbol)
         yield Group(strokes, "", data)
 
 
 def drawn_circles(shown: Scheme, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the friction circles that are to be seen at the scheme's scale, each about its hinge."""
-    for one in dict.fromkeys(shown.circles):  # a point that joins three links has a circle for each two of them
-        radius = place.length(one.radius)
-        if radius > HINGE * hand.symbol + WIDER and one.point in shown.named:
-            circle = Circle(place.on(shown.named[one.point]), radius, hand.drafted)
-            yield Group((circle,), "", {"kind": "friction", "name": one.point})
+    for friction in dict.fromkeys(shown.circles):  # a point that joins three links has a circle for each two of them
+        radius = place.length(friction.radius)
+        if radius > HINGE * hand.symbol + WIDER and friction.point in shown.named:
+            circle = Circle(place.on(shown.named[friction.point]), radius, hand.drafted)
+            yield Group((circle,), "", {"kind": "friction", "name": friction.point})
 
 
 def coupled(shown: Scheme, place: Place, hand: Hand, ink: Ink) -> Iterator[Group]:
@@ -291,9 +292,9 @@ def _best(arrow: ForceArrow, reach: float, room: _Room, hand: Hand) -> ForceArro
 def _places(pressing: bool) -> Iterator[tuple[float, bool, float]]:
     """Give what each place costs at least: starting or ending at the point, and mm off it."""
     for ending in (False, True):
-        own = ENDING * (ending != pressing)
-        yield own, ending, 0.0
-        yield from ((own + OFF + FURTHER * STEP * k, ending, STEP * k) for k in range(1, STEPS + 1))
+        turned = ENDING * (ending != pressing)
+        yield turned, ending, 0.0
+        yield from ((turned + OFF + FURTHER * STEP * k, ending, STEP * k) for k in range(1, STEPS + 1))
 
 
 def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float) -> ForceArrow:

@@ -113,7 +113,7 @@ class _ForceSheet:
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
         words = notes(self.statics, self.comparison, self.position, self.drafting.language)
-        columns = (one for cut in self.plan.cuts for one in self._column(cut))
+        columns = (figure for cut in self.plan.cuts for figure in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
         shows, later = (
@@ -140,8 +140,8 @@ class _ForceSheet:
         """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
         yield from (self._scheme(cut), self._equations(cut))
         shown = self._polygons[cut.label]
-        for one in (*([shown] if shown.forces else []), *shown.details):
-            yield exhibit(polygon, one, self.drafting, together=cut.label)
+        for figure in (*([shown] if shown.forces else []), *shown.details):
+            yield exhibit(polygon, figure, self.drafting, together=cut.label)
 
     @cached_property
     def _polygons(self) -> dict[str, polygon.ForcePolygon]:
@@ -169,12 +169,12 @@ class _ForceSheet:
         if plans.lever is None or not self.study.rates.at(self.position)[0]:
             return
         shown = lever.hanging(plans.plan, plans.lever, self.position)
-        told = lever.balance(shown, self.drafting)
-        yield exhibit(lever, shown, self.drafting, together=LEVER if told else "")
-        if told:
+        terms = lever.balance(shown, self.drafting)
+        yield exhibit(lever, shown, self.drafting, together=LEVER if terms else "")
+        if terms:
             turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
             moment = at(plans.lever.moment.point, self.position).real if turned else None
-            equation = LeverEquation(told, moment, self.drafting, self.position)
+            equation = LeverEquation(terms, moment, self.drafting, self.position)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _workings(self) -> Iterator[Working]:
@@ -193,8 +193,8 @@ class _ForceSheet:
         """How the known forces of a cut are laid off, and those that close its polygon are read."""
         name, drafting = f"{POLYGON}{cut.label}", self.drafting
         known, found = dict[str, float](), dict[str, float]()
-        for one in self._polygons[cut.label].forces:
-            (known if one.kind in LAID else found)[letter_of(one.name, drafting)] = abs(one.value)
+        for force in self._polygons[cut.label].forces:
+            (known if force.kind in LAID else found)[letter_of(force.name, drafting)] = abs(force.value)
         if known:
             yield working.segment_working(known, polygon.SYMBOL, name, drafting, SEEN)
         if found:
@@ -230,15 +230,16 @@ class _ForceSheet:
         return curve_graph.draw(curve._replace(stated=stated), room, spot, self.drafting)
 
     def _curve(self) -> curve_graph.GraphCurve:
-        statics, drive, told = self.statics, self.study.mechanism.drive, balancing_quantity(self.study.mechanism.drive)
-        own = self.forces.counted(statics.given(self.forces, self.study.motion(2)))
-        sizes = statics.given_around(STEPS, self.turned), own
-        least = told.share * self.forces.nothing[told.unit != "N" or drive.pushed]
+        statics, drive = self.statics, self.study.mechanism.drive
+        balancing = balancing_quantity(drive)
+        given = self.forces.counted(statics.given(self.forces, self.study.motion(2)))
+        sizes = statics.given_around(STEPS, self.turned), given
+        least = balancing.share * self.forces.nothing[balancing.unit != "N" or drive.pushed]
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in sizes)
         dense, (stations, along) = curve_graph.bounded(dense, ordinates), self._stations()
-        letter = letter_of(told.name, self.drafting)
+        letter = letter_of(balancing.name, self.drafting)
         turn = (along, dense, stations, ordinates)
-        curve = curve_graph.GraphCurve(letter, told.unit, *turn, shown=self.chosen, states=told.name)
+        curve = curve_graph.GraphCurve(letter, balancing.unit, *turn, shown=self.chosen, states=balancing.name)
         return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
 
     def _stations(self) -> tuple[Floats, Floats]:
@@ -247,17 +248,17 @@ class _ForceSheet:
         if mechanism.drive.turns:
             turned = np.degrees(self.study.sense * (phi - phi[0])) % 360
             return turned, np.arange(STEPS + 1) * 360 / STEPS
-        own, along = (ram.ways(mechanism, row) for row in (phi, self.turned.phi))
-        assert own is not None and along is not None  # of a drive over a stroke
-        return np.abs(own - own[0]), np.abs(along - own[0])
+        stations, along = (ram.ways(mechanism, row) for row in (phi, self.turned.phi))
+        assert stations is not None and along is not None  # of a drive over a stroke
+        return np.abs(stations - stations[0]), np.abs(along - stations[0])
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""
         for key in self.statics.form.sheet.hodographs:
-            dense, own = self.turned.reactions[key], self.forces.reactions[key]
-            letter = letter_of(f"R_{indices(own.giver, own.taker)}", self.drafting)
-            around = curve_graph.bounded(dense.force, own.force)
-            shown = hodograph.Hodograph(letter, "F", "N", around, own.force, self.position, f"hodograph-{key}")
+            dense, reaction = self.turned.reactions[key], self.forces.reactions[key]
+            letter = letter_of(f"R_{indices(reaction.giver, reaction.taker)}", self.drafting)
+            around = curve_graph.bounded(dense.force, reaction.force)
+            shown = hodograph.Hodograph(letter, "F", "N", around, reaction.force, self.position, f"hodograph-{key}")
             yield exhibit(hodograph, shown, self.drafting)
 
     def _table(self) -> RuledTable:

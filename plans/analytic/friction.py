@@ -63,7 +63,8 @@ def friction(
     }
     useful, lost = _useful(road, motion, loading, first) + none, np.sum([*powers.values(), none], axis=0)
     times = road.rates(motion.phi).times
-    locks = {one.outer.key: _Lock(road, motion, statics, pairs, one) for one in _driven(pairs) if one.outer in rubs}
+    driven = (link for link in _driven(pairs) if link.outer in rubs)
+    locks = {link.outer.key: _Lock(road, motion, statics, pairs, link) for link in driven}
     jams = [jam for key, lock in locks.items() for jam in lock.jams(machine.friction[key], rates[key])]
     return Friction(
         by="analysis",
@@ -90,7 +91,7 @@ def _rate(road: Analysis, motion: Motion, first: Floats, pair: Pair) -> Floats:
     feet = constraints.size * constraints.points[:, constraints.hinges + k]
     links = pair.joint.slider, pair.joint.owner
     slider, owner = (
-        speed(constraints, poses, rates, link, complex(own)) for link, own in zip(links, feet, strict=True)
+        speed(constraints, poses, rates, link, complex(foot)) for link, foot in zip(links, feet, strict=True)
     )
     # Both feet lie on the common line: that it turns moves neither along it.
     slip = (constraints.place(poses).ways[:, 1, k].conj() * (slider - owner)).real

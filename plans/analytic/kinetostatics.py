@@ -42,12 +42,12 @@ class Action(NamedTuple):
 
 def action(transmission: Transmission, mechanism: Mechanism, constraints: Constraints, poses: Floats) -> Action | None:
     """Give the line of action of a crank driven by force; None where a moment drives it, and of a slide."""
-    drive, own = mechanism.drive, mechanism.links[mechanism.drive.link].points
+    drive, points = mechanism.drive, mechanism.links[mechanism.drive.link].points
     if drive.guide is not None:
         return None
-    shaft = place(constraints, poses, drive.link, own[drive.pivot])
+    shaft = place(constraints, poses, drive.link, points[drive.pivot])
     if transmission.kind == FORCE:
-        end = place(constraints, poses, drive.link, own[drive.end])
+        end = place(constraints, poses, drive.link, points[drive.end])
         return Action(end, 1j * (end - shaft) / np.abs(end - shaft), shaft)
     if transmission.kind == GEAR:
         towards, along = _mesh(transmission, drive)
@@ -92,8 +92,8 @@ def _pushed(
     """Give the force along its guide with which a slide is pushed, at the foot of its named point on the line."""
     assert drive.guide is not None  # it is pushed along
     along = drive.guide.way(FRAME).direction
-    own, line = mechanism.links[drive.link].points[drive.end], drive.guide.on_slider
-    foot = line.through + line.direction * ((own - line.through) / line.direction).real
+    spot, line = mechanism.links[drive.link].points[drive.end], drive.guide.on_slider
+    foot = line.through + line.direction * ((spot - line.through) / line.direction).real
     r = place(constraints, poses, drive.link, foot)
     return Balancing(multiplier, np.asarray(multiplier / drive.unit * along), r)
 
@@ -163,11 +163,11 @@ def _balance(
 
 def _lost(constraints: Constraints, poses: Floats, motion: Motion) -> dict[int, str]:
     """Give the gaps of the velocities where the equations lose rank, and why there are no forces."""
-    told = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
-    at = constraints.place(poses[list(told)])
+    reasons = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
+    at = constraints.place(poses[list(reasons)])
     matrices = constraints.jacobian(at)
     blunt = reciprocal_condition(matrices, inverses(matrices)) <= BLUNT
-    return {k: told[k] for k, faint in zip(told, blunt, strict=True) if faint}
+    return {k: reasons[k] for k, faint in zip(reasons, blunt, strict=True) if faint}
 
 
 def _gaps(motion: Motion, singular: dict[int, str]) -> tuple[Gap, ...]:
@@ -199,15 +199,15 @@ def _hinge_reactions(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reacti
 
 def _peel(tree: list[Pair], on_links: dict[int, Complexes]) -> list[tuple[Pair, Complexes]]:
     """Share the forces of a pin on its links out to its pairs, a tree of links, from its leaves inward."""
-    told = []
+    shared = []
     while tree:
         ends = [end for pair in tree for end in (pair.giver, pair.taker)]
         pair, leaf = next((p, end) for p in tree for end in (p.taker, p.giver) if ends.count(end) == 1)
         other, force = pair.giver + pair.taker - leaf, on_links[leaf]
-        told.append((pair, force if leaf == pair.taker else -force))
+        shared.append((pair, force if leaf == pair.taker else -force))
         on_links = {**on_links, other: on_links[other] + force}
         tree = [left for left in tree if left is not pair]
-    return told
+    return shared
 
 
 def _sliding(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:

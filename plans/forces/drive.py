@@ -53,19 +53,19 @@ def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
     """Close the polygon of a slide along its guide and square to it; no moment is needed for what pushes it."""
     drive, board = plan.mechanism.drive, plan.board
     (loads, couples), along = plan.acting(drive.link), leads.direction(plan.positions, slide, FRAME)
-    laid = statics.chain(plan, str(drive.link), *statics.known_sides(loads))
+    chain = statics.chain(plan, str(drive.link), *statics.known_sides(loads))
     lead = statics.direction_on(plan, along)
     lines = (
-        board.parallel(f"∥{lead.name}", laid.start, lead, because("pushed_along")),
-        board.square(f"⊥{lead.name}", laid.end, lead, because("guide_presses")),
+        board.parallel(f"∥{lead.name}", chain.start, lead, because("pushed_along")),
+        board.square(f"⊥{lead.name}", chain.end, lead, because("guide_presses")),
     )
     name = f"R_{indices(FRAME, drive.link)}"
-    closed = statics.close(plan, laid, (DRIVING, name), lines)
+    closed = statics.close(plan, chain, (DRIVING, name), lines)
     plan.driven = _foot(plan, slide, along)
-    plan.drive = board.join(DRIVING, closed.corner, laid.start, because("closing"))
+    plan.drive = board.join(DRIVING, closed.corner, chain.start, because("closing"))
     plan.shaft = _wheel(plan, along, plan.driven)
     plan.balancing = board.moment(BALANCING, plan.shaft, plan.driven, plan.drive, because("wheel_moment"))
-    force = board.join(name, laid.end, closed.corner, because("closing"))
+    force = board.join(name, chain.end, closed.corner, because("closing"))
     pushing = Load(DRIVING, drive.link, plan.driven, plan.drive, PART)
     support = statics.support(plan, (FRAME, drive.link), slide, force, (), [*loads, pushing], couples)
     return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
@@ -106,11 +106,11 @@ def _turned(plan: ForcePlan) -> Cut:
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
     equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
-    laid = statics.chain(plan, str(drive.link), *driving, *statics.known_sides(loads))
+    chain = statics.chain(plan, str(drive.link), *driving, *statics.known_sides(loads))
     name = f"R_{indices(FRAME, drive.link)}"
-    force = board.join(name, laid.end, laid.start, because("closing"))
+    force = board.join(name, chain.end, chain.start, because("closing"))
     support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)
-    sides = (*laid.sides, Side(name, laid.end, laid.start, CLOSING))
+    sides = (*chain.sides, Side(name, chain.end, chain.start, CLOSING))
     return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
 
 
@@ -142,8 +142,8 @@ def joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
         return parts[0]
     reactions = {}
     for key, first in parts[0].reactions.items():
-        told = [part.reactions[key] for part in parts]
-        rows = (_together([getattr(one, name) for one in told]) for name in ("r", "force", "moment", "along"))
+        names = ("r", "force", "moment", "along")
+        rows = (_together([getattr(part.reactions[key], name) for part in parts]) for name in names)
         reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
     balancing = Balancing(*(_together(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
     return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
@@ -156,10 +156,11 @@ def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics
         return None if row is None else np.where(gone, np.nan, row)
 
     reactions = {
-        key: one._replace(force=kept(one.force), moment=kept(one.moment)) for key, one in forces.reactions.items()
+        key: reaction._replace(force=kept(reaction.force), moment=kept(reaction.moment))
+        for key, reaction in forces.reactions.items()
     }
-    told = forces.balancing
-    balancing = Balancing(kept(told.moment), kept(told.force), told.r)
+    drive = forces.balancing
+    balancing = Balancing(kept(drive.moment), kept(drive.force), drive.r)
     return replace(forces, reactions=reactions, balancing=balancing)
 
 
@@ -174,8 +175,8 @@ def with_cylinder(mechanism: Mechanism, machine: Machine, motion: Motion, loads:
     along, _ = _growth(mechanism, motion)
     force = np.asarray(push(mechanism, machine, motion, loads) * along)
     ends = zip(_ends(mechanism), (force, 0.0 - force), (DRIVING, DRIVING.replace("_", "′_")), strict=True)
-    told = (Applied(name, *end, one, useful=False) for end, one, name in ends if end[0] != FRAME)
-    return loads._replace(forces=(*loads.forces, *told))
+    pushes = (Applied(name, *end, pushed, useful=False) for end, pushed, name in ends if end[0] != FRAME)
+    return loads._replace(forces=(*loads.forces, *pushes))
 
 
 def push(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Floats:
@@ -238,9 +239,9 @@ def _borne(mechanism: Mechanism, machine: Machine, motion: Motion, body: Body) -
     return np.asarray((np.conj(force) * way).real - body.inertia * turned.epsilon * turning)
 
 
-def _rates(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> tuple[Complexes, Complexes]:
+def _rates(mechanism: Mechanism, motion: Motion, link: int, spot: complex) -> tuple[Complexes, Complexes]:
     """Give the velocity and the acceleration of a point of a link by its place in the link's own frame."""
     name, first = next(iter(mechanism.links[link].points.items()))
     turned, point = motion.links[link], motion.points[name]
-    arm = (own - first) * np.exp(1j * turned.angle)
+    arm = (spot - first) * np.exp(1j * turned.angle)
     return point.v + 1j * turned.omega * arm, point.a + (1j * turned.epsilon - turned.omega**2) * arm

@@ -17,14 +17,14 @@ def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Find the tangential parts by moments about B, then close the polygon along both leads (M5.2)."""
     board, (first, second) = plan.board, dyad.links
     equations = [polygon.tangential(plan, dyad, end) for end in (0, 1)]
-    parts = [one and one.found for one in equations]
-    laid, inner = polygon.lay_out(plan, dyad, parts[0], last=parts[1])
+    parts = [equation and equation.found for equation in equations]
+    chain, inner = polygon.lay_out(plan, dyad, parts[0], last=parts[1])
     lines = [
         board.parallel(f"∥{lead.name}", start, lead, because("along_normal", line=lead.name))
-        for lead, start in ((polygon.lead_of(plan, dyad, 0), laid.start), (polygon.lead_of(plan, dyad, 1), laid.end))
+        for lead, start in ((polygon.lead_of(plan, dyad, 0), chain.start), (polygon.lead_of(plan, dyad, 1), chain.end))
     ]
     names = [polygon.normal_name(dyad, end, parts[end]) for end in (0, 1)]
-    closed = polygon.close(plan, laid, (names[0], names[1]), (lines[0], lines[1]))
+    closed = polygon.close(plan, chain, (names[0], names[1]), (lines[0], lines[1]))
     supports = [polygon.hinge_reaction(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
     pin = polygon.support(plan, (second, first), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
     return polygon.cut(plan, dyad, supports, pin, equations, closed.polygon)
@@ -35,14 +35,14 @@ def rrp(plan: ForcePlan, dyad: Dyad) -> Cut:
     board, (rod, slider) = plan.board, dyad.links
     equation = polygon.tangential(plan, dyad, 0)
     part = equation and equation.found
-    laid, inner = polygon.lay_out(plan, dyad, part)
+    chain, inner = polygon.lay_out(plan, dyad, part)
     lead, along = polygon.lead_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
     lines = (
-        board.parallel(f"∥{lead.name}", laid.start, lead, because("along_normal", line=lead.name)),
-        board.square(f"⊥{along.name}", laid.end, along, because("guide_presses")),
+        board.parallel(f"∥{lead.name}", chain.start, lead, because("along_normal", line=lead.name)),
+        board.square(f"⊥{along.name}", chain.end, along, because("guide_presses")),
     )
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
-    closed = polygon.close(plan, laid, names, lines)
+    closed = polygon.close(plan, chain, names, lines)
     pin = polygon.support(plan, (slider, rod), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
     supports = [polygon.hinge_reaction(plan, dyad, 0, closed, part), polygon.guide_reaction(plan, dyad, 1, closed, pin)]
     return polygon.cut(plan, dyad, supports, pin, [equation], closed.polygon)
@@ -52,30 +52,30 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Find the pin's part along the slot, then the one square to it by moments about C, and close in C (M5.4)."""
     part = polygon.along_slot(plan, dyad)
     across = polygon.across_slot(plan, dyad, part)
-    laid, inner = polygon.lay_out(plan, dyad, part, across and across.found)
+    chain, inner = polygon.lay_out(plan, dyad, part, across and across.found)
     name = polygon.name_of(dyad, 1)
     pivot = polygon.support(
         plan,
         (dyad.hosts[1], dyad.links[1]),
         dyad.hinge(1),
-        plan.board.join(name, laid.end, laid.start, because("closing")),
+        plan.board.join(name, chain.end, chain.start, because("closing")),
     )
-    pin = polygon.stone_reaction(plan, dyad, laid, across, part)
-    slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, laid.start, inner), pin)
+    pin = polygon.stone_reaction(plan, dyad, chain, across, part)
+    slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, chain.start, inner), pin)
     supports = [pin, pivot]
-    return polygon.cut(plan, dyad, supports, slotted, [across], (*laid.sides, polygon.closing(name, laid)))
+    return polygon.cut(plan, dyad, supports, slotted, [across], (*chain.sides, polygon.closing(name, chain)))
 
 
 def prp(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Close the polygon of all forces square to both guides; the pin's moments give their moments (M5.5)."""
-    laid, inner = polygon.lay_out(plan, dyad)
+    chain, inner = polygon.lay_out(plan, dyad)
     guides = polygon.guide_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
     lines = [
         plan.board.square(f"⊥{along.name}", start, along, because("guide_presses"))
-        for along, start in zip(guides, (laid.start, laid.end), strict=True)
+        for along, start in zip(guides, (chain.start, chain.end), strict=True)
     ]
     names = polygon.name_of(dyad, 0), polygon.name_of(dyad, 1)
-    closed = polygon.close(plan, laid, names, (lines[0], lines[1]))
+    closed = polygon.close(plan, chain, names, (lines[0], lines[1]))
     pin = polygon.support(plan, dyad.links[::-1], dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
     supports = [polygon.guide_reaction(plan, dyad, end, closed, pin) for end in (0, 1)]
     return polygon.cut(plan, dyad, supports, pin, [], closed.polygon)
@@ -85,14 +85,14 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Find the pin's part along the slot, then close square to the slot and square to the guide (M5.6)."""
     board = plan.board
     part = polygon.along_slot(plan, dyad)
-    laid, inner = polygon.lay_out(plan, dyad, part)
+    chain, inner = polygon.lay_out(plan, dyad, part)
     slot, along = polygon.slot_of(plan, dyad), polygon.guide_of(plan, dyad, 1)
     lines = (
-        board.square(f"⊥{slot.name}", laid.start, slot, because("slot_presses")),
-        board.square(f"⊥{along.name}", laid.end, along, because("guide_presses")),
+        board.square(f"⊥{slot.name}", chain.start, slot, because("slot_presses")),
+        board.square(f"⊥{along.name}", chain.end, along, because("guide_presses")),
     )
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
-    closed = polygon.close(plan, laid, names, lines)
+    closed = polygon.close(plan, chain, names, lines)
     pin = polygon.hinge_reaction(plan, dyad, 0, closed, part)
     slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, closed.corner, inner), pin)
     supports = [pin, polygon.guide_reaction(plan, dyad, 1, closed, slotted)]

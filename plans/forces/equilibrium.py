@@ -52,12 +52,12 @@ def acting(
             )
     for twist in loading.moments:
         found.append(LinkForce(twist.link, 0j * zero, 0j * zero, twist.moment, zero, EPS * abs(twist.moment)))
-    for key, one in forces.reactions.items():
-        moment = zero if one.moment is None else one.moment
+    for key, reaction in forces.reactions.items():
+        moment = zero if reaction.moment is None else reaction.moment
         off, off_moment = bounds[key]
-        found.append(LinkForce(one.taker, one.r, one.force, moment, off, off_moment))
-        found.append(LinkForce(one.giver, one.r, -one.force, -moment, off, off_moment))
-    return [one for one in (*found, _drive(mechanism, forces, bounds[BALANCING])) if one.link != FRAME]
+        found.append(LinkForce(reaction.taker, reaction.r, reaction.force, moment, off, off_moment))
+        found.append(LinkForce(reaction.giver, reaction.r, -reaction.force, -moment, off, off_moment))
+    return [force for force in (*found, _drive(mechanism, forces, bounds[BALANCING])) if force.link != FRAME]
 
 
 def _body(
@@ -65,9 +65,9 @@ def _body(
 ) -> LinkForce:
     """Give inertia and weight of a link; where it is and how it moves follow from one of its points and its turning."""
     turned = motion.links[body.link]
-    name, own = next(iter(mechanism.links[body.link].points.items()))
+    name, spot = next(iter(mechanism.links[body.link].points.items()))
     point = motion.points[name]
-    arm = (body.centre - own) * np.exp(1j * turned.angle)
+    arm = (body.centre - spot) * np.exp(1j * turned.angle)
     bent = point.a + (1j * turned.epsilon - turned.omega**2) * arm
     force = body.mass * (machine.gravity - bent)
     # Taken here from a point and the turning of the link, on the plan from the image of the mass centre: twice a bound.
@@ -77,27 +77,27 @@ def _body(
 
 
 def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Floats]) -> LinkForce:
-    told, link = forces.balancing, mechanism.drive.link
-    zero = 0.0 * told.moment
-    if told.force is None or told.r is None:
-        return LinkForce(link, 0j * zero, 0j * zero, told.moment, zero, bound[1])
-    return LinkForce(link, told.r, told.force, zero, bound[0], zero)
+    balancing, link = forces.balancing, mechanism.drive.link
+    zero = 0.0 * balancing.moment
+    if balancing.force is None or balancing.r is None:
+        return LinkForce(link, 0j * zero, 0j * zero, balancing.moment, zero, bound[1])
+    return LinkForce(link, balancing.r, balancing.force, zero, bound[0], zero)
 
 
 def balance(
-    name: str, parts: Sequence[LinkForce], own: Floats, most: tuple[float, float] | None = None
+    name: str, parts: Sequence[LinkForce], places: Floats, most: tuple[float, float] | None = None
 ) -> tuple[Quantity, Quantity]:
     """Sum forces and moments about the shaft; `own` is the bound m of the places.
 
     `most` are the largest force N and moment N*m of the machine: on a link that nothing loads rounding alone is left.
     """
-    force = np.sum([one.force for one in parts], axis=0)
-    moment = np.sum([cross(one.r, one.force) + one.couple for one in parts], axis=0)
-    sizes, arms = np.array([np.abs(one.force) for one in parts]), np.array([np.abs(one.r) for one in parts])
-    off = np.array([one.off for one in parts])
+    force = np.sum([part.force for part in parts], axis=0)
+    moment = np.sum([cross(part.r, part.force) + part.couple for part in parts], axis=0)
+    sizes, arms = np.array([np.abs(part.force) for part in parts]), np.array([np.abs(part.r) for part in parts])
+    off = np.array([part.off for part in parts])
     slack = off.sum(axis=0) + len(parts) * EPS * sizes.max(axis=0)
-    turned = np.array([one.off_couple + EPS * np.abs(one.couple) for one in parts]).sum(axis=0)
-    lever = (arms * off).sum(axis=0) + (sizes * own).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
+    turned = np.array([part.off_couple + EPS * np.abs(part.couple) for part in parts]).sum(axis=0)
+    lever = (arms * off).sum(axis=0) + (sizes * places).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
     most = largest(parts) if most is None else most
     return (
         Quantity.vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
@@ -107,19 +107,21 @@ def balance(
 
 def largest(parts: Sequence[LinkForce]) -> tuple[float, float]:
     """Give the largest force N and the largest moment N*m about the shaft that act anywhere, over all positions."""
-    moments = [np.abs(one.r) * np.abs(one.force) + np.abs(one.couple) for one in parts]
-    return largest_of([np.abs(one.force) for one in parts]), largest_of(moments)
+    moments = [np.abs(part.r) * np.abs(part.force) + np.abs(part.couple) for part in parts]
+    return largest_of([np.abs(part.force) for part in parts]), largest_of(moments)
 
 
-def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], own: Floats) -> list[Quantity]:
+def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], off: Floats) -> list[Quantity]:
     """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
-    found: list[Quantity] = []
+    links = sorted(set(mechanism.links) - {FRAME})
+    bodies = [(str(link), [link]) for link in links]
+    bodies += [("-".join(map(str, group.links)), [*group.links]) for group in groups]
     most = largest(parts)
-    for link in sorted(set(mechanism.links) - {FRAME}):
-        found += balance(str(link), [one for one in parts if one.link == link], own, most)
-    for group in groups:
-        found += balance("-".join(map(str, group.links)), [one for one in parts if one.link in group.links], own, most)
-    return [*found, *balance("whole", parts, own, most)]
+    found = (
+        balance(name, [part for part in parts if part.link in body], off, most)
+        for name, body in (*bodies, ("whole", links))
+    )
+    return [quantity for both in found for quantity in both]
 
 
 def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slack: Floats, turning: Floats) -> Quantity:
@@ -128,16 +130,16 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slac
     `slack` m/s and `turning` rad/s are the bounds of the velocities.
     """
     terms, bounds = [], []
-    for one in parts:
-        turned, name = motion.links[one.link], next(iter(mechanism.links[one.link].points))
+    for part in parts:
+        turned, name = motion.links[part.link], next(iter(mechanism.links[part.link].points))
         point = motion.points[name]
-        v = point.v + 1j * turned.omega * (one.r - point.r)
-        terms.append(dot(one.force, v) + one.couple * turned.omega)
+        v = point.v + 1j * turned.omega * (part.r - point.r)
+        terms.append(dot(part.force, v) + part.couple * turned.omega)
         bounds.append(
-            np.abs(v) * one.off
-            + np.abs(turned.omega) * one.off_couple
-            + np.abs(one.force) * slack
-            + np.abs(one.couple) * turning
+            np.abs(v) * part.off
+            + np.abs(turned.omega) * part.off_couple
+            + np.abs(part.force) * slack
+            + np.abs(part.couple) * turning
         )
     sizes = np.array([np.abs(term) for term in terms])
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)

@@ -54,7 +54,7 @@ class ForceDrawing:
         """Read all reactions and the balancing moment off the force plan."""
         supports = (support for cut in plan.cuts for support in cut.reactions)
         found = [_reaction(plan, support, len(phi)) for support in supports]
-        reactions = {f"{one.giver}-{one.taker}": one for one in found}
+        reactions = {f"{reaction.giver}-{reaction.taker}": reaction for reaction in found}
         return Kinetostatics("construction", phi, reactions, _balancing(plan, len(phi)), ())
 
 
@@ -178,14 +178,14 @@ class ForcePattern:
 
 def reaction_of(support: Support, r: Any, force: Any, moment: Any, along: Any, *, count: int) -> Reaction:
     """Make a reaction of its numbers, told from the lower link on; it may have been found as the opposite one."""
-    told = support.giver < support.taker
+    rising = support.giver < support.taker
     ends = min(support.giver, support.taker), max(support.giver, support.taker)
     force, r = row(force, count), row(r, count)
-    force = force if told else -force
+    force = force if rising else -force
     if along is None:
         return Reaction(*ends, support.point, r, force)
     moment = row(0.0 if moment is None else moment, count).real
-    return Reaction(*ends, support.point, r, force, moment if told else -moment, row(along, count))
+    return Reaction(*ends, support.point, r, force, moment if rising else -moment, row(along, count))
 
 
 def row(value: Any, count: int) -> Any:

@@ -60,8 +60,8 @@ def useful_power(mechanism: Mechanism, motion: Motion, loading: Loading) -> Floa
     given = np.zeros(len(motion.phi))
     for load in loading.forces:
         if load.useful and load.link != FRAME:
-            own, point = _first(mechanism, motion, load.link)
-            arm = (load.at - own) * np.exp(1j * motion.links[load.link].angle)
+            spot, point = _first(mechanism, motion, load.link)
+            arm = (load.at - spot) * np.exp(1j * motion.links[load.link].angle)
             given += dot(load.force, _velocity(mechanism, motion, load.link, point.r + arm))
     for twist in loading.moments:
         if twist.useful:
@@ -77,8 +77,8 @@ def _velocity(mechanism: Mechanism, motion: Motion, link: int, r: Complexes) -> 
 
 def _first(mechanism: Mechanism, motion: Motion, link: int) -> tuple[complex, PointMotion]:
     """Give the first named point of a link: its place in the link, and its motion."""
-    name, own = next(iter(mechanism.links[link].points.items()))
-    return own, motion.points[name]
+    name, spot = next(iter(mechanism.links[link].points.items()))
+    return spot, motion.points[name]
 
 
 def _omega(motion: Motion, link: int) -> Floats:
@@ -150,10 +150,11 @@ class Driven(NamedTuple):
 def drives(groups: Sequence[Group], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, Driven]]:
     """Find the pairs of the frame whose links are driven by a group that hangs on a moving link."""
     for group in groups:
-        fixed, moving = ([one for one in group.outer_pairs if (one.giver == FRAME) == still] for still in (True, False))
+        outer = group.outer_pairs
+        fixed, moving = ([bond for bond in outer if (bond.giver == FRAME) == still] for still in (True, False))
         if not len(fixed) == len(moving) == len(group.inner_pairs) == 1:
             continue
-        driven, driving, inner = (reactions[pair(*one).key] for one in (*fixed, *moving, *group.inner_pairs))
+        driven, driving, inner = (reactions[pair(*bond).key] for bond in (*fixed, *moving, *group.inner_pairs))
         if driving.along is not None and inner.along is not None:
             continue  # two slides bring a couple alone, which presses nothing
         found = f"{driven.giver}-{driven.taker}"
@@ -191,7 +192,7 @@ def friction(
     `times` are what the positions take of even ones over a turn, in one measure.
     """
     # A hinge of several links has more pairs than those on which the groups hang, and whose reactions are told.
-    pairs = {key: one for key, one in machine.friction.items() if key in statics.reactions}
+    pairs = {key: rubbing for key, rubbing in machine.friction.items() if key in statics.reactions}
     rates = {key: rate(mechanism, motion, statics.reactions[key]) for key in pairs}
     gone = ~np.isfinite(statics.balancing.moment)
     powers = {

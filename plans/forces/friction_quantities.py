@@ -29,8 +29,8 @@ def compare_friction(
     assert ours is not None  # the machine has friction
     both = _Compared(statics, motion, forces, (ours, theirs))
     powers = both.powers(statics.loading(motion.construction))
-    told = *cap(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
-    return ours, told
+    found = *cap(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
+    return ours, found
 
 
 class _Compared:
@@ -50,28 +50,28 @@ class _Compared:
         self.slip = self._off("v_") + self.slow * self.forces.size  # m/s that of any point of a link may
         reactions = self.forces.reactions
         rates = {key: rate(self.mechanism, motion.construction, reactions[key]) for key in self.ours.powers}
-        self.rates = {key: np.abs(one) for key, one in rates.items()}
+        self.rates = {key: np.abs(row) for key, row in rates.items()}
         self.largest = max((self._largest(key) for key in self.rates), default=0.0)
 
     def _off(self, symbol: str) -> Floats:
-        told = [one.allowed for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
-        rows = [np.broadcast_to(row, len(self.ours.phi)) for row in told]
+        bounds = [velocity.allowed for velocity in self.motion.of(VELOCITIES.plan) if velocity.name.startswith(symbol)]
+        rows = [np.broadcast_to(row, len(self.ours.phi)) for row in bounds]
         return np.max(rows, axis=0) if rows else np.zeros(len(self.ours.phi))
 
-    def _off_rate(self, one: Reaction) -> Floats:
-        return 2.0 * (self.slow if one.along is None else self.slip)
+    def _off_rate(self, reaction: Reaction) -> Floats:
+        return 2.0 * (self.slow if reaction.along is None else self.slip)
 
-    def _arm(self, one: Reaction, rubs: Rubbing) -> float:
+    def _arm(self, reaction: Reaction, rubs: Rubbing) -> float:
         """Give what friction takes of the machine's largest force at the most: N of a slide, N*m of a journal."""
-        if one.along is None:
+        if reaction.along is None:
             return rubs.radius
         return 1.0 + (2.0 * self.forces.size / rubs.length if rubs.length else 0.0)
 
     def _fast(self, key: str) -> float:
         """Give the largest rate of the machine that a pair may have: rad/s, or of a slide m/s."""
         symbol = "ω_" if self.forces.reactions[key].along is None else "v_"
-        told = [one.largest for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
-        return max([*told, largest_of([self.rates[key]])])
+        fastest = [velocity.largest for velocity in self.motion.of(VELOCITIES.plan) if velocity.name.startswith(symbol)]
+        return max([*fastest, largest_of([self.rates[key]])])
 
     def _largest(self, key: str) -> float:
         """Give the power W of a pair that bears the machine's largest force at its largest rate."""
@@ -81,10 +81,10 @@ class _Compared:
 
     def _pressed(self, key: str) -> Floats:
         """Give by how much what presses in a pair may differ: N of a slide, N*m of a journal."""
-        one, rubs = self.forces.reactions[key], self.machine.friction[key]
-        force, moment = (self.named(f"{letter}_{indices(one.giver, one.taker)}") for letter in "RM")
+        reaction, rubs = self.forces.reactions[key], self.machine.friction[key]
+        force, moment = (self.named(f"{letter}_{indices(reaction.giver, reaction.taker)}") for letter in "RM")
         assert force is not None  # every reaction was compared
-        if one.along is None:
+        if reaction.along is None:
             return rubs.radius * force.allowed
         return np.asarray(force.allowed + (2.0 * moment.allowed / rubs.length if moment and rubs.length else 0.0))
 
@@ -92,12 +92,12 @@ class _Compared:
         """Give by how much the power W lost in a pair may differ: its pressure's error by its rate, and the reverse."""
         rubs, steady = self.machine.friction[key], self._off_rate(self.forces.reactions[key])
         pressed = np.where(self.rates[key] > 0, self.ours.powers[key] / self.rates[key], 0.0)
-        own = rubs.coefficient * self._pressed(key) * self.rates[key] + pressed * steady
-        return with_analysis(own, ORDER, self.motion.kappa, self.largest)
+        off = rubs.coefficient * self._pressed(key) * self.rates[key] + pressed * steady
+        return with_analysis(off, ORDER, self.motion.kappa, self.largest)
 
     def _used(self, loads: Loading) -> Floats:
         forces = sum((np.abs(load.force) for load in loads.forces if load.useful), np.zeros(len(self.ours.phi)))
-        moments = sum((np.abs(one.moment) for one in loads.moments if one.useful), np.zeros(len(self.ours.phi)))
+        moments = sum((np.abs(twist.moment) for twist in loads.moments if twist.useful), np.zeros(len(self.ours.phi)))
         largest = max(self.largest, largest_of([self.ours.useful]))
         return with_analysis(forces * self.slip + moments * self.slow, ORDER, self.motion.kappa, largest)
 
@@ -127,13 +127,13 @@ class _Compared:
             yield self._driving(key)
 
     def _driving(self, key: str) -> Quantity:
-        one, rubs = self.forces.reactions[key], self.machine.friction[key]
-        arm = (self.forces.size if one.along is None else 1.0) * (1.0 + self.ours.locking[key])
+        reaction, rubs = self.forces.reactions[key], self.machine.friction[key]
+        arm = (self.forces.size if reaction.along is None else 1.0) * (1.0 + self.ours.locking[key])
         most = max((finding.allowed for finding in self.compared.of("forces") if finding.unit == "N"), key=_most)
         largest = largest_of([arm * self.forces.largest]) * self._fast(key) + self._largest(key)
         turning = self._pressed(key) * rubs.coefficient
-        own = (arm * most + turning) * self.rates[key] + arm * self.forces.largest * self._off_rate(one)
-        allowed = with_analysis(own, ORDER, self.motion.kappa, largest)
+        off = (arm * most + turning) * self.rates[key] + arm * self.forces.largest * self._off_rate(reaction)
+        allowed = with_analysis(off, ORDER, self.motion.kappa, largest)
         pair = self.ours.driving[key], self.theirs.driving[key]
         return self.finding((f"driving {_index(key)}", "W"), pair, allowed, largest)
 
@@ -144,8 +144,8 @@ class _Compared:
         judged = np.where(whole > off, self.theirs.efficiency, self.ours.efficiency)
         yield self.finding(("η", "1"), (self.ours.efficiency, judged), np.asarray(off / whole), 1.0)
         if np.nansum(whole) > np.nansum(off) and not self.ours.cycle is self.theirs.cycle is None:
-            told = np.array([self.ours.cycle], dtype=float), np.array([self.theirs.cycle], dtype=float)
-            yield self.finding(("η cycle", "1"), told, np.array([np.nansum(off) / np.nansum(whole)]), 1.0)
+            cycles = np.array([self.ours.cycle], dtype=float), np.array([self.theirs.cycle], dtype=float)
+            yield self.finding(("η cycle", "1"), cycles, np.array([np.nansum(off) / np.nansum(whole)]), 1.0)
 
     def wear(self) -> Iterator[Quantity]:
         """Compare the shares of the pairs in the work of friction, where that is more than its own roundings allow."""

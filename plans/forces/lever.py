@@ -53,7 +53,8 @@ def lever(plan: ForcePlan) -> Lever | None:
     for load in _loads(plan, board, [load for link in links for load in plan.loads[link] if load.kind != REACTION]):
         loads.append(load)
         moments.append((load.name, board.moment(f"p({load.name})", pole, load.at, load.force, because("moment"))))
-    for pair in _pairs(plan, board, [one for link in links for one in plan.couples[link] if one.kind != REACTION]):
+    known = [couple for link in links for couple in plan.couples[link] if couple.kind != REACTION]
+    for pair in _pairs(plan, board, known):
         pairs.append(pair)
         moments.append((pair.name, _turning(board, pair)))
     image, point, line = _drive(plan, board)

@@ -143,8 +143,8 @@ def _check_length(load: Force | Moment, stroke: Stroke, thing: Message) -> None:
         raise OtherStroke(load, message("stroke.swings", load=load.name, thing=thing))
     length, whole = load.diagram.length, abs(stroke.reach[1] - stroke.reach[0])
     if abs(whole - length) > FIT * whole:
-        told, reached, off = (f"{1000 * size:.5g}" for size in (length, whole, abs(whole - length)))
-        parts = {"load": load.name, "thing": thing, "length": told, "stroke": reached, "off": off}
+        given, reached, off = (f"{1000 * size:.5g}" for size in (length, whole, abs(whole - length)))
+        parts = {"load": load.name, "thing": thing, "length": given, "stroke": reached, "off": off}
         longer = length > whole
         raise OtherStroke(load, message("stroke.longer", **parts) if longer else message("stroke.shorter", **parts))
 
@@ -276,7 +276,7 @@ def _sense(motion: Motion, link: int) -> Floats:
     """Give the sense in which a link turns, +1 counter-clockwise, from a rest that in which it will."""
     _, omega, epsilon = motion.links[link]
     links = motion.links.values()
-    steady = _largest(one.omega for one in links) ** 2  # rad/s2: what a crank gives that turns evenly
+    steady = _largest(turned.omega for turned in links) ** 2  # rad/s2: what a crank gives that turns evenly
     return np.asarray(np.sign(_moving(omega, epsilon, links, steady)))
 
 
@@ -285,12 +285,12 @@ def _parting(motion: Motion, point: str, other: str, line: tuple[str, str]) -> F
 
     The line turns with the points: d2s/dt2 = a along it + its turning times v across it, from the other point.
     """
-    own, far, start, end = (motion.points[name] for name in (point, other, *line))
+    moved, far, start, end = (motion.points[name] for name in (point, other, *line))
     apart, length = _apart(motion, line)
     with np.errstate(invalid="ignore"):  # a gap is NaN
         along = (apart / length).conj()
-    v, turning = along * (own.v - far.v), along * (end.v - start.v)
-    growth = (along * (own.a - far.a)).real + turning.imag / length * v.imag
+    v, turning = along * (moved.v - far.v), along * (end.v - start.v)
+    growth = (along * (moved.a - far.a)).real + turning.imag / length * v.imag
     return np.asarray(np.sign(_moving(v.real, growth, motion.points.values())))
 
 
@@ -306,10 +306,10 @@ def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotio
 
     Rounding is that of the largest velocity and the largest acceleration, which is the usual one or more.
     """
-    rests = np.abs(speed) <= ROUNDING * _largest(one[1] for one in motions)
+    rests = np.abs(speed) <= ROUNDING * _largest(row[1] for row in motions)
     if not rests.any():
         return speed
-    largest = max(usual, _largest(one[2] for one in motions))
+    largest = max(usual, _largest(row[2] for row in motions))
     stays = np.abs(growth) <= KAPPA * ROUNDING * largest  # kappa once more for every order
     return np.where(rests, np.where(stays, 0.0, growth), speed)
 

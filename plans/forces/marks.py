@@ -46,10 +46,10 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         return NONE
     steps, notes = behind(target), [opposite] if opposite else []
     if not study.whole:
-        own = [mark for mark in steps if mark.subject in ("forces", "lever") and mark.step.op != "transfer"]
+        drawn = [mark for mark in steps if mark.subject in ("forces", "lever") and mark.step.op != "transfer"]
         # What a reaction rests on besides the forces: the plans that it is found over.
-        notes += [message("explain.left_out", count=len(steps) - len(own))] if len(own) < len(steps) else []
-        steps = own
+        notes += [message("explain.left_out", count=len(steps) - len(drawn))] if len(drawn) < len(steps) else []
+        steps = drawn
     return Explanation(motion.title(linkage, name, wanted), tuple(steps), UNITS, tuple(notes), motion.HOME)
 
 
@@ -95,7 +95,7 @@ def forces_by_hand(
 def _forces_read(drawn: ForcePlans) -> Iterator[tuple[str, Mark]]:
     """Give where a force plan and its lever show what is read off them, by the names of the findings."""
     plan = drawn.plan
-    for support in (one for cut in plan.cuts for one in cut.reactions):
+    for support in (support for cut in plan.cuts for support in cut.reactions):
         index = indices(*sorted((support.giver, support.taker)))
         yield f"R_{index}", support.force
         if support.moment is not None:

@@ -61,7 +61,7 @@ def moments(plan: ForcePlan, about: Mark, loads: Sequence[Load], couples: Sequen
     """Take the moments about a point of all forces that have an arm, and of all couples."""
     arms = [load for load in loads if load.at is not about]
     taken = [
-        plan.board.moment(f"{about.name}({one.name})", about, one.at, one.force, because("moment")) for one in arms
+        plan.board.moment(f"{about.name}({load.name})", about, load.at, load.force, because("moment")) for load in arms
     ]
     return [*taken, *(couple.moment for couple in couples)]
 
@@ -91,11 +91,11 @@ def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
     if not loads:
         return None
     board, slot = plan.board, slot_of(plan, dyad)
-    own = chain(plan, f"stone {dyad.links[0]}", *known_sides(loads))
-    through = board.parallel(f"∥{slot.name}", own.end, slot, because("slot_cannot"))
-    across = board.square(f"⊥{slot.name}", own.start, slot, because("slot_square"))
+    stone = chain(plan, f"stone {dyad.links[0]}", *known_sides(loads))
+    through = board.parallel(f"∥{slot.name}", stone.end, slot, because("slot_cannot"))
+    across = board.square(f"⊥{slot.name}", stone.start, slot, because("slot_square"))
     corner = board.meet(f"stone {dyad.links[0]}", through, across, why=because("the_slot_presses"))
-    return board.join(f"R^u_{indices(dyad.hosts[0], dyad.links[0])}", own.end, corner, because("slot_part"))
+    return board.join(f"R^u_{indices(dyad.hosts[0], dyad.links[0])}", stone.end, corner, because("slot_part"))
 
 
 def slot_of(plan: ForcePlan, dyad: Dyad) -> Mark:
@@ -144,9 +144,9 @@ def lay_out(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None 
     """Lay off a group's forces, link after link, between the parts found before; give the corner between the links."""
     before = [(part.name, part, PART) for part in first if part is not None]
     after = [] if last is None else [(last.name, last, PART)]
-    one, other = (known_sides(plan.acting(link)[0]) for link in dyad.links)
-    found = chain(plan, "-".join(map(str, dyad.links)), *before, *one, *other, *after)
-    return found, found.corners[len(before) + len(one)]
+    near, far = (known_sides(plan.acting(link)[0]) for link in dyad.links)
+    found = chain(plan, "-".join(map(str, dyad.links)), *before, *near, *far, *after)
+    return found, found.corners[len(before) + len(near)]
 
 
 def close(plan: ForcePlan, chained: Chain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
@@ -174,8 +174,8 @@ def guide_reaction(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, inner: 
     ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
     force = plan.board.join(name_of(dyad, end), *ends, because("closing"))
     loads, couples = plan.acting(dyad.links[end])
-    held, holding = on_taker(inner) if end == 0 else opposite(plan, inner)
-    return support(plan, pair, dyad.slide(end), force, (), [*loads, *held], [*couples, *holding])
+    loaded, holding = on_taker(inner) if end == 0 else opposite(plan, inner)
+    return support(plan, pair, dyad.slide(end), force, (), [*loads, *loaded], [*couples, *holding])
 
 
 def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | None:
@@ -183,22 +183,22 @@ def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | No
     base, slide = plan.positions, dyad.slide()
     about, at = base.point(dyad.hinge(1)), base.point(dyad.hinge(0))
     loads, couples = plan.acting(*dyad.links)
-    own = [] if part is None else [Load(part.name, dyad.links[0], at, part, PART)]
-    terms = moments(plan, about, [*own, *loads], couples)
+    along = [] if part is None else [Load(part.name, dyad.links[0], at, part, PART)]
+    terms = moments(plan, about, [*along, *loads], couples)
     if not terms:
         return None
     slot = leads.direction(base, slide, slide.owner)
     line = base.board.square(f"⊥{slot.name}", at, slot, because("slot_presses"))
     name, why = normal_name(dyad, 0, part), because("group_moments", point=about.name)
     found = plan.board.balance(name, about, line, *terms, why=why)
-    armed = tuple(load for load in (*own, *loads) if load.at is not about)
+    armed = tuple(load for load in (*along, *loads) if load.at is not about)
     return Equation(about, armed, tuple(couples), line, found)
 
 
 def stone_reaction(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None, part: Mark | None) -> Support:
     """Give the reaction on a stone's pin: its two parts together, or the one that there is (book figure 6.16)."""
     pair = dyad.hosts[0], dyad.links[0]
-    parts = [one for one in (part, across and across.found) if one is not None]
+    parts = [mark for mark in (part, across and across.found) if mark is not None]
     if len(parts) == 1 and part is None:
         return support(plan, pair, dyad.hinge(0), parts[0])
     force = plan.board.join(name_of(dyad, 0), chained.start, chained.corners[len(parts)], because("both_parts"))
@@ -208,8 +208,8 @@ def stone_reaction(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation
 def slot_reaction(plan: ForcePlan, dyad: Dyad, force: Mark, outer: Support) -> Support:
     """Keep the pressure of a slotted link on its stone, with where it acts by the moments on the stone (M5.4)."""
     loads, couples = plan.acting(dyad.links[0])
-    held, _ = on_taker(outer)
-    return support(plan, dyad.links[::-1], dyad.slide(), force, (), [*loads, *held], couples)
+    loaded, _ = on_taker(outer)
+    return support(plan, dyad.links[::-1], dyad.slide(), force, (), [*loads, *loaded], couples)
 
 
 def cut_at(plan: ForcePlan, dyad: Dyad, corner: Mark, inner: Mark) -> Mark:
@@ -228,7 +228,7 @@ def cut(
 ) -> Cut:  # fmt: skip
     """Put the group together as it was cut out."""
     loads, couples = plan.acting(*dyad.links)
-    kept = tuple(one for one in equations if one is not None)
+    kept = tuple(equation for equation in equations if equation is not None)
     return Cut(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), inner, kept, tuple(sides))
 
 
@@ -246,11 +246,11 @@ def support(
     return Support(*pair, at, force, tuple(parts), joint, moment, joint.point)
 
 
-def on_taker(one: Support) -> tuple[list[Load], list[Couple]]:
+def on_taker(reaction: Support) -> tuple[list[Load], list[Couple]]:
     """Give a reaction as a load on the link that takes it."""
-    index = indices(one.giver, one.taker)
-    held = [] if one.moment is None else [Couple(f"M_{index}", one.taker, one.moment, REACTION)]
-    return [Load(f"R_{index}", one.taker, one.at, one.force, REACTION)], held
+    index = indices(reaction.giver, reaction.taker)
+    couples = [] if reaction.moment is None else [Couple(f"M_{index}", reaction.taker, reaction.moment, REACTION)]
+    return [Load(f"R_{index}", reaction.taker, reaction.at, reaction.force, REACTION)], couples
 
 
 def opposite(plan: ForcePlan, inner: Support) -> tuple[list[Load], list[Couple]]:

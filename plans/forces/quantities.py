@@ -48,7 +48,7 @@ class ForceComparison(Comparison):
     @property
     def exact(self) -> tuple[Quantity, ...]:
         """The findings of forces but for the energy's, which is found by differences of positions."""
-        return tuple(one for one in self.of(FORCES) if not one.name.endswith(ENERGY))
+        return tuple(quantity for quantity in self.of(FORCES) if not quantity.name.endswith(ENERGY))
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
@@ -59,10 +59,10 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     loads = statics.loading_over(motion.analysis, found)
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     known = ANALYSIS * EPS * motion.kappa ** (ORDER + 1) < 1.0
-    ours, theirs = (replace(one, known=known) for one in (statics.forces, theirs))
+    ours, theirs = (replace(road, known=known) for road in (statics.forces, theirs))
     both = ForceFindings(statics, motion, ours, theirs)
-    told = [*both.reactions(), *both.cylinder(found), *both.balancing(loads)]
-    forces = *cap(study, told), both.energy(loads)
+    found_by_both = [*both.reactions(), *both.cylinder(found), *both.balancing(loads)]
+    forces = *cap(study, found_by_both), both.energy(loads)
     compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion=motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
@@ -100,8 +100,9 @@ class ForceFindings:
         self.largest = max(ours.largest, borne)
         places = np.array([point.r for point in motion.construction.points.values()])
         self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
-        self.supports = {_key(one): one for cut in self.plans.plan.cuts for one in cut.reactions}
-        marks = [mark for one in self.supports.values() for mark in (one.force, one.moment) if mark is not None]
+        self.supports = {_key(support): support for cut in self.plans.plan.cuts for support in cut.reactions}
+        found = ((support.force, support.moment) for support in self.supports.values())
+        marks = [mark for both in found for mark in both if mark is not None]
         lever = [] if self.plans.lever is None else [self.plans.lever.moment]
         plan = self.plans.plan
         drive = [plan.balancing, *([plan.drive] if plan.drive is not None else []), *lever]
@@ -145,17 +146,17 @@ class ForceFindings:
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
             resting = np.asarray(road.rates(self.ours.phi).omega) == 0  # a lever without arms balances nothing
-            both = (np.where(resting, np.nan, one) for one in (hung, theirs.moment))
+            both = (np.where(resting, np.nan, row) for row in (hung, theirs.moment))
             yield self._told_by("lever", tuple(both), self.off(hung_on.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
         yield self._told_by("power", (ours.moment, powered), off, largest)
 
-    def _whole(self, told: Quantity) -> Quantity:
+    def _whole(self, quantity: Quantity) -> Quantity:
         """Hold the force itself of what a slide is pushed with, beside its moment over the drive's unit."""
         ours, theirs = self.ours.balancing.force, self.theirs.balancing.force
         if not self.statics.study.mechanism.drive.pushed or ours is None or theirs is None:
-            return told
-        return told._replace(difference=np.maximum(told.difference, np.abs(ours - theirs)))
+            return quantity
+        return quantity._replace(difference=np.maximum(quantity.difference, np.abs(ours - theirs)))
 
     @property
     def _due(self) -> Floats:
@@ -195,9 +196,9 @@ class ForceFindings:
         off, largest = self.off(plan.balancing), self._largest_moment
         stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
         judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
-        one = self._told_by(ENERGY, (ours.moment, judged), off, largest)
+        quantity = self._told_by(ENERGY, (ours.moment, judged), off, largest)
         more = self._told.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
-        return one._replace(allowed=one.allowed + more)
+        return quantity._replace(allowed=quantity.allowed + more)
 
     @property
     def _largest_moment(self) -> float:
@@ -217,15 +218,16 @@ class ForceFindings:
 
     def _most(self, order: int, symbol: str) -> Floats:
         """Give the largest difference that the plan of an order is allowed in its points, or its links' rates."""
-        told = [one.allowed for one in self.motion.of(ORDERS[order].plan) if one.name.startswith(symbol)]
-        return np.asarray(np.max([np.broadcast_to(row, len(self.ours.phi)) for row in told], axis=0))
+        found = (quantity for quantity in self.motion.of(ORDERS[order].plan) if quantity.name.startswith(symbol))
+        bounds = [np.broadcast_to(quantity.allowed, len(self.ours.phi)) for quantity in found]
+        return np.asarray(np.max(bounds, axis=0))
 
     def _bounds(self) -> Bounds:
         plan = self.plans.plan
-        found = {key: (self.off(one.force), self.off(one.moment)) for key, one in self.supports.items()}
+        found = {key: (self.off(support.force), self.off(support.moment)) for key, support in self.supports.items()}
         for link in plan.loads:
             forces = [self.off(load.force) for load in plan.loads[link] if load.kind == INERTIA]
-            couples = [self.off(one.moment) for one in plan.couples[link] if one.kind == INERTIA]
+            couples = [self.off(couple.moment) for couple in plan.couples[link] if couple.kind == INERTIA]
             found[str(link)] = (sum(forces, self.off(None)), sum(couples, self.off(None)))
         found[BALANCING] = (self.off(plan.drive), self.off(plan.balancing))
         return found
@@ -241,15 +243,15 @@ def numbers(study: Study, by: str) -> Numbers:
     below: MotionNumbers = study.numbers("linkage", by)
     rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
     solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)
-    told: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in solved.gaps]}
+    written: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in solved.gaps]}
     if "forces" in study.plans:
-        told |= described(solved, below.datum)
+        written |= described(solved, below.datum)
         if not statics.study.mechanism.drive.turns:  # of a drive over a stroke the force is told in place of a moment
-            told["balancing"] = {"push": plain(statics.given(solved, below.motion))} | told["balancing"]
-            told["balancing"].pop("moment")
+            written["balancing"] = {"push": plain(statics.given(solved, below.motion))} | written["balancing"]
+            written["balancing"].pop("moment")
     if friction is not None:
-        told |= rubbed(friction)
-    return Numbers(told, bool(solved.gaps) or (friction is not None and bool(friction.jams)))
+        written |= rubbed(friction)
+    return Numbers(written, bool(solved.gaps) or (friction is not None and bool(friction.jams)))
 
 
 def _constructed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:
@@ -286,15 +288,16 @@ def described(forces: Kinetostatics, datum: complex) -> dict[str, Any]:
     if balancing.force is not None and balancing.r is not None:
         drive |= {"force": pairs(balancing.force), "at": pairs(balancing.r + datum)}
     reactions = sorted(forces.reactions.items(), key=lambda item: (item[1].giver, item[1].taker))
-    return {"reactions": {key: _reaction(one, forces.arm(key), datum) for key, one in reactions}, "balancing": drive}
+    bonds = {key: _reaction(reaction, forces.arm(key), datum) for key, reaction in reactions}
+    return {"reactions": bonds, "balancing": drive}
 
 
-def _reaction(one: Reaction, arm: Any, datum: complex) -> dict[str, Any]:
+def _reaction(reaction: Reaction, arm: Any, datum: complex) -> dict[str, Any]:
     """Give a reaction where it is told; of a sliding pair its moment there, and the arm along the slide."""
-    told: dict[str, Any] = {"point": one.point, "force": pairs(one.force), "at": pairs(one.r + datum)}
-    if one.moment is not None:
-        told |= {"moment": plain(one.moment), "arm": plain(arm)}
-    return told
+    written: dict[str, Any] = {"point": reaction.point, "force": pairs(reaction.force), "at": pairs(reaction.r + datum)}
+    if reaction.moment is not None:
+        written |= {"moment": plain(reaction.moment), "arm": plain(arm)}
+    return written
 
 
 def rubbed(friction: Friction) -> dict[str, Any]:

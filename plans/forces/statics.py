@@ -232,11 +232,11 @@ class Statics:
     def pattern(self) -> ForcePattern | ForceDrawing:
         """The force plan drawn at one position, to be followed at all."""
         self.made.setdefault("forces")
-        one = self.study.drafts([0])
-        pattern, _ = one.follow(2)
+        drafts = self.study.drafts([0])
+        pattern, _ = drafts.follow(2)
         if isinstance(pattern, RedrawnPlans):
             return ForceDrawing(self.study.groups, self.machine)
-        return ForcePattern(pattern, self.study.groups, self.machine, self.loading(one.motion(2)))
+        return ForcePattern(pattern, self.study.groups, self.machine, self.loading(drafts.motion(2)))
 
     def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> ForceDrafts:
         """Give the force plans over some positions; those of the same positions are the same."""

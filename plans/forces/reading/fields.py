@@ -162,8 +162,8 @@ def symbol() -> Any:
 def only_with_stroke(*others: Form, owned: tuple[str, ...] = ("stroke",)) -> Form:
     """Give the rule that only a load which changes over a stroke names one, and of its own stroke which works."""
     changes: Form = {"anyOf": [PART, {"required": ["overrun"]}, *others]}
-    own: Form = {"anyOf": [{"required": [name]} for name in owned]}
-    return {"dependentSchemas": {"stroke": changes, "working": {"allOf": [changes, own]}}}
+    has_own: Form = {"anyOf": [{"required": [name]} for name in owned]}
+    return {"dependentSchemas": {"stroke": changes, "working": {"allOf": [changes, has_own]}}}
 
 
 class LoadTable(Table):

@@ -201,12 +201,12 @@ class LoadsTable(Table):
 
     def check(self) -> None:
         """See that no two loads bear the same letters."""
-        seen = set()
+        names = set()
         for kind in ("forces", "moments", "springs"):
             for index, load in enumerate(getattr(self, kind)):
-                if load.name in seen:
+                if load.name in names:
                     raise wrong("repeated", entry=load.name, at=(kind, index, "name"))
-                seen |= {load.name} - {None}
+                names |= {load.name} - {None}
 
 
 FORCES = "forces"  # the sheet

@@ -95,13 +95,13 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
     given = force.value if force.pressure is None else Decimal(force.forced(force.pressure))
     size, course = _sized(given, force.direction)
     diagram = _diagram(force, force.diagram) if force.diagram else None
-    (own, other), resists = _where(force, mechanism), force.between is not None and force.against is not None
-    line = _line(force, own, other)
+    (end, other), resists = _where(force, mechanism), force.between is not None and force.against is not None
+    line = _line(force, end, other)
     track = _track(force)
     if other is not None and line is not None and force.stroke is None and force.changes:
-        track = track._replace(point=own.point, parting=Parting(other.point, line))
+        track = track._replace(point=end.point, parting=Parting(other.point, line))
     when = force.phase, diagram, _overrun(force.rests), track, force.useful
-    return Force(name, own.link, own.point, own.at, size, course, *when, line, other, resists)
+    return Force(name, end.link, end.point, end.at, size, course, *when, line, other, resists)
 
 
 def _diagram(force: ForceTable, table: DiagramTable) -> Diagram:
@@ -113,19 +113,19 @@ def _diagram(force: ForceTable, table: DiagramTable) -> Diagram:
 def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
     """Give where a force acts, and where it acts back: of one between two links the first end is one that moves."""
     if force.between is not None:
-        own, other = _ends(force.between, mechanism)
-        return (other, own) if own.link == FRAME else (own, other)
+        first, other = _ends(force.between, mechanism)
+        return (other, first) if first.link == FRAME else (first, other)
     assert force.on is not None  # the form has seen to it
     assert force.point is not None
     return End(force.on, force.point, mechanism.links[force.on].points[force.point]), None
 
 
-def _line(force: ForceTable, own: End, other: End | None) -> tuple[str, str] | None:
+def _line(force: ForceTable, end: End, other: End | None) -> tuple[str, str] | None:
     """Give the points whose line a force acts along: one between two links away from the other, or as it is told."""
     if not isinstance(force.direction, tuple):
-        return None if other is None else (other.point, own.point)
+        return None if other is None else (other.point, end.point)
     first, second = force.direction
-    turned = force.between is not None and point_of(force.between[0]) != own.point
+    turned = force.between is not None and point_of(force.between[0]) != end.point
     return (second, first) if turned else (first, second)
 
 
@@ -193,8 +193,8 @@ def _check_told(scene: Scene, form: ForceForm, mechanism: Mechanism) -> None:
     named |= {("sheet", "hodographs", index): name for index, name in enumerate(form.sheet.hodographs)}
     if not named:
         return
-    told = [pair.key for pair in pairs(mechanism, decompose(mechanism))]
-    details = {"suggestion": message("advice.pairs", pairs=", ".join(told))}
-    strange = {path: name for path, name in named.items() if name not in told}
+    known = [pair.key for pair in pairs(mechanism, decompose(mechanism))]
+    details = {"suggestion": message("advice.pairs", pairs=", ".join(known))}
+    strange = {path: name for path, name in named.items() if name not in known}
     if strange:
         raise SceneError(scene.fault(path, "unknown_pair", name=name, **details) for path, name in strange.items())

@@ -103,7 +103,7 @@ class DiagramTable(Table):
 
 def _first(holds: Iterable[bool]) -> int | None:
     """Give the number of the first that holds."""
-    return next((k for k, one in enumerate(holds) if one), None)
+    return next((k for k, true in enumerate(holds) if true), None)
 
 
 _BESIDE = ("bore", "rod", "behind")

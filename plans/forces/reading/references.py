@@ -54,12 +54,12 @@ def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) 
     {'0-1': 'a hinge', '1-2': 'a hinge', '1-3': 'a hinge', '2-3': 'a hinge'}
     """
     found = {
-        (one, other): HINGE
-        for one, other in combinations(sorted(points_of), 2)
-        if set(points_of[one]) & set(points_of[other])
+        (first, other): HINGE
+        for first, other in combinations(sorted(points_of), 2)
+        if set(points_of[first]) & set(points_of[other])
     }
     found |= {(min(slide.slider, slide.owner), max(slide.slider, slide.owner)): SLIDE for slide in slides}
-    return {f"{one}-{other}": found[one, other] for one, other in sorted(found)}
+    return {f"{first}-{other}": found[first, other] for first, other in sorted(found)}
 
 
 def _check_masses(survey: LinkageSurvey, form: ForceForm) -> None:
@@ -238,7 +238,7 @@ def _mechanism(scene: Scene) -> Mechanism | None:
 
 def _length(link: Link) -> float:
     """Give the largest distance between points of a link."""
-    return max((abs(one - other) for one, other in combinations(link.points.values(), 2)), default=0.0)
+    return max((abs(first - other) for first, other in combinations(link.points.values(), 2)), default=0.0)
 
 
 def _gravity(scene: Scene, form: ForceForm) -> Iterator[Fault]:
@@ -262,8 +262,8 @@ def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
         for share, there, back in _diagram_ends(table) if table and table.back else ():
             if there != back:
                 name, unit = ("pressure", "Pa") if table and table.pressure else ("force", "N")
-                told = {"travel": f"{share:f}", "jump": f"{abs(there - back):f}", "name": name, "unit": unit}
-                yield scene.fault(path, "open_diagram", **told)
+                details = {"travel": f"{share:f}", "jump": f"{abs(there - back):f}", "name": name, "unit": unit}
+                yield scene.fault(path, "open_diagram", **details)
 
 
 def _pistons(scene: Scene, form: ForceForm) -> Iterator[Fault]:
